@@ -4,6 +4,7 @@
 #include "app/window/plant.h"
 #include "app/window/ring_at_work.h"
 #include "app/window/ring_offer.h"
+#include "project/ring_plan.h"
 #include "tests/app/window_test.h"
 #include "tests/links/modbus_client.h"
 #include "widgets/look/inline_message.h"
@@ -65,6 +66,14 @@ protected:
         }
         click("offer");
         ASSERT_TRUE(ring().offer().isOn());
+    }
+    void planGateway()
+    {
+        Project project = shown->project().project();
+        RingPlan plan = ringPlan(project, firstRing);
+        plan.link = {QStringLiteral("modbus-tcp"), {{QStringLiteral("host"), QStringLiteral("gateway")}}};
+        setRingPlan(project, firstRing, plan);
+        shown->project().edit(std::move(project), QStringLiteral("Connection"));
     }
     int port() { return ring().offer().place().address.section(u':', -1).toInt(); }
     QString status()

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The training ring of the window offered to others: clients of libmodbus use it while the trainer looks on.
-#include "project/ring_plan.h"
 #include "tests/app/offer_test.h"
 #include "tests/support/register_bank.h"
 #include "widgets/offer/offer_form.h"
@@ -24,14 +23,6 @@ using test::partOf;
 class OfferInWindow : public test::OfferTest
 {
 protected:
-    void planGateway()
-    {
-        Project project = shown->project().project();
-        RingPlan plan = ringPlan(project, firstRing);
-        plan.link = {QStringLiteral("modbus-tcp"), {{QStringLiteral("host"), QStringLiteral("gateway")}}};
-        setRingPlan(project, firstRing, plan);
-        shown->project().edit(std::move(project), QStringLiteral("Connection"));
-    }
     QMessageBox *question() { return window().findChild<QMessageBox *>(QStringLiteral("endOfferQuestion")); }
     bool isInTrace(const QString &word)
     {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is simulated begins anew by one command: of the panel Training, or of the menu.
-#include "project/ring_plan.h"
 #include "tests/app/offer_test.h"
 #include "tests/support/register_bank.h"
 #include "widgets/structure/structure_view.h"
@@ -65,14 +64,6 @@ protected:
     {
         bus().channel(place)->stage(word);
         return bus().channel(place)->write() && waitFor([&] { return out(place) == word; });
-    }
-    void planGateway()
-    {
-        Project project = shown->project().project();
-        RingPlan plan = ringPlan(project, firstRing);
-        plan.link = {QStringLiteral("modbus-tcp"), {{QStringLiteral("host"), QStringLiteral("gateway")}}};
-        setRingPlan(project, firstRing, plan);
-        shown->project().edit(std::move(project), QStringLiteral("Connection"));
     }
 };
 

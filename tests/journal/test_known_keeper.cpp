@@ -206,48 +206,47 @@ TEST_F(KnownKeeperTest, IsForgottenWithTheLink)
     EXPECT_FALSE(at(baumer).knownBefore());
 }
 
-TEST_F(KnownKeeperTest, ASimulatedEncoderIsTheSame)
+class KnownOfSimulated : public KnownKeeperTest
 {
-    TrainingBus training = makeTrainingBus(catalog);
-    RingSession simulated{std::move(training.link), catalog, begun};
-    keeper.watch(simulated);
-    ASSERT_TRUE(simulated.open(RingSession::Start::operating));
-    simulated.encoder(baumer)->tell(Parameter::steps, 1'000);
-    simulated.close();
-    ASSERT_TRUE(simulated.open(RingSession::Start::operating));
-    EXPECT_EQ(simulated.encoder(baumer)->known(Parameter::steps)->value, 1'000);
-    EXPECT_FALSE(simulated.encoder(baumer)->knownBefore());
+protected:
+    KnownOfSimulated()
+    {
+        keeper.watch(ring);
+        openRing();
+        ring.encoder(baumer)->tell(Parameter::steps, 1'000);
+    }
+    void openRing() { ASSERT_TRUE(ring.open(RingSession::Start::operating)); }
+
+    RingSession ring{makeTrainingBus(catalog).link, catalog, begun};
+};
+
+TEST_F(KnownOfSimulated, IsThatOfTheSameEncoder)
+{
+    ring.close();
+    openRing();
+    EXPECT_EQ(ring.encoder(baumer)->known(Parameter::steps)->value, 1'000);
+    EXPECT_FALSE(ring.encoder(baumer)->knownBefore());
 }
 
 // Another project may be open by then: they are the same all the same.
-TEST_F(KnownKeeperTest, ASimulatedEncoderIsTheSameUntilItIsMadeAnew)
+TEST_F(KnownOfSimulated, StaysUntilItIsMadeAnew)
 {
-    TrainingBus training = makeTrainingBus(catalog);
-    RingSession ring{std::move(training.link), catalog, begun};
-    keeper.watch(ring);
-    ASSERT_TRUE(ring.open(RingSession::Start::operating));
-    ring.encoder(baumer)->tell(Parameter::steps, 1'000);
     auto before = ring.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), begun);
     keeper.forget();
     ring.useLink(std::move(before), begun);
-    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    openRing();
     EXPECT_EQ(ring.encoder(baumer)->known(Parameter::steps)->value, 1'000);
     ring.close();
     keeper.forgetSimulated();
-    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    openRing();
     EXPECT_FALSE(ring.encoder(baumer)->known(Parameter::steps));
 }
 
 // What holds for simulated encoders does not for real ones at the same places.
-TEST_F(KnownKeeperTest, NothingOfASimulatedEncoderIsOfferedForARealOne)
+TEST_F(KnownOfSimulated, IsNotOfferedForARealOne)
 {
-    TrainingBus training = makeTrainingBus(catalog);
-    RingSession ring{std::move(training.link), catalog, begun};
-    keeper.watch(ring);
-    ASSERT_TRUE(ring.open(RingSession::Start::operating));
-    ring.encoder(baumer)->tell(Parameter::steps, 1'000);
     ring.useLink(std::make_unique<RealLink>(makeTrainingBus(catalog).link), begun);
-    ASSERT_TRUE(ring.open(RingSession::Start::operating));
+    openRing();
     EXPECT_FALSE(ring.encoder(baumer)->knownBefore());
     EXPECT_FALSE(ring.encoder(baumer)->known(Parameter::steps));
 }

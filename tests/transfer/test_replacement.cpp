@@ -28,6 +28,19 @@ protected:
                          {Parameter::zeroOffset, 12, Evidence::read, {}}};
         return device;
     }
+    // Error 3; and what the project wants of its replacement.
+    ProjectDevice frabaThatLosesItsParameters(const ParameterValues &wanted = {{Parameter::steps, 4096},
+                                                                               {Parameter::revolutions, 1},
+                                                                               {Parameter::direction, 3},
+                                                                               {Parameter::preset, 100}})
+    {
+        training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+        bus.advance(50);
+        ProjectDevice device = planned(fraba, "fraba-ocd-ib");
+        device.wanted = wanted;
+        device.stored.clear();
+        return device;
+    }
     Replacement with(const char *key) const
     {
         return {catalog.find(QString::fromLatin1(key)), 0, 0, QStringLiteral("4711")};
@@ -63,15 +76,8 @@ TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
 // Error 3: what can be read is not what it works with.
 TEST_F(Replacing, AnEncoderThatHasLostItsParametersGetsAllOfThem)
 {
-    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
-    bus.advance(50);
+    const ProjectDevice device = frabaThatLosesItsParameters();
     ASSERT_EQ(encoder(fraba).latest().in, 0x8600'0000u);
-    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
-    device.wanted = {{Parameter::steps, 4096},
-                     {Parameter::revolutions, 1},
-                     {Parameter::direction, 3},
-                     {Parameter::preset, 100}};
-    device.stored.clear();
     for (const ParameterValue &value : device.wanted) // as if it had been read
         encoder(fraba).tell(value.parameter, value.value);
     bus.advance(50);
@@ -109,14 +115,7 @@ TEST_F(Replacing, WhatWasKnownOfTheOneBeforeIsNotTakenForTheNewOnes)
 // The position is its parameter 4 then: without it the encoder would not work.
 TEST_F(Replacing, AnEncoderThatHasLostItsParametersGetsThePositionAsItsPreset)
 {
-    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
-    bus.advance(50);
-    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
-    device.wanted = {{Parameter::steps, 4096},
-                     {Parameter::revolutions, 1},
-                     {Parameter::direction, 3},
-                     {Parameter::preset, 100}};
-    device.stored.clear();
+    const ProjectDevice device = frabaThatLosesItsParameters();
     const TransferPlan plan =
         planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), 3000, anywhere)});
     ASSERT_FALSE(plan[0].hindrance);
@@ -130,11 +129,8 @@ TEST_F(Replacing, AnEncoderThatHasLostItsParametersGetsThePositionAsItsPreset)
 
 TEST_F(Replacing, ThePlanSaysWhatAnEncoderLacksThatHasLostItsParameters)
 {
-    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
-    bus.advance(50);
-    ProjectDevice device = planned(fraba, "fraba-ocd-ib");
-    device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}};
-    device.stored.clear();
+    const ProjectDevice device =
+        frabaThatLosesItsParameters({{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
     const TransferPlan plan =
         planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), std::nullopt, anywhere)});
     EXPECT_EQ(plan[0].write.lostAndNotWritten,
