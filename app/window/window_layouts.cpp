@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 
 constexpr auto restOfTheEdge = 150ms; // longer than the pauses of a hand dragging the edge
 constexpr QSize smallestWindow(960, 560);
+constexpr int mostGivenBack = 3;          // of growth that comes again and again
 constexpr int leastOfPanel = 20;          // pixels; anything smaller shows nothing
 constexpr QSize handleOfFloating(80, 20); // by which it can be dragged
 
@@ -86,6 +87,10 @@ void WindowLayouts::useDefault()
 
 bool WindowLayouts::eventFilter(QObject *watched, QEvent *event)
 {
+    if (watched == &m_window && event->type() == QEvent::Resize)
+        noteSize(*static_cast<QResizeEvent *>(event));
+    if (watched == &m_window && event->type() == QEvent::LayoutRequest && hasGrown())
+        m_settling.start();
     if (watched == &m_window && event->type() == QEvent::Resize && m_hasBegun && m_window.isVisible() &&
         !m_isEntering) {
         if (!m_settling.isActive())
@@ -106,8 +111,31 @@ void WindowLayouts::rememberIfChanged(QSize in)
         m_kept[m_size] = {std::move(now), in};
 }
 
+// A window also grows to hold a page or panel that asks, for a moment, for more than it needs.
+void WindowLayouts::noteSize(const QResizeEvent &event)
+{
+    if (event.size() != event.oldSize().expandedTo(m_window.minimumSize()))
+        m_asked = event.size();
+}
+
+bool WindowLayouts::hasGrown() const
+{
+    return m_hasBegun && m_window.isVisible() && !m_window.isMaximized() && !m_window.isFullScreen() &&
+           m_asked.isValid() && m_window.size() != m_asked;
+}
+
+void WindowLayouts::giveBackGrowth()
+{
+    if (!hasGrown())
+        m_givenBack = 0;
+    else if (m_window.minimumSizeHint().boundedTo(m_asked) == m_window.minimumSizeHint() &&
+             ++m_givenBack <= mostGivenBack)
+        m_window.resize(m_asked);
+}
+
 void WindowLayouts::settle()
 {
+    giveBackGrowth();
     const QPointer<QWidget> focused = m_window.focusWidget();
     const WindowSize size = windowSizeOf(m_window.size());
     const auto kept = m_kept.find(size);

@@ -11,6 +11,7 @@
 #include <map>
 
 class QMainWindow;
+class QResizeEvent;
 
 namespace codewheel {
 
@@ -42,6 +43,9 @@ private:
         QByteArray state;
         QSize in; // for a window of this size
     };
+    void noteSize(const QResizeEvent &event);
+    bool hasGrown() const;
+    void giveBackGrowth();
     void rememberIfChanged(QSize in);
     void settle();
     void enterAnew();
@@ -56,6 +60,8 @@ private:
     WindowSize m_size = WindowSize::usual;
     QByteArray m_settled; // as it followed from the window's size, before any rearranging
     QTimer m_settling{this};
+    QSize m_asked; // of the window; to hold what is in it, it may be larger
+    int m_givenBack = 0;
     bool m_hasBegun = false;
     bool m_isEntering = false; // what it makes of the window is not what anybody arranged
     bool m_wasShown = true;    // or it is no matter as yet

@@ -279,6 +279,20 @@ TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)
     EXPECT_FALSE(search->visibleRegion().isEmpty()) << "what one opens is in sight";
 }
 
+TEST_P(SmallWindow, StaysAsItIsWhenThePagesGiveWayToAnother)
+{
+    ringActions().disconnectBus->trigger();
+    lineActions().disconnectLine->trigger();
+    advance(50);
+    auto *terminal = window().findChild<QDockWidget *>(QStringLiteral("terminalDock"));
+    terminal->show();
+    terminal->raise();
+    expectSmall(QStringLiteral("start page"));
+    QTest::mouseClick(window().findChild<QPushButton *>(QStringLiteral("startTraining")), Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window().size() == smallest; })) << "it may grow for a moment";
+    expectSmall(QStringLiteral("training bus"));
+}
+
 TEST_P(SmallWindow, TheNameInTheTreeKeeps16Characters)
 {
     auto *tree = window().findChild<QTreeView *>(QStringLiteral("structure"));
