@@ -5,6 +5,7 @@ set(codewheel_test_environment
     "QT_QPA_PLATFORM=offscreen"
     "DBUS_SESSION_BUS_ADDRESS="
     "LC_ALL=C.UTF-8"
+    "FONTCONFIG_FILE=${PROJECT_SOURCE_DIR}/tests/support/fonts.conf"
     "ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1"
     "LSAN_OPTIONS=print_suppressions=0:suppressions='${PROJECT_SOURCE_DIR}/tests/support/lsan.supp'"
     "UBSAN_OPTIONS=print_stacktrace=1"

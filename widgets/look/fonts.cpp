@@ -39,9 +39,11 @@ QFont textFont(TextSize size)
     return sized(QApplication::font(), size);
 }
 
+// The one that comes with the package fits the height of the texts; other computers have it first or not.
 QFont numberFont(TextSize size)
 {
     QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    font.setFamilies({QStringLiteral("DejaVu Sans Mono"), font.family()});
     font.setStyleHint(QFont::Monospace);
     return sized(font, size);
 }
