@@ -42,7 +42,7 @@ InsertPanel::InsertPanel(const PlanEdits &edits, QWidget *parent)
     : QWidget(parent)
     , m_edits(edits)
     , m_search(describe(new QLineEdit(this), "catalogSearch", tr("Search the catalog"),
-                        tr("Shows the devices of the catalog that have this text")))
+                        tr("Shows the devices of the catalog that have these words")))
     , m_devices(describe(new QListWidget(this), "catalogDevices", tr("Devices of the catalog"),
                          tr("Enter or a double click inserts the device")))
     , m_idCode(describe(new QLineEdit(this), "insertIdCode", tr("ID code"),
@@ -170,11 +170,14 @@ void InsertPanel::fillCatalog()
 {
     m_devices->clear();
     m_offered.clear();
+    const QString searched = m_search->text();
+    const auto words = QStringView(searched).split(u' ', Qt::SkipEmptyParts);
     for (const Participant &device : m_edits.rules().offered(m_edits.catalog())) {
         QString text = m_edits.nameOf(device);
         if (device.deviceCode != 0)
             text += QStringLiteral("  (%1)").arg(hexCode(device.deviceCode, 4));
-        if (!text.contains(m_search->text().trimmed(), Qt::CaseInsensitive))
+        if (!std::ranges::all_of(words,
+                                 [&](QStringView word) { return text.contains(word, Qt::CaseInsensitive); }))
             continue;
         m_devices->addItem(text);
         m_offered.push_back(device);

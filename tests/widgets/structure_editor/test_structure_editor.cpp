@@ -223,6 +223,18 @@ TEST_F(StructureEditorTest, ADeviceOfTheCatalogIsSearchedAndInserted)
     EXPECT_EQ(at(QStringLiteral("2.0")).inWords, 2);
 }
 
+TEST_F(StructureEditorTest, TheCatalogIsSearchedByWords)
+{
+    key(Qt::Key_Insert);
+    auto &search = child<QLineEdit>("catalogSearch");
+    auto &found = child<QListWidget>("catalogDevices");
+    QTest::keyClicks(&search, QStringLiteral("gxp6w baumer "));
+    ASSERT_EQ(found.count(), 1);
+    EXPECT_TRUE(found.item(0)->text().contains(QStringLiteral("GXP6W")));
+    QTest::keyClicks(&search, QStringLiteral("fraba"));
+    EXPECT_EQ(found.count(), 0);
+}
+
 TEST_F(StructureEditorTest, ADeviceIsInsertedByItsCodes)
 {
     choose(QStringLiteral("2.0"));
