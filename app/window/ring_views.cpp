@@ -50,7 +50,7 @@ QStackedWidget *eitherOf(QWidget *one, QWidget *other, QWidget *parent)
 
 QWidget *noTraining(QWidget *parent)
 {
-    return new EmptyState(Icon::training, RingViews::tr("This ring is real"),
+    return new EmptyState(Icon::training, RingViews::tr("Not a training bus"),
                           RingViews::tr("Shafts can be turned and faults caused on a training bus only."),
                           parent);
 }

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "encoder/position_mode.h"
+#include "encoder/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/job/known_text.h"
@@ -45,9 +46,6 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
     describeAction(*m_velocity, "velocityMode",
                    tr("The encoder sends its speed in revolutions per minute instead of its position"),
                    Qt::CTRL | Qt::SHIFT | Qt::Key_V);
-    describeAction(*m_frabaPreset, "frabaPreset",
-                   tr("Sets the position to the programmed preset, as often as wanted; asks first"),
-                   Qt::CTRL | Qt::SHIFT | Qt::Key_P);
     foundBy(m_frabaPreset, tr("set the position, zero, zero point"));
     describeAction(*m_reset, "resetToDefault", tr("Shows what is lost, and asks first"));
     connect(m_isInPositionMode, &QAction::triggered, this, &EncoderFunctions::tellPositionMode);
@@ -83,13 +81,26 @@ void EncoderFunctions::show()
     m_isInPositionMode->setVisible(m_encoder && m_encoder->device().mayHaveModes() && !mode);
     m_position->setVisible(hasModes);
     m_velocity->setVisible(can.velocity);
-    m_frabaPreset->setVisible(can.manufacturerPreset);
+    m_frabaPreset->setVisible(m_encoder && m_encoder->device().capabilities.manufacturerPreset);
     m_reset->setVisible(can.resets);
     for (QAction *action : actions())
         action->setEnabled(isFree && action->isVisible());
+    showFrabaPreset(can.manufacturerPreset);
     m_position->setChecked(mode == Mode::position);
     m_velocity->setChecked(mode == Mode::velocity);
     m_velocity->setText(tr("&Velocity mode (now: %1)").arg(modeName(mode)));
+}
+
+// Of a gateway, it is shown with the reason why it cannot be sent.
+void EncoderFunctions::showFrabaPreset(bool canBeSent)
+{
+    m_frabaPreset->setEnabled(m_frabaPreset->isEnabled() && canBeSent);
+    describeAction(
+        *m_frabaPreset, "frabaPreset",
+        canBeSent || !m_frabaPreset->isVisible()
+            ? tr("Sets the position to the programmed preset, as often as wanted; asks first")
+            : refusalText({RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {k3::frabaPreset}}),
+        Qt::CTRL | Qt::SHIFT | Qt::Key_P);
 }
 
 void EncoderFunctions::tellPositionMode()

@@ -33,6 +33,7 @@ Q_SIGNALS:
 
 private:
     void show();
+    void showFrabaPreset(bool canBeSent);
     void tellPositionMode();
     void goToPositionMode();
     void goToVelocityMode();
