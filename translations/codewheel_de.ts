@@ -11076,10 +11076,6 @@ ist. Braucht keinen Bus.</translation>
         <translation>Katalog durchsuchen</translation>
     </message>
     <message>
-        <source>Shows the devices of the catalog that have this text</source>
-        <translation>Zeigt die Geräte des Katalogs, die diesen Text enthalten</translation>
-    </message>
-    <message>
         <source>Devices of the catalog</source>
         <translation>Geräte des Katalogs</translation>
     </message>
@@ -11154,6 +11150,10 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>Where the device is inserted, relative to the chosen one</source>
         <translation>Wo das Gerät eingefügt wird, vom gewählten aus gesehen</translation>
+    </message>
+    <message>
+        <source>Shows the devices of the catalog that have these words</source>
+        <translation>Zeigt die Geräte des Katalogs, in denen diese Wörter vorkommen</translation>
     </message>
 </context>
 <context>
@@ -18124,10 +18124,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Nimmt Segment %1 und was dahinter liegt nach einer Rückfrage aus den Datenzyklen. Der Rest lässt sich dann starten.</translation>
     </message>
     <message>
-        <source>This ring is real</source>
-        <translation>Dieser Ring ist echt</translation>
-    </message>
-    <message>
         <source>Shafts can be turned and faults caused on a training bus only.</source>
         <translation>Nur an einem Übungsbus lassen sich Wellen drehen und Fehler auslösen.</translation>
     </message>
@@ -18162,6 +18158,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Operate, and bring back</source>
         <translation>Bedienen und zurückholen</translation>
+    </message>
+    <message>
+        <source>Not a training bus</source>
+        <translation>Kein Übungsbus</translation>
     </message>
 </context>
 <context>

@@ -364,8 +364,14 @@ void MainWindow::foldBottom()
 void MainWindow::showStart()
 {
     const QWidget *page = m_pages->currentWidget();
-    if (page == m_monitors || page == m_start->page())
-        showMonitors();
+    if (page != m_monitors && page != m_start->page())
+        return;
+    const QWidget *focused = focusWidget();
+    const bool isFree =
+        focused == nullptr || m_structure->isAncestorOf(focused) || m_pages->isAncestorOf(focused);
+    showMonitors();
+    if (isFree && page == m_monitors && m_pages->currentWidget() == m_start->page())
+        m_start->page()->setFocus(); // it has keys of its own
 }
 
 void MainWindow::showCams()

@@ -78,7 +78,7 @@ protected:
         const auto *panel = window().findChild<TrainingPanel *>();
         const auto *shownHere = qobject_cast<QStackedWidget *>(panel->parentWidget())->currentWidget();
         return std::ranges::any_of(shownHere->findChildren<QLabel *>(), [](const QLabel *label) {
-            return label->text() == QStringLiteral("This ring is real");
+            return label->text() == QStringLiteral("Not a training bus");
         });
     }
     void setIn(int device, Word word) // of the first two, which have two registers each

@@ -97,6 +97,30 @@ TEST_F(GatewayInWindowTest, IsCalledAGatewayInTheBusStructure)
     EXPECT_EQ(tree.model()->index(0, 0).data().toString(), QStringLiteral("Gateway"));
 }
 
+TEST_F(GatewayInWindowTest, TheFrabaPresetIsShownWithTheReasonWhyItCannotBeSent)
+{
+    connectGateway();
+    window().findChild<StructureView *>()->choose(fraba);
+    auto *preset = window().findChild<QAction *>(QStringLiteral("frabaPreset"));
+    EXPECT_TRUE(preset->isVisible());
+    EXPECT_FALSE(preset->isEnabled());
+    EXPECT_TRUE(preset->toolTip().contains(QStringLiteral("one cycle only")))
+        << preset->toolTip().toStdString();
+    window().findChild<StructureView *>()->choose(test::baumer);
+    EXPECT_FALSE(preset->isVisible());
+}
+
+TEST_F(GatewayInWindowTest, ThePageSaysConnectedOnlyWhileItIs)
+{
+    connectGateway();
+    EXPECT_TRUE(told(connection()).startsWith(QStringLiteral("Connected.")))
+        << told(connection()).toStdString();
+    ringActions().disconnectBus->trigger();
+    advance(20);
+    ASSERT_TRUE(connection().isVisible());
+    EXPECT_EQ(told(connection()), QString());
+}
+
 // A gateway has no ID cycle: what it has is what it was told.
 TEST_F(GatewayInWindowTest, NothingIsComparedWhereNobodySaysWhatIsThere)
 {

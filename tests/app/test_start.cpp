@@ -85,6 +85,14 @@ TEST_F(StartPageTest, StandsInPlaceOfTheMonitorsWhileNoBusIsConnected)
 }
 
 // The value is typed where the first click goes, and the review is confirmed by Return.
+TEST_F(StartPageTest, ItsKeysWorkAsSoonAsTheLastBusIsDisconnected)
+{
+    window().findChild<StructureView *>()->setFocus();
+    disconnectAll();
+    ASSERT_NE(QApplication::focusWidget(), nullptr);
+    EXPECT_TRUE(start().isAncestorOf(QApplication::focusWidget()));
+}
+
 TEST_F(StartPageTest, ThreeClicksToTheFirstWrittenParameter)
 {
     disconnectAll();

@@ -101,6 +101,19 @@ TEST_F(TransferInTheWindow, TheChosenEncoderIsReplaced)
     EXPECT_TRUE(actions().replaceEncoder->toolTip().contains(QStringLiteral("cannot be parameterized")));
 }
 
+TEST_F(TransferInTheWindow, AnotherProjectTakesTheResultOfTheTransferAway)
+{
+    choose(baumer);
+    write(2048);
+    ASSERT_TRUE(page().findChild<QPushButton *>(QStringLiteral("transferBack"))->isVisible());
+    shown->project().setFile(folder.filePath(QStringLiteral("same.codewheel")));
+    EXPECT_TRUE(page().findChild<QPushButton *>(QStringLiteral("transferBack"))->isVisible());
+    shown->project().setProject({}, {});
+    actions().transfer->trigger();
+    EXPECT_FALSE(page().findChild<QPushButton *>(QStringLiteral("transferBack"))->isVisible());
+    EXPECT_TRUE(page().findChild<QPushButton *>(QStringLiteral("transferBegin"))->isVisible());
+}
+
 TEST_F(TransferInTheWindow, AnotherProjectEndsTheReplacement)
 {
     choose(fraba);

@@ -182,7 +182,11 @@ void ConnectPage::setConnected(Connected connected)
 {
     const Connected before = std::exchange(m_connected, connected);
     showButtons();
-    if (before == Connected::no && connected != before && isVisible())
+    if (before == connected || !isVisible())
+        return;
+    if (connected == Connected::no)
+        m_problem->withdraw(); // what was said of the connection
+    else if (before == Connected::no)
         tell(tr("Connected. Close this page (Esc) to see the encoders."));
 }
 

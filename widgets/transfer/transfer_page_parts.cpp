@@ -98,6 +98,11 @@ void TransferPage::connectAll()
     connect(&m_round, &JobRound::finished, this, &TransferPage::finish);
     connect(&m_soon, &QTimer::timeout, this, &TransferPage::showPlan);
     connect(&m_project, &ProjectDocument::changed, this, &TransferPage::planSoon);
+    connect(&m_project, &ProjectDocument::replaced, this, [this] {
+        m_problem->withdraw();
+        if (m_stage->currentWidget() == m_done)
+            backToChoice(); // what was written belongs to the other project
+    });
     connect(&m_buses, &Buses::changed, this, [this] {
         m_choice->showEncoders();
         followEncoders();
