@@ -15,8 +15,8 @@ struct FreeArchive
     void operator()(archive *zip) const { archive_write_free(zip); }
     void operator()(archive_entry *entry) const { archive_entry_free(entry); }
 };
-using Archive = std::unique_ptr<archive, FreeArchive>;
-using ArchiveEntry = std::unique_ptr<archive_entry, FreeArchive>;
+using ZipArchive = std::unique_ptr<archive, FreeArchive>;
+using ZipArchiveEntry = std::unique_ptr<archive_entry, FreeArchive>;
 
 la_ssize_t passToFile(archive *, void *file, const void *bytes, std::size_t count)
 {
@@ -26,7 +26,7 @@ la_ssize_t passToFile(archive *, void *file, const void *bytes, std::size_t coun
 
 bool addToZip(archive &zip, const ZipEntry &file, const QDateTime &time)
 {
-    const ArchiveEntry entry(archive_entry_new());
+    const ZipArchiveEntry entry(archive_entry_new());
     archive_entry_set_pathname(entry.get(), file.name.toLatin1().constData());
     archive_entry_set_size(entry.get(), file.bytes.size());
     archive_entry_set_filetype(entry.get(), AE_IFREG);
@@ -39,7 +39,7 @@ bool addToZip(archive &zip, const ZipEntry &file, const QDateTime &time)
 
 bool writeZip(FileReplacement &replacement, const std::vector<ZipEntry> &files, const QDateTime &time)
 {
-    const Archive zip(archive_write_new());
+    const ZipArchive zip(archive_write_new());
     if (archive_write_set_format_zip(zip.get()) != ARCHIVE_OK ||
         archive_write_set_bytes_in_last_block(zip.get(), 1) != ARCHIVE_OK ||
         archive_write_open(zip.get(), &replacement, nullptr, passToFile, nullptr) != ARCHIVE_OK)

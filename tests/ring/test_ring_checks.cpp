@@ -13,6 +13,8 @@
 namespace codewheel {
 namespace {
 
+using namespace std::chrono_literals;
+
 class RingChecks : public testing::Test
 {
 protected:
