@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modbus/served_units.h"
+#include "kinds/interbus/gateway/served_units.h"
 #include "training_session.h"
 
 #include <memory>

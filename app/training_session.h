@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 
 #include <memory>
 

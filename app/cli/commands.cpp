@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
 
-#include "cli/link_kind.h"
-#include "cli/places.h"
+#include "cli/bus/places.h"
+#include "cli/kinds/link_kind.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/subcommand.h"
+#include "cli/call/subcommand.h"
 
 namespace codewheel {
 

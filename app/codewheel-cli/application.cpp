@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codewheel-cli/application.h"
 
-#include "cli/command_line.h"
+#include "cli/call/command_line.h"
 
 #include <QGuiApplication>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/command_line.h"
-#include "cli/terminal.h"
+#include "cli/call/command_line.h"
+#include "cli/call/terminal.h"
 #include "codewheel-cli/application.h"
 #include "journal/ledger_writer.h"
 #include "journal_files.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/program.h"
-#include "encoder/shown_text.h"
 #include "language.h"
 #include "standard_streams.h"
+#include "vocabulary/shown_text.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

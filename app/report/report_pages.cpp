@@ -3,8 +3,8 @@
 
 #include "app/report/report_document.h"
 #include "app/report/sheet_format.h"
-#include "encoder/sentence.h"
 #include "report/printable_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>

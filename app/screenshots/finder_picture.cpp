@@ -2,7 +2,7 @@
 #include "app/screenshots/finder_picture.h"
 
 #include "app/screenshots/scene.h"
-#include "app/window/trouble_of.h"
+#include "app/window/connect/trouble_of.h"
 #include "doctor/hindrance_of_refusal.h"
 #include "widgets/find/find_page.h"
 

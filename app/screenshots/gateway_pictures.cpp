@@ -2,10 +2,10 @@
 #include "app/screenshots/gateway_pictures.h"
 
 #include "app/screenshots/scene.h"
-#include "app/window/ring_actions.h"
-#include "app/window/ring_at_work.h"
+#include "app/window/kinds/interbus/ring_actions.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
 #include "widgets/connect/connect_page.h"
-#include "widgets/gateway/registers_page.h"
+#include "widgets/kinds/interbus/gateway/registers_page.h"
 #include "widgets/look/label_text.h"
 
 #include <QAction>

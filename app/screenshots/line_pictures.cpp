@@ -3,12 +3,12 @@
 
 #include "app/screenshots/scene.h"
 #include "catalog/device_description.h"
-#include "esc/esc_request.h"
+#include "kinds/esc/protocol/esc_request.h"
 #include "widgets/connect/connect_page.h"
-#include "widgets/line/line_panel.h"
-#include "widgets/line/line_search.h"
-#include "widgets/line/line_settings_form.h"
-#include "widgets/line/line_terminal.h"
+#include "widgets/kinds/esc/line/line_panel.h"
+#include "widgets/kinds/esc/line/line_search.h"
+#include "widgets/kinds/esc/line/line_settings_form.h"
+#include "widgets/kinds/esc/line/line_terminal.h"
 #include "widgets/look/label_text.h"
 #include "widgets/structure/structure_view.h"
 

@@ -2,14 +2,14 @@
 #include "app/screenshots/offer_picture.h"
 
 #include "app/screenshots/scene.h"
-#include "app/window/plant.h"
-#include "app/window/ring_actions.h"
-#include "app/window/ring_at_work.h"
-#include "app/window/ring_offer.h"
-#include "simulator/fault_plan.h"
-#include "widgets/offer/offer_page.h"
-#include "widgets/offer/seat_panel.h"
-#include "widgets/offer/seats_view.h"
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/interbus/ring_actions.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
+#include "app/window/kinds/interbus/ring_offer.h"
+#include "kinds/interbus/simulator/fault_plan.h"
+#include "widgets/kinds/interbus/offer/offer_page.h"
+#include "widgets/kinds/interbus/offer/seat_panel.h"
+#include "widgets/kinds/interbus/offer/seats_view.h"
 
 #include <QAction>
 #include <QTableView>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/training_window.h"
+#include "app/window/kinds/training_window.h"
 
 #include <QPixmap>
 #include <QSize>

@@ -2,10 +2,10 @@
 #include "app/screenshots/project_pictures.h"
 
 #include "app/screenshots/scene.h"
-#include "app/window/ring_actions.h"
-#include "ring/id_code.h"
-#include "ring/ring_edit.h"
-#include "widgets/master/ring_comparison.h"
+#include "app/window/kinds/interbus/ring_actions.h"
+#include "kinds/interbus/ring/id_code.h"
+#include "kinds/interbus/ring/ring_edit.h"
+#include "widgets/kinds/interbus/master/ring_comparison.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/structure_editor.h"
 

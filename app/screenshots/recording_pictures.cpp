@@ -2,8 +2,8 @@
 #include "app/screenshots/recording_pictures.h"
 
 #include "app/screenshots/scene.h"
-#include "app/window/plant.h"
-#include "app/window/recordings.h"
+#include "app/window/buses/plant.h"
+#include "app/window/recording/recordings.h"
 #include "recording/recorded_device.h"
 #include "recording/recording_writer.h"
 #include "widgets/look/inline_message.h"

@@ -3,10 +3,10 @@
 
 #include "app/report/report_pages.h"
 #include "app/report/sheet_format.h"
-#include "app/window/training_window.h"
+#include "app/window/kinds/training_window.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
-#include "ring/ring_session.h"
 
 #include <QCoreApplication>
 #include <QLabel>

@@ -3,7 +3,7 @@
 
 #include "bus/word_channel.h"
 #include "catalog/device_description.h"
-#include "ring/ring_session.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
 

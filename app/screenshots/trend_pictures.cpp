@@ -2,7 +2,7 @@
 #include "app/screenshots/trend_pictures.h"
 
 #include "app/screenshots/scene.h"
-#include "app/window/plant.h"
+#include "app/window/buses/plant.h"
 #include "widgets/trend/trend_page.h"
 
 namespace codewheel {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/dropped_files.h"
-#include "app/window/panels.h"
+#include "app/window/files/dropped_files.h"
+#include "app/window/look/panels.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
-#include "encoder/place.h"
+#include "vocabulary/place.h"
 
 #include <QHash>
 #include <QMainWindow>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The buses in the window: each has views of its own kind, and one of them is the chosen one.
-#include "app/window/device_choice.h"
+#include "app/window/buses/device_choice.h"
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/window_kinds.h"
+#include "app/window/look/page_head.h"
 #include "app/window/main_window.h"
-#include "app/window/page_head.h"
-#include "app/window/plant.h"
-#include "app/window/window_kinds.h"
 #include "bus/buses.h"
-#include "encoder/sentence.h"
 #include "journal/message_fields.h"
+#include "vocabulary/sentence.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings in the window: opened from a file, shown as buses, closed.
-#include "app/window/device_choice.h"
+#include "app/window/buses/device_choice.h"
+#include "app/window/buses/plant.h"
 #include "app/window/main_window.h"
-#include "app/window/plant.h"
-#include "app/window/recordings.h"
+#include "app/window/recording/recordings.h"
 #include "bus/buses.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/language.h"
-#include "app/window/frame_clock.h"
+#include "app/window/look/frame_clock.h"
 #include "app/window/settings_at_work.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"

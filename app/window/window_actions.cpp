@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/window_actions.h"
 
-#include "app/window/alarm_stop.h"
-#include "app/window/described_action.h"
-#include "app/window/mode_switch.h"
-#include "app/window/tool_bar_fit.h"
+#include "app/window/buses/alarm_stop.h"
+#include "app/window/buses/mode_switch.h"
+#include "app/window/look/described_action.h"
+#include "app/window/look/tool_bar_fit.h"
 #include "bus/word_channel.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/label_text.h"

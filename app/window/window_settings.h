@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/window_size.h"
-#include "encoder/place.h"
-#include "widgets/offer/offer_wish.h"
+#include "app/window/look/window_size.h"
+#include "vocabulary/place.h"
+#include "widgets/kinds/interbus/offer/offer_wish.h"
 #include "widgets/settings/program_settings.h"
 
 #include <QByteArray>

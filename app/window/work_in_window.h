@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/typed_texts.h"
-#include "encoder/place.h"
+#include "app/window/look/typed_texts.h"
+#include "vocabulary/place.h"
 #include "widgets/models/traffic_model.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/trace/trace_view.h"

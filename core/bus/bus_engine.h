@@ -5,7 +5,7 @@
 #include "bus/bus_thread.h"
 #include "bus/bus_work.h"
 #include "bus/value_round.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 
 #include <QScopedValueRollback>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/sleep_watch.h"
+#include "vocabulary/sleep_watch.h"
 
 #include <chrono>
 #include <thread>

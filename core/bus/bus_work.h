@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bus/bus_mail.h"
-#include "encoder/instant.h"
-#include "encoder/refusal.h"
+#include "vocabulary/instant.h"
+#include "vocabulary/refusal.h"
 
 #include <chrono>
 #include <memory>

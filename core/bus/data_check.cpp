@@ -6,10 +6,10 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "encoder/freshness_text.h"
-#include "encoder/hex.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
+#include "vocabulary/freshness_text.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
-#include "encoder/refusal.h"
+#include "vocabulary/place.h"
+#include "vocabulary/refusal.h"
 
 #include <optional>
 #include <vector>

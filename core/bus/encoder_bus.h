@@ -5,8 +5,8 @@
 #include "bus/participant.h"
 #include "bus/traffic.h"
 #include "bus/wall_time.h"
-#include "encoder/encoder_session.h"
-#include "encoder/message.h"
+#include "vocabulary/encoder_session.h"
+#include "vocabulary/message.h"
 
 #include <map>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
-#include "encoder/role.h"
+#include "vocabulary/place.h"
+#include "vocabulary/role.h"
 
 #include <vector>
 

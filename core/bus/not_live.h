@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/freshness.h"
-#include "encoder/place.h"
+#include "vocabulary/freshness.h"
+#include "vocabulary/place.h"
 
 #include <QDateTime>
 

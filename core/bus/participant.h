@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/device_number.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <QString>
 

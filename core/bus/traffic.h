@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/instant.h"
-#include "encoder/place.h"
-#include "encoder/traffic_kind.h"
-#include "words/k3_word.h"
+#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/instant.h"
+#include "vocabulary/place.h"
+#include "vocabulary/traffic_kind.h"
 
 #include <QByteArray>
 #include <QDateTime>

@@ -5,7 +5,7 @@
 #include "cams/check_cams.h"
 #include "catalog/json_writer.h"
 #include "catalog/strict_json.h"
-#include "encoder/sentence.h"
+#include "vocabulary/sentence.h"
 
 #include <QStringList>
 

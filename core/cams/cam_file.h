@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/cam_program.h"
-#include "encoder/refusal.h"
+#include "vocabulary/cam_program.h"
+#include "vocabulary/refusal.h"
 
 #include <QByteArray>
 

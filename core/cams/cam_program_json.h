@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/json_object.h"
-#include "encoder/cam_program.h"
+#include "vocabulary/cam_program.h"
 
 #include <set>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/cam_program.h"
-#include "encoder/refusal.h"
-#include "words/k3_word.h"
+#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/cam_program.h"
+#include "vocabulary/refusal.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "catalog/hex_code.h"
 #include "catalog/protocol_rules.h"
-#include "words/k3_cam_word.h"
+#include "kinds/interbus/words/k3_cam_word.h"
 
 #include <algorithm>
 

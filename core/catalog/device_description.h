@@ -4,10 +4,10 @@
 #include "catalog/device_tables.h"
 #include "catalog/ordering_key.h"
 #include "catalog/profile.h"
-#include "encoder/capabilities.h"
-#include "encoder/parameter.h"
-#include "encoder/refusal.h"
-#include "words/k3_explain.h"
+#include "kinds/interbus/words/k3_explain.h"
+#include "vocabulary/capabilities.h"
+#include "vocabulary/parameter.h"
+#include "vocabulary/refusal.h"
 
 #include <QByteArray>
 #include <QString>

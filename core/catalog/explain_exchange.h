@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/explain_word.h"
-#include "encoder/exchange.h"
+#include "vocabulary/exchange.h"
 
 namespace codewheel {
 

@@ -3,7 +3,7 @@
 
 #include "catalog/meaning_parts.h"
 #include "catalog/position_format.h"
-#include "words/la66_explain.h"
+#include "kinds/interbus/words/la66_explain.h"
 
 #include <QCoreApplication>
 

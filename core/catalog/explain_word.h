@@ -3,7 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
-#include "encoder/meaning_text.h"
+#include "vocabulary/meaning_text.h"
 
 namespace codewheel {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/refusal.h"
+#include "vocabulary/refusal.h"
 
 #include <QStringList>
 

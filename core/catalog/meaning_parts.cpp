@@ -2,12 +2,12 @@
 #include "catalog/meaning_parts.h"
 
 #include "catalog/explain_word.h"
-#include "encoder/device_error_name.h"
-#include "encoder/hex.h"
-#include "encoder/sentence.h"
-#include "words/k3_cam_word.h"
-#include "words/la66_word.h"
-#include "words/position_code.h"
+#include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/position_code.h"
+#include "vocabulary/device_error_name.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "words/position_word.h"
+#include "kinds/interbus/words/position_word.h"
 
 namespace codewheel {
 

@@ -2,8 +2,8 @@
 #include "catalog/value_text.h"
 
 #include "catalog/hex_code.h"
-#include "encoder/hex.h"
-#include "encoder/sentence.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -5,9 +5,9 @@
 #include "doctor/network_hindrances.h"
 #include "doctor/port_hindrances.h"
 #include "doctor/usb_hindrances.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
-#include "encoder/shell_command.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+#include "vocabulary/shell_command.h"
 
 #include <algorithm>
 

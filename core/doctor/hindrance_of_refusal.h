@@ -2,8 +2,8 @@
 #pragma once
 
 #include "doctor/hindrance.h"
-#include "encoder/refusal.h"
 #include "links/computer.h"
+#include "vocabulary/refusal.h"
 
 #include <optional>
 

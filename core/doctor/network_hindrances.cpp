@@ -2,8 +2,8 @@
 #include "doctor/network_hindrances.h"
 
 #include "doctor/doctor_texts.h"
-#include "encoder/sentence.h"
-#include "encoder/shell_command.h"
+#include "vocabulary/sentence.h"
+#include "vocabulary/shell_command.h"
 
 namespace codewheel {
 namespace {

@@ -3,10 +3,10 @@
 
 #include "doctor/doctor_texts.h"
 #include "doctor/port_lock.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
-#include "encoder/shell_command.h"
 #include "links/port_access.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+#include "vocabulary/shell_command.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "doctor/doctor_texts.h"
 #include "doctor/usb_adapters.h"
-#include "encoder/sentence.h"
-#include "encoder/shell_command.h"
+#include "vocabulary/sentence.h"
+#include "vocabulary/shell_command.h"
 
 namespace codewheel {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/found.h"
 
-#include "encoder/refusal_text.h"
 #include "finder/finder_texts.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
-#include "esc_line/serial_settings.h"
 #include "project/kind_data.h"
+#include "serial/serial_settings.h"
+#include "vocabulary/refusal.h"
 
 #include <QString>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/port_finder.h"
 
-#include "encoder/sentence.h"
 #include "finder/finder_texts.h"
 #include "finder/listening.h"
+#include "vocabulary/sentence.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "esc_line/byte_link.h"
 #include "finder/found.h"
+#include "serial/byte_link.h"
 
 #include <atomic>
 #include <memory>

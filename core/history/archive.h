@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
 #include "history/history.h"
 #include "history/mark.h"
 #include "history/shown_channels.h"
+#include "vocabulary/place.h"
 
 #include <QObject>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/instant.h"
+#include "vocabulary/instant.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/shown_values.h"
+#include "vocabulary/shown_values.h"
 
 #include <cmath>
 

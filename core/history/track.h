@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
 #include "history/encoder_history.h"
+#include "vocabulary/place.h"
 
 namespace codewheel {
 

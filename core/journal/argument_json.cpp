@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/argument_json.h"
 
-#include "encoder/hex.h"
+#include "vocabulary/hex.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -3,10 +3,10 @@
 
 #include "catalog/preset_storage.h"
 #include "catalog/value_text.h"
-#include "drivers/protocol.h"
-#include "drivers/values_to_write.h"
-#include "words/k3_cam_word.h"
-#include "words/la66_word.h"
+#include "jobs/protocol.h"
+#include "jobs/values_to_write.h"
+#include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/la66_word.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/known_before.h"
-#include "encoder/place.h"
+#include "vocabulary/known_before.h"
+#include "vocabulary/place.h"
 
 #include <QObject>
 #include <QPointer>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/eeprom_count.h"
-#include "encoder/known.h"
-#include "encoder/place.h"
 #include "journal/database.h"
 #include "journal/ledger_writer.h"
+#include "vocabulary/eeprom_count.h"
+#include "vocabulary/known.h"
+#include "vocabulary/place.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_fields.h"
 
-#include "encoder/local_time.h"
+#include "vocabulary/local_time.h"
 
 #include <QCoreApplication>
 #include <QLocale>

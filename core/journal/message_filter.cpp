@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_filter.h"
 
-#include "encoder/local_time.h"
 #include "journal/message_fields.h"
+#include "vocabulary/local_time.h"
 
 #include <QLocale>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_rows.h"
 
-#include "encoder/refusal_text.h"
 #include "journal/argument_json.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QHash>
 #include <QJsonArray>

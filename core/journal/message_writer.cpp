@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_writer.h"
 
-#include "encoder/csv_text.h"
 #include "journal/message_fields.h"
 #include "journal/told_bus_names.h"
+#include "vocabulary/csv_text.h"
 
 #include <QCoreApplication>
 #include <QIODevice>

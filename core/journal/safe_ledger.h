@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/message.h"
 #include "journal/waiting_entries.h"
+#include "vocabulary/message.h"
 
 #include <functional>
 #include <map>

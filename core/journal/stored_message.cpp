@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/stored_message.h"
 
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
 #include "journal/argument_json.h"
 #include "journal/journal_texts.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QHash>
 #include <QJsonDocument>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/told_bus_names.h"
 
-#include "encoder/bus_names.h"
 #include "journal/message_fields.h"
+#include "vocabulary/bus_names.h"
 
 #include <iterator>
 #include <utility>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/instant.h"
 #include "links/descriptor.h"
 #include "links/resolve_host.h"
+#include "vocabulary/instant.h"
 
 #include <span>
 

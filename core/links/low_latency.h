@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "esc_line/byte_link.h"
+#include "serial/byte_link.h"
 
 namespace codewheel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "links/port_access.h"
 
-#include "encoder/shell_command.h"
+#include "vocabulary/shell_command.h"
 
 #include <QCoreApplication>
 #include <QFile>

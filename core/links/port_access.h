@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
 #include "links/computer.h"
+#include "vocabulary/refusal.h"
 
 namespace codewheel {
 

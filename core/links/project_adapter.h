@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/esc/plan/line_plan.h"
 #include "links/kept_adapter.h"
-#include "project/line_plan.h"
 
 namespace codewheel {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
 #include "links/wake_flag.h"
+#include "vocabulary/refusal.h"
 
 #include <sys/socket.h>
 #include <vector>

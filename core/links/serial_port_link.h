@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "esc_line/byte_link.h"
 #include "links/kept_adapter.h"
 #include "links/wake_flag.h"
+#include "serial/byte_link.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/file_access.h"
 
-#include "encoder/sentence.h"
 #include "project/file_replacement.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A plan beside what is connected, where each device has a place of its own.
 #include "bus/encoder_bus.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
 #include "project/plan_rules.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <algorithm>
 

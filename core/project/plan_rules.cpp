@@ -2,7 +2,7 @@
 #include "project/plan_rules.h"
 
 #include "catalog/catalog.h"
-#include "encoder/sentence.h"
+#include "vocabulary/sentence.h"
 
 #include <algorithm>
 

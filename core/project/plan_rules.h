@@ -3,9 +3,9 @@
 
 #include "bus/comparison.h"
 #include "bus/not_live.h"
-#include "encoder/refusal.h"
 #include "project/finding.h"
 #include "project/project.h"
+#include "vocabulary/refusal.h"
 
 #include <QCoreApplication>
 

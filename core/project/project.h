@@ -2,10 +2,10 @@
 #pragma once
 
 #include "bus/participant.h"
-#include "encoder/cam_program.h"
-#include "encoder/known.h"
 #include "project/kind_data.h"
 #include "project/word_list.h"
+#include "vocabulary/cam_program.h"
+#include "vocabulary/known.h"
 
 #include <QDateTime>
 #include <QString>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/project_file.h"
 
-#include "encoder/sentence.h"
 #include "project/file_access.h"
 #include "project/folder_lock.h"
 #include "project/project_json.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>

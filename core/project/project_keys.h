@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/json_object.h"
-#include "encoder/known.h"
+#include "vocabulary/known.h"
 
 namespace codewheel::project_keys {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
 #include "project/file_lock.h"
 #include "project/project.h"
+#include "vocabulary/refusal.h"
 
 namespace codewheel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/word_list.h"
 
-#include "encoder/hex.h"
+#include "vocabulary/hex.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>

@@ -4,7 +4,7 @@
 
 #include "catalog/json_writer.h"
 #include "catalog/strict_json.h"
-#include "encoder/hex.h"
+#include "vocabulary/hex.h"
 
 namespace codewheel {
 namespace {

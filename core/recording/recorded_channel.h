@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
 #include "journal/sql_connection.h"
 #include "recording/recording_columns.h"
+#include "vocabulary/refusal.h"
 
 #include <deque>
 #include <functional>

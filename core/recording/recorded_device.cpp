@@ -2,7 +2,7 @@
 #include "recording/recorded_device.h"
 
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bus/traffic.h"
-#include "encoder/message.h"
 #include "history/history.h"
 #include "history/shown_channels.h"
+#include "vocabulary/message.h"
 
 #include <variant>
 

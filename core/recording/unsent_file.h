@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/instant.h"
 #include "recording/server_address.h"
+#include "vocabulary/instant.h"
 
 #include <QLockFile>
 #include <QStringList>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bus/traffic.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 
 #include <functional>
 #include <memory>

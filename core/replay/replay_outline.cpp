@@ -3,9 +3,9 @@
 
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
-#include "encoder/freshness_text.h"
-#include "encoder/sentence.h"
 #include "replay/replay_bus.h"
+#include "vocabulary/freshness_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QFileInfo>
 #include <QLocale>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replay/replay_session.h"
 
-#include "drivers/make_driver.h"
+#include "jobs/make_driver.h"
+#include "kinds/interbus/words/k3_cam_word.h"
 #include "replay/replay_bus.h"
-#include "words/k3_cam_word.h"
 
 #include <utility>
 

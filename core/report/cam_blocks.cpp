@@ -2,9 +2,9 @@
 #include "report/cam_blocks.h"
 
 #include "catalog/total_range.h"
-#include "encoder/sentence.h"
 #include "report/report_words.h"
 #include "report/texts.h"
+#include "vocabulary/sentence.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/sentence.h"
 #include "journal/eeprom_cost.h"
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+#include "vocabulary/sentence.h"
 
 namespace codewheel::report_sections {
 namespace {

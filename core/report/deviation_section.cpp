@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/sentence.h"
 #include "project/bus_kind.h"
 #include "project/plan_rules.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+#include "vocabulary/sentence.h"
 
 #include <algorithm>
 

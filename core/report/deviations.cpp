@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/deviations.h"
 
-#include "encoder/refusal_text.h"
 #include "project/bus_kind.h"
 #include "project/old_devices.h"
 #include "report/report_words.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 namespace {

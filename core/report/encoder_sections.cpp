@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/total_range.h"
-#include "encoder/sentence.h"
 #include "report/cam_blocks.h"
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+#include "vocabulary/sentence.h"
 
 namespace codewheel::report_sections {
 namespace {

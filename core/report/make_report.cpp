@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/make_report.h"
 
-#include "encoder/local_time.h"
-#include "encoder/sentence.h"
 #include "project/bus_kind.h"
 #include "report/bus_sections.h"
 #include "report/deviations.h"
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+#include "vocabulary/local_time.h"
+#include "vocabulary/sentence.h"
 
 #include <algorithm>
 #include <iterator>

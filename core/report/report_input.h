@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/eeprom_count.h"
 #include "project/plan_rules.h"
+#include "vocabulary/eeprom_count.h"
 
 #include <QDateTime>
 

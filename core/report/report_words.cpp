@@ -2,9 +2,9 @@
 #include "report/report_words.h"
 
 #include "catalog/value_text.h"
-#include "encoder/freshness_text.h"
-#include "encoder/sentence.h"
 #include "report/texts.h"
+#include "vocabulary/freshness_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QLocale>
 #include <QTimeZone>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/reported_device.h"
 
-#include "encoder/bus_names.h"
+#include "vocabulary/bus_names.h"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 #include "report/transfer_report.h"
 
 #include "catalog/catalog.h"
-#include "encoder/shown_text.h"
 #include "journal/eeprom_cost.h"
 #include "transfer/transfer_words.h"
+#include "vocabulary/shown_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/training_controls.h"
+#include "kinds/interbus/simulator/training_controls.h"
 
 #include <chrono>
 

@@ -3,8 +3,8 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "transfer/project_places.h"
-#include "words/k3_word.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_session.h"
 #include "project/project.h"
+#include "vocabulary/encoder_session.h"
 
 #include <map>
 #include <set>

@@ -3,7 +3,7 @@
 
 #include "bus/encoder_bus.h"
 #include "bus/word_channel.h"
-#include "drivers/values_to_write.h"
+#include "jobs/values_to_write.h"
 
 #include <utility>
 

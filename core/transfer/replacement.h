@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/message.h"
 #include "transfer/transfer_wish.h"
+#include "vocabulary/message.h"
 
 namespace codewheel {
 

@@ -3,7 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "drivers/protocol.h"
+#include "jobs/protocol.h"
 
 #include <algorithm>
 

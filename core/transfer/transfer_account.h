@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/message.h"
 #include "transfer/job_round.h"
 #include "transfer/transfer_plan.h"
+#include "vocabulary/message.h"
 
 namespace codewheel {
 

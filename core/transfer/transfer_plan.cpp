@@ -5,7 +5,7 @@
 #include "bus/participant.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "drivers/values_to_write.h"
+#include "jobs/values_to_write.h"
 #include "journal/eeprom_cost.h"
 #include "transfer/new_encoder.h"
 

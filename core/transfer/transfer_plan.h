@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivers/write_plan.h"
+#include "jobs/write_plan.h"
 #include "transfer/transfer_wish.h"
 
 namespace codewheel {

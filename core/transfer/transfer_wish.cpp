@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/transfer_wish.h"
 
-#include "drivers/values_to_write.h"
+#include "jobs/values_to_write.h"
 #include "project/planned_device.h"
 #include "transfer/project_places.h"
 

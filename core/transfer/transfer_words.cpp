@@ -3,8 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QLocale>

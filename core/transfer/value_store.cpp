@@ -3,7 +3,7 @@
 
 #include "cams/check_cams.h"
 #include "catalog/device_description.h"
-#include "drivers/values_to_write.h"
+#include "jobs/values_to_write.h"
 #include "transfer/last_positions.h"
 
 #include <algorithm>

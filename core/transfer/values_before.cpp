@@ -2,9 +2,9 @@
 #include "transfer/values_before.h"
 
 #include "catalog/catalog.h"
-#include "encoder/freshness_text.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
+#include "vocabulary/freshness_text.h"
 
 namespace codewheel {
 

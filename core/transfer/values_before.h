@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/message.h"
 #include "journal/ledger_keeper.h"
 #include "transfer/transfer_account.h"
+#include "vocabulary/message.h"
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trend/csv_style.h"
 
-#include "encoder/csv_text.h"
-#include "encoder/local_time.h"
+#include "vocabulary/csv_text.h"
+#include "vocabulary/local_time.h"
 
 #include <QDateTime>
 

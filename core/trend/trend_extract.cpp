@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trend/trend_extract.h"
 
-#include "encoder/shown_text.h"
 #include "history/histories.h"
+#include "vocabulary/shown_text.h"
 
 #include <algorithm>
 

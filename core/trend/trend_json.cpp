@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trend/trend_json.h"
 
-#include "encoder/refusal_text.h"
 #include "journal/message_fields.h"
 #include "journal/stored_message.h"
 #include "project/project_keys.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

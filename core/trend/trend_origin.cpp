@@ -2,8 +2,8 @@
 #include "trend/trend_origin.h"
 
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
 #include "transfer/value_store.h"
+#include "vocabulary/encoder_session.h"
 
 namespace codewheel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/alarm_stop.h"
+#include "app/window/buses/alarm_stop.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "tests/support/contrast.h"

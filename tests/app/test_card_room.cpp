@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The monitors that one works with at a time are seen whole, without scrolling.
-#include "app/window/bottom_fold.h"
+#include "app/window/look/bottom_fold.h"
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "tests/support/painted_texts.h"

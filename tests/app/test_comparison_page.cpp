@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The comparison of what a fault of the ring has changed, and with what the master keeps.
-#include "project/project_take_over.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
+#include "widgets/kinds/interbus/master/ring_comparison.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/master/ring_comparison.h"
 
 #include <QAbstractItemView>
 #include <QAction>

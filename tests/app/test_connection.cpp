@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Offline and online in the window.
-#include "app/window/ring_connection.h"
+#include "app/window/kinds/interbus/ring_connection.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
-#include "widgets/master/ring_comparison.h"
+#include "widgets/kinds/interbus/master/ring_comparison.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/plan_edits.h"
 #include "widgets/structure_editor/structure_editor.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults anywhere are shown above the pages of the window.
-#include "app/window/ring_views.h"
+#include "app/window/kinds/interbus/ring_views.h"
+#include "kinds/esc/simulator/simulated_line.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
-#include "simulator/simulated_line.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "widgets/structure/fault_banner.h"
 #include "widgets/structure/structure_view.h"
-#include "words/k3_word.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "project/gateway_plan.h"
-#include "project/ring_plan.h"
-#include "tests/app/line_at_port_test.h"
+#include "kinds/interbus/plan/gateway_plan.h"
+#include "kinds/interbus/plan/ring_plan.h"
+#include "tests/app/kinds/esc/line_at_port_test.h"
 #include "tests/app/press_connect.h"
 #include "tests/support/modbus_server.h"
 #include "widgets/find/find_page.h"
 #include "widgets/find/finder_news_model.h"
-#include "widgets/line/line_search.h"
+#include "widgets/kinds/esc/line/line_search.h"
 
 #include <QSpinBox>
 

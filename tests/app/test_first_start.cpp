@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first start of all, as the program makes it: the training plant, with what turns pinned in the dial.
-#include "app/window/plant.h"
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/program.h"
-#include "app/window/ring_at_work.h"
 #include "bus/word_channel.h"
 #include "tests/app/window_test.h"
 #include "widgets/dial/code_disc.h"

@@ -3,7 +3,7 @@
 #include "tests/app/window_test.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/find/find_page.h"
-#include "widgets/line/line_settings_form.h"
+#include "widgets/kinds/esc/line/line_settings_form.h"
 #include "widgets/look/label_text.h"
 #include "widgets/monitor/word_view.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/frame_clock.h"
+#include "app/window/look/frame_clock.h"
 #include "tests/app/window_test.h"
 #include "tests/support/events_seen.h"
 

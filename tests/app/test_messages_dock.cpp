@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Messages, handshake trace and terminal in the window: the mark for new rows, and going from a row to its
 // device.
-#include "app/window/plant.h"
+#include "app/window/buses/plant.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/messages/message_model.h"

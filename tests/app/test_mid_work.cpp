@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is half done while the language changes, or another device is chosen.
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/main_window.h"
-#include "app/window/plant.h"
 #include "app/window/program.h"
-#include "app/window/ring_at_work.h"
 #include "app/window/window_actions.h"
 #include "bus/buses.h"
 #include "bus/word_channel.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever is clicked, nothing is stored in an encoder, and no position is set, before a question was
 // answered.
-#include "app/window/line_at_work.h"
-#include "app/window/menu_list.h"
+#include "app/window/help/menu_list.h"
+#include "app/window/kinds/esc/line_at_work.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
 #include "widgets/structure/structure_view.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which device the panels show, and editing the project while nothing is connected.
-#include "ring/ring_edit.h"
+#include "kinds/interbus/ring/ring_edit.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
 #include "widgets/cams/cam_editor.h"

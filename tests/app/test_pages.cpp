@@ -3,7 +3,7 @@
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_editor.h"
-#include "widgets/line/line_settings_form.h"
+#include "widgets/kinds/esc/line/line_settings_form.h"
 #include "widgets/look/page.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"

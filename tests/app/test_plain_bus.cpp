@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A kind of bus that the window does not know, added at run time.
-#include "app/window/plant.h"
-#include "app/window/window_kinds.h"
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/window_kinds.h"
 #include "project/bus_plans.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plain_bus.h"

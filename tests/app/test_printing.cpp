@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/printed_table.h"
-#include "app/window/printing.h"
+#include "app/window/paper/printed_table.h"
+#include "app/window/paper/printing.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_table.h"

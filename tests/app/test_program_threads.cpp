@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The running program: the bus at 1 ms in its own thread, two monitors, a wizard's job, starts and stops.
 // Meant for ThreadSanitizer; every wait is for an event.
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/interbus/ring_actions.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/main_window.h"
-#include "app/window/plant.h"
 #include "app/window/program.h"
-#include "app/window/recordings.h"
-#include "app/window/ring_actions.h"
-#include "app/window/ring_at_work.h"
+#include "app/window/recording/recordings.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/project_file.h"
-#include "ring/ring_session.h"
 #include "tests/app/window_test.h"
 #include "tests/replay/replay_recording.h"
 #include "widgets/monitor/monitor_area.h"

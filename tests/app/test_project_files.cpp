@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Projects as files of the window: open, save, recent files, dropped files, the question before changes are
 // lost, what remains after a crash.
-#include "app/window/project_files.h"
-#include "app/window/project_recovery.h"
+#include "app/window/files/project_files.h"
+#include "app/window/files/project_recovery.h"
 #include "cams/cam_file.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
-#include "project/project_take_over.h"
 #include "project/word_list.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
 #include "widgets/cams/cam_editor.h"
+#include "widgets/kinds/interbus/training/fault_plan_bar.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
-#include "widgets/training/fault_plan_bar.h"
 
 #include <QAction>
 #include <QCoreApplication>

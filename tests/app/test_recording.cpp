@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording begun, watched and ended in the window, and what becomes of it when the window goes.
-#include "app/window/plant.h"
+#include "app/window/buses/plant.h"
 #include "app/window/program.h"
 #include "history/histories.h"
 #include "language.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording in the window: opened, played, stepped, shown as what it is, and closed.
-#include "app/window/recordings.h"
+#include "app/window/recording/recordings.h"
 #include "bus/bus_outline.h"
-#include "encoder/freshness_text.h"
 #include "tests/app/window_test.h"
 #include "tests/replay/replay_recording.h"
+#include "vocabulary/freshness_text.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/word_field.h"
 #include "widgets/monitor/word_line.h"

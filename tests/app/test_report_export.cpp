@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/report_export.h"
-#include "app/window/report_preview.h"
+#include "app/window/paper/report_export.h"
+#include "app/window/paper/report_preview.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/inline_message.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 960 x 600 logical pixels are enough for every page and panel, for gloves too.
-#include "esc_line/line_session.h"
+#include "kinds/esc/line/line_session.h"
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "tests/support/cut_off.h"
 #include "widgets/job/cancel_question.h"
-#include "widgets/line/line_terminal.h"
-#include "widgets/line/request_field.h"
+#include "widgets/kinds/esc/line/line_terminal.h"
+#include "widgets/kinds/esc/line/request_field.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
@@ -289,7 +289,8 @@ TEST_P(SmallWindow, StaysAsItIsWhenThePagesGiveWayToAnother)
     terminal->raise();
     expectSmall(QStringLiteral("start page"));
     QTest::mouseClick(window().findChild<QPushButton *>(QStringLiteral("startTraining")), Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return window().size() == smallest; })) << "it may grow for a moment";
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window().size() == smallest; }))
+        << "it may grow for a moment";
     expectSmall(QStringLiteral("training bus"));
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is simulated begins anew by one command: of the panel Training, or of the menu.
-#include "tests/app/offer_test.h"
+#include "tests/app/kinds/interbus/offer_test.h"
 #include "tests/support/register_bank.h"
+#include "widgets/kinds/esc/training/line_training_panel.h"
+#include "widgets/kinds/interbus/training/training_panel.h"
 #include "widgets/structure/structure_view.h"
-#include "widgets/training/line_training_panel.h"
-#include "widgets/training/training_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

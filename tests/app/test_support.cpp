@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Help > Collect for support: the file contains what was listed, and nothing identifies the computer's owner.
-#include "app/window/private_names.h"
-#include "app/window/support_dialog.h"
+#include "app/window/files/private_names.h"
+#include "app/window/files/support_dialog.h"
 #include "project/project_json.h"
 #include "tests/app/window_test.h"
 #include "widgets/look/inline_message.h"

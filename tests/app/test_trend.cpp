@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trend in the window: how one gets there, and what stays.
-#include "app/window/plant.h"
+#include "app/window/buses/plant.h"
 #include "app/window/program.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_editor.h"

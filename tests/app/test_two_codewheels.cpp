@@ -2,7 +2,7 @@
 // Two Codewheels: the wizard of one sets up an encoder of the ring that the other offers. And the program
 // that offers one while its window is made anew.
 #include "app/window/program.h"
-#include "tests/app/offer_test.h"
+#include "tests/app/kinds/interbus/offer_test.h"
 #include "tests/app/press_connect.h"
 #include "tests/app/screen_reader.h"
 #include "widgets/connect/connect_page.h"

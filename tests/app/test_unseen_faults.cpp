@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults that arrive while another program is in front: the desktop is told, by a notification service that
 // shares no code with the program.
+#include "app/window/buses/plant.h"
+#include "app/window/faults/unseen_faults.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/main_window.h"
-#include "app/window/plant.h"
 #include "app/window/program.h"
-#include "app/window/ring_at_work.h"
 #include "app/window/settings_at_work.h"
-#include "app/window/unseen_faults.h"
 #include "app/window/window_actions.h"
 #include "tests/app/desktop_bus.h"
 #include "tests/support/places.h"

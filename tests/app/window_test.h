@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/line_actions.h"
-#include "app/window/ring_actions.h"
-#include "app/window/training_window.h"
+#include "app/window/kinds/esc/line_actions.h"
+#include "app/window/kinds/interbus/ring_actions.h"
+#include "app/window/kinds/training_window.h"
 #include "bus/word_channel.h"
-#include "ring/ring_session.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "tests/support/places.h"
 #include "widgets/monitor/monitor_area.h"
 #include "widgets/monitor/word_card.h"

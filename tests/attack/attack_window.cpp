@@ -6,10 +6,10 @@
 //
 // Prints bus time, memory and frames as it goes, and finally by how much memory has grown; exit code 1 if
 // that is more than allowed. Memory is measured once a minute, always with the window in the same state.
-#include "app/window/plant.h"
-#include "app/window/training_window.h"
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/training_window.h"
 #include "bus/word_channel.h"
-#include "ring/ring_session.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "tests/support/places.h"
 #include "widgets/monitor/monitor_area.h"
 

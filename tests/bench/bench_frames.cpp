@@ -3,14 +3,14 @@
 // its own thread with eight devices whose words change, the dial, and the training line being polled; with
 // `trend` also the trend, with the positions of all eight; then the same with an invisible window. Prints
 // frames per second and the share of one core for both.
-#include "app/window/frame_clock.h"
+#include "app/window/buses/plant.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
+#include "app/window/look/frame_clock.h"
 #include "app/window/main_window.h"
-#include "app/window/plant.h"
-#include "app/window/ring_at_work.h"
 #include "catalog/catalog.h"
 #include "history/track.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/bench/processor_time.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/monitor/monitor_area.h"

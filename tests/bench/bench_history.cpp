@@ -3,8 +3,8 @@
 // 1000 cycles a second take, and the statistics of ten million samples.
 #include "catalog/catalog.h"
 #include "history/histories.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/bench/noisy_shaft.h"
 #include "tests/bench/processor_time.h"
 

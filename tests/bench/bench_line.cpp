@@ -3,9 +3,9 @@
 // line allows: 18 characters both ways, and never less than the 10 ms of the manual. The other end keeps the
 // line's timing.
 #include "catalog/catalog.h"
-#include "drivers/make_driver.h"
-#include "esc_line/line_runner.h"
-#include "simulator/simulated_line_link.h"
+#include "jobs/make_driver.h"
+#include "kinds/esc/line/line_runner.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,12 +4,12 @@
 // gateway is a server of libmodbus on this computer; both clients take turns: directly, and through a relay
 // that sends each answer in two parts, behind its header.
 #include "catalog/catalog.h"
-#include "drivers/make_driver.h"
-#include "links/modbus_port.h"
-#include "modbus/gateway_link.h"
-#include "ring/ring_runner.h"
+#include "jobs/make_driver.h"
+#include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/links/modbus_port.h"
+#include "kinds/interbus/ring/ring_runner.h"
+#include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/links/faulty_relay.h"
-#include "tests/modbus/gateway_ring.h"
 #include "tests/support/modbus_server.h"
 
 #include <algorithm>

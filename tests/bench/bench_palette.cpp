@@ -2,7 +2,7 @@
 // The command palette of the window with a project of 512 devices, all actions, the manual and 10 000
 // messages: the time until it is open and until it knows everything, and from each key until its picture. 60
 // frames a second allow 16 ms.
-#include "app/window/training_window.h"
+#include "app/window/kinds/training_window.h"
 #include "tests/bench/largest_project.h"
 #include "widgets/look/appearance.h"
 #include "widgets/palette/command_palette.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opening and saving a project of 512 devices, including as many K3 encoders as a ring can have, each with
 // values and two cam programs wanted and stored.
+#include "kinds/interbus/ring/numbering.h"
+#include "kinds/interbus/ring/ring_rules.h"
 #include "project/project_file.h"
-#include "ring/numbering.h"
-#include "ring/ring_rules.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>

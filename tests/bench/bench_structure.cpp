@@ -2,7 +2,7 @@
 // The structure editor with a project of 512 devices: the time to open it, and from each edit, undo and wheel
 // step until it is painted. 60 frames a second allow 16 ms.
 #include "catalog/catalog.h"
-#include "ring/ring_edit.h"
+#include "kinds/interbus/ring/ring_edit.h"
 #include "tests/bench/largest_project.h"
 #include "tests/support/places.h"
 #include "tests/support/plans.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "project/project_take_over.h"
-#include "ring/id_code.h"
+#include "kinds/interbus/plan/project_take_over.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "tests/support/plans.h"
 
 namespace codewheel {

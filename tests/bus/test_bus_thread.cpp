@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/bus_thread.h"
 #include "bus/pacer.h"
-#include "ring/ring_runner.h"
-#include "tests/ring/word_by_word_driver.h"
+#include "kinds/interbus/ring/ring_runner.h"
+#include "tests/kinds/interbus/ring/word_by_word_driver.h"
 #include "tests/support/scripted_link.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Links that pass everything on, count what could change something at the far end, and can be lost or block.
 #pragma once
 
-#include "esc_line/byte_link.h"
+#include "serial/byte_link.h"
 #include "tests/support/passing_link.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cams/cam_fields.h"
-#include "encoder/hex.h"
+#include "vocabulary/hex.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cams/cam_file.h"
-#include "encoder/refusal_text.h"
 #include "tests/support/breakage.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QRegularExpression>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "catalog/label_key.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/cli_run.h"
 
-#include "cli/command_line.h"
+#include "cli/call/command_line.h"
 #include "cli/commands.h"
-#include "cli/project_of_call.h"
-#include "cli/ring/ring_access.h"
+#include "cli/kinds/interbus/ring_access.h"
+#include "cli/project/project_of_call.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/arguments.h"
+#include "cli/call/arguments.h"
 
 #include <array>
 #include <gtest/gtest.h>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calls on several buses of a kind: which one PLACE means, and how it is reported.
 #include "catalog/catalog.h"
-#include "cli/command_line.h"
+#include "cli/call/command_line.h"
+#include "cli/call/stop_signals.h"
 #include "cli/commands.h"
-#include "cli/line/line_access.h"
-#include "cli/link_kind.h"
-#include "cli/ring/ring_access.h"
-#include "cli/stop_signals.h"
+#include "cli/kinds/esc/line_access.h"
+#include "cli/kinds/interbus/ring_access.h"
+#include "cli/kinds/link_kind.h"
+#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/interbus/plan/ring_plan.h"
 #include "project/bus_kind.h"
-#include "project/line_plan.h"
 #include "project/project_file.h"
-#include "project/ring_plan.h"
-#include "simulator/simulated_line_link.h"
 #include "tests/cli/cli_run.h"
-#include "tests/cli/shared_line.h"
+#include "tests/cli/kinds/esc/shared_line.h"
 
 #include <QFile>
 #include <QJsonArray>

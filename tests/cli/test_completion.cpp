@@ -3,7 +3,7 @@
 #include "cli/commands.h"
 #include "cli/completion/complete.h"
 #include "cli/completion/usage_words.h"
-#include "cli/link_kind.h"
+#include "cli/kinds/link_kind.h"
 #include "links/serial_ports.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/pty_pair.h"

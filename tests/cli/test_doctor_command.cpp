@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "doctor/doctor.h"
+#include "kinds/interbus/links/server_socket.h"
 #include "links/serial_ports.h"
-#include "links/server_socket.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/pty_pair.h"
 #include "tests/support/without_rights.h"

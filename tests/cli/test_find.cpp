@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Against tests/line/esc_peer.py and a pymodbus server, which know nothing of this program.
-#include "cli/command_line.h"
-#include "cli/stop_signals.h"
-#include "encoder/shown_text.h"
+// Against tests/kinds/esc/line/esc_peer.py and a pymodbus server, which know nothing of this program.
+#include "cli/call/command_line.h"
+#include "cli/call/stop_signals.h"
 #include "tests/cli/cli_run.h"
-#include "tests/cli/gateway_peer.h"
+#include "tests/cli/kinds/interbus/gateway_peer.h"
 #include "tests/support/pty_pair.h"
+#include "vocabulary/shown_text.h"
 
 #include <QFile>
 #include <QJsonArray>

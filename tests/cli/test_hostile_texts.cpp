@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names, keys and arguments with terminal control sequences: none of them reaches the terminal.
-#include "cli/command_line.h"
-#include "cli/terminal.h"
+#include "cli/call/command_line.h"
+#include "cli/call/terminal.h"
 #include "journal/message_store.h"
 #include "tests/cli/cli_run.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is kept on disk: messages listed and exported, EEPROM writes counted, and consent asked for.
-#include "encoder/job.h"
 #include "journal/ledger.h"
 #include "journal/message_store.h"
 #include "journal_files.h"
@@ -10,6 +9,7 @@
 #include "tests/support/no_room.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
+#include "vocabulary/job.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands.h"
-#include "cli/ring/ring_access.h"
+#include "cli/kinds/interbus/ring_access.h"
 #include "tests/cli/cli_run.h"
 
 #include <QJsonArray>

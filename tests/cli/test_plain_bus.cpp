@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A kind of bus that the command line does not know.
-#include "cli/bus_access.h"
-#include "cli/command_line.h"
+#include "cli/bus/bus_access.h"
+#include "cli/call/command_line.h"
 #include "cli/commands.h"
 #include "project/project_file.h"
 #include "tests/cli/cli_run.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A project names the encoders of a call, and a scan makes one.
 #include "catalog/catalog.h"
-#include "cli/command_line.h"
+#include "cli/call/command_line.h"
 #include "cli/commands.h"
-#include "cli/ring/ring_access.h"
+#include "cli/kinds/interbus/ring_access.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
-#include "ring/ring_session.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/recording_reader.h"
 #include "tests/cli/cli_run.h"
-#include "tests/cli/shared_line.h"
+#include "tests/cli/kinds/esc/shared_line.h"
 #include "tests/support/no_room.h"
 
 #include <QFile>

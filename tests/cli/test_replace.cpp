@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `replace` and `restore`: a new encoder gets what the previous one had, and previous values come back.
-#include "cli/command_line.h"
+#include "cli/call/command_line.h"
 #include "cli/commands.h"
-#include "cli/ring/ring_access.h"
+#include "cli/kinds/interbus/ring_access.h"
 #include "journal/ledger_keeper.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "project/project_file.h"
-#include "ring/ring_session.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/places.h"
 

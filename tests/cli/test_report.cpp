@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/command_line.h"
+#include "cli/call/command_line.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/no_room.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/shared_line.h"
+#include "tests/cli/kinds/esc/shared_line.h"
 
 #include <QJsonArray>
 

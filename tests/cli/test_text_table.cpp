@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/text_table.h"
+#include "cli/call/text_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simulator/training_controls.h"
+#include "kinds/interbus/simulator/training_controls.h"
 #include "tests/cli/cli_run.h"
 
 #include <gmock/gmock.h>

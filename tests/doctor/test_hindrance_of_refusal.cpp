@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "doctor/hindrance_of_refusal.h"
-#include "encoder/refusal_text.h"
 #include "tests/doctor/made_computer.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 namespace {

@@ -3,7 +3,7 @@
 // whatever was added is spoken to its end.
 #include "finder/listening.h"
 #include "finder/port_finder.h"
-#include "tests/line/scripted_line.h"
+#include "tests/kinds/esc/line/scripted_line.h"
 #include "tests/support/plain_bus.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes while a line is asked: answers, or somebody else.
 #include "finder/port_finder.h"
-#include "tests/line/scripted_line.h"
+#include "tests/kinds/esc/line/scripted_line.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

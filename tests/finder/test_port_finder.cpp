@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/port_finder.h"
-#include "project/line_plan.h"
-#include "project/ring_plan.h"
-#include "simulator/simulated_line_link.h"
-#include "tests/line/scripted_line.h"
+#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/interbus/plan/ring_plan.h"
+#include "tests/kinds/esc/line/scripted_line.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 //
 // The first byte chooses the command, the second the number of retries of a read; then follow pieces: their
 // delay after the previous one in half milliseconds, their length, their bytes.
-#include "esc/esc_exchange.h"
-#include "esc/esc_explain.h"
+#include "kinds/esc/protocol/esc_exchange.h"
+#include "kinds/esc/protocol/esc_explain.h"
 #include "tests/fuzz/must.h"
 
 #include <QByteArrayView>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a project, or are refused with a sentence; what is read can be saved, and is the same when
 // read again.
-#include "encoder/refusal_text.h"
 #include "project/project_json.h"
 #include "tests/fuzz/must.h"
+#include "vocabulary/refusal_text.h"
 
 using namespace codewheel;
 

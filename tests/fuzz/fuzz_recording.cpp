@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a recording, or are refused with a sentence; whatever is in it can be asked for. The first
 // byte chooses: B, a block of samples; else a file.
-#include "encoder/refusal_text.h"
 #include "recording/recorded_device.h"
 #include "recording/recording_reader.h"
 #include "tests/fuzz/must.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QFile>
 #include <QTemporaryDir>

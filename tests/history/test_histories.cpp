@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
-#include "drivers/esc_driver.h"
-#include "esc_line/line_session.h"
 #include "history/histories.h"
-#include "ring/ring_session.h"
-#include "simulator/simulated_line_link.h"
-#include "simulator/training_bus.h"
+#include "kinds/esc/driver/esc_driver.h"
+#include "kinds/esc/line/line_session.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/places.h"
 
 #include <QCoreApplication>

@@ -8,8 +8,8 @@
 #include "catalog/catalog.h"
 #include "journal/ledger_keeper.h"
 #include "journal/message_store.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 
 #include <QCoreApplication>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "drivers/protocol.h"
-#include "drivers/values_to_write.h"
+#include "jobs/protocol.h"
+#include "jobs/values_to_write.h"
 #include "journal/eeprom_cost.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/places.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Killed at any time, the program leaves both databases intact, with everything that was promised to be kept.
-#include "encoder/refusal_text.h"
 #include "journal/ledger.h"
 #include "tests/journal/journal_file.h"
 #include "tests/support/places.h"
 #include "tests/support/times.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QProcess>
 #include <QRandomGenerator>

@@ -2,8 +2,8 @@
 // What was known of an encoder before its bus was connected anew.
 #include "catalog/catalog.h"
 #include "journal/known_keeper.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/passing_link.h"
 #include "tests/support/places.h"
 

@@ -3,8 +3,8 @@
 #include "catalog/catalog.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger_keeper.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/journal/journal_file.h"
 #include "tests/support/places.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes to the encoders of a serial line, on the simulated one.
 #include "catalog/catalog.h"
-#include "drivers/esc_driver.h"
-#include "esc_line/line_session.h"
 #include "journal/ledger_keeper.h"
-#include "simulator/simulated_line_link.h"
+#include "kinds/esc/driver/esc_driver.h"
+#include "kinds/esc/line/line_session.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
 #include "tests/journal/journal_file.h"
 
 namespace codewheel {

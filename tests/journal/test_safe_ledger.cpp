@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A ledger whose file fails: nothing is lost, and the failure is reported.
-#include "encoder/refusal_text.h"
 #include "journal/safe_ledger.h"
 #include "tests/journal/journal_file.h"
 #include "tests/support/places.h"
+#include "vocabulary/refusal_text.h"
 
 #include <csignal>
 #include <gmock/gmock.h>

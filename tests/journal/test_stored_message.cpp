@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "journal/stored_message.h"
 #include "tests/support/places.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gtest/gtest.h>
 

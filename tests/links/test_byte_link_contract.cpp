@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The contract of every link to a serial line (line/byte_link.h), over a real pseudo terminal and simulated.
 // Anything timed waits for its event, for up to an hour.
+#include "kinds/esc/simulator/simulated_line_link.h"
 #include "links/serial_port_link.h"
-#include "simulator/simulated_line_link.h"
 #include "tests/support/pty_pair.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A few exchanges with tests/line/esc_peer.py, which knows nothing of this program, over a real pseudo
-// terminal. Requests and expected answers are literal.
+// A few exchanges with tests/kinds/esc/line/esc_peer.py, which knows nothing of this program, over a real
+// pseudo terminal. Requests and expected answers are literal.
 #include "links/serial_port_link.h"
 
 #include <QProcess>

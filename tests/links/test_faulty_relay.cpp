@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A minute on a bad network, in real time: a gateway link on a real port, with libmodbus at the other end.
-#include "links/modbus_port.h"
+#include "kinds/interbus/links/modbus_port.h"
+#include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/links/faulty_relay.h"
-#include "tests/modbus/gateway_ring.h"
 #include "tests/support/modbus_server.h"
 
 #include <gtest/gtest.h>

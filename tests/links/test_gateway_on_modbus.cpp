@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The contract of a link to a ring for GatewayLink on a real port, with a server of libmodbus at its other
 // end.
-#include "links/modbus_port.h"
-#include "tests/modbus/gateway_ring.h"
+#include "kinds/interbus/links/modbus_port.h"
+#include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/support/modbus_server.h"
 #include "tests/support/process_data_link_contract.h"
 #include "tests/support/pty_pair.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table "What it says" of the manual: each of its sentences is said of a peer that has just this fault,
 // on a real port, and of no row nobody knows what says it.
-#include "encoder/refusal_text.h"
-#include "links/modbus_port.h"
-#include "modbus/gateway_link.h"
+#include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/links/modbus_port.h"
+#include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/links/crooked_peer.h"
-#include "tests/modbus/gateway_ring.h"
 #include "tests/support/pty_pair.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QFile>
 

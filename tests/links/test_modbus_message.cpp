@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests and answers as the examples of the standard have them (Modbus Application Protocol V1.1b3, 6).
-#include "links/modbus_message.h"
+#include "kinds/interbus/links/modbus_message.h"
 
 #include <gtest/gtest.h>
 

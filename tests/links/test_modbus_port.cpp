@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The port against a server of libmodbus, over TCP and over a pseudo terminal.
-#include "links/modbus_port.h"
+#include "kinds/interbus/links/modbus_port.h"
 #include "tests/support/modbus_server.h"
 #include "tests/support/pty_pair.h"
 

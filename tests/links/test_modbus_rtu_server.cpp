@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The server at one end of a pseudo terminal, its peer at the other.
 #include "catalog/catalog.h"
-#include "encoder/refusal_text.h"
-#include "links/modbus_rtu_server.h"
+#include "kinds/interbus/gateway/rtu_frame.h"
+#include "kinds/interbus/links/modbus_rtu_server.h"
 #include "links/serial_port_link.h"
-#include "modbus/rtu_frame.h"
 #include "tests/support/offered_ring.h"
 #include "tests/support/pty_pair.h"
 #include "tests/support/scripted_link.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

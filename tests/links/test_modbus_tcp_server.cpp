@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The server against peers that share no code with it: libmodbus, mbpoll, pymodbus, and plain sockets.
 #include "catalog/catalog.h"
-#include "encoder/refusal_text.h"
-#include "links/modbus_tcp_server.h"
+#include "kinds/interbus/links/modbus_tcp_server.h"
 #include "tests/links/modbus_client.h"
 #include "tests/support/offered_ring.h"
 #include "tests/support/scripted_link.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QFile>
 #include <QProcess>

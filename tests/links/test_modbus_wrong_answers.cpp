@@ -5,7 +5,7 @@
 // On a line an answer that is later than twice the time-out cannot be told from a right one; no peer is so
 // slow. Where an answer is awaited the peer is asked again if it was too slow for the time-out; it shows the
 // same reaction each time.
-#include "links/modbus_port.h"
+#include "kinds/interbus/links/modbus_port.h"
 #include "tests/links/crooked_peer.h"
 #include "tests/support/pty_pair.h"
 

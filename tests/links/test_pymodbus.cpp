@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The port against a server of pymodbus (tests/links/pymodbus_server.py), over TCP and over pseudo terminals.
-#include "links/modbus_port.h"
+#include "kinds/interbus/links/modbus_port.h"
 #include "tests/support/pty_pair.h"
 
 #include <QProcess>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Over real pseudo terminals. Anything timed waits for its event, for up to an hour.
-#include "encoder/refusal_text.h"
 #include "links/serial_port_link.h"
 #include "tests/support/port_holder.h"
 #include "tests/support/pty_pair.h"
 #include "tests/support/without_rights.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -2,14 +2,14 @@
 // Two sessions, as in two programs: one has a ring and offers it, the other reaches it as a gateway.
 #include "bus/bus_outline.h"
 #include "catalog/catalog.h"
-#include "encoder/refusal_text.h"
-#include "links/modbus_port.h"
-#include "links/modbus_tcp_server.h"
-#include "modbus/gateway_check.h"
-#include "modbus/gateway_link.h"
-#include "simulator/fraba_k3.h"
-#include "simulator/simulated_ring_link.h"
+#include "kinds/interbus/gateway/gateway_check.h"
+#include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/links/modbus_port.h"
+#include "kinds/interbus/links/modbus_tcp_server.h"
+#include "kinds/interbus/simulator/fraba_k3.h"
+#include "kinds/interbus/simulator/simulated_ring_link.h"
 #include "tests/support/offered_ring.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 #include "tests/project/made_up_project.h"
 
 #include "cams/check_cams.h"
-#include "modbus/gateway_settings.h"
-#include "project/process_addresses.h"
-#include "ring/numbering.h"
+#include "kinds/interbus/gateway/gateway_settings.h"
+#include "kinds/interbus/plan/process_addresses.h"
+#include "kinds/interbus/ring/numbering.h"
 #include "tests/support/plans.h"
 
 #include <array>

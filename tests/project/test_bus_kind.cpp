@@ -2,12 +2,12 @@
 // A kind of bus unknown to the program, added at run time (project/bus_kind.h).
 #include "catalog/catalog.h"
 #include "catalog/json_object.h"
-#include "encoder/refusal_text.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/project_json.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gtest/gtest.h>
 

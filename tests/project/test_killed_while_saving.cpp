@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // kill -9 at any time leaves the old file or the new one, byte for byte.
+#include "kinds/interbus/ring/ring_rules.h"
 #include "project/file_access.h"
 #include "project/project_json.h"
-#include "ring/ring_rules.h"
 #include "tests/project/made_up_project.h"
 #include "tests/support/times.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plan of a serial line compared with what is connected, and taken over from it (project/plan_rules.h).
 #include "catalog/catalog.h"
-#include "encoder/line_address.h"
+#include "kinds/esc/protocol/line_address.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/plan_rules.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
 #include "project/project_json.h"
 #include "tests/project/made_up_project.h"
 #include "tests/support/no_room.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
+#include "kinds/interbus/ring/ring_rules.h"
 #include "project/project_json.h"
-#include "ring/ring_rules.h"
 #include "tests/project/made_up_project.h"
 #include "tests/support/breakage.h"
 #include "tests/support/places.h"
 #include "tests/support/plans.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QDir>
 #include <QFile>

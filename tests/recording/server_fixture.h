@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal_text.h"
 #include "recording/postgres_database.h"
 #include "recording/recording_tables.h"
 #include "recording/server_recording.h"
 #include "tests/recording/postgres_server.h"
 #include "tests/recording/recording_file.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QDir>
 #include <QDirIterator>

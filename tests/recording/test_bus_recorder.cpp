@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "drivers/esc_driver.h"
-#include "esc_line/line_session.h"
 #include "history/histories.h"
+#include "kinds/esc/driver/esc_driver.h"
+#include "kinds/esc/line/line_session.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "recording/bus_recorder.h"
 #include "recording/recorded_device.h"
 #include "recording/recording_estimate.h"
-#include "ring/ring_session.h"
-#include "simulator/simulated_line_link.h"
-#include "simulator/training_bus.h"
 #include "tests/recording/server_fixture.h"
 
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "recording/recorded_device.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
 #include "tests/support/places.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the trend gets of a recording is what it would get of the values in memory, at another time and place.
 // place.
-#include "encoder/refusal_text.h"
 #include "recording/recording_archive.h"
 #include "tests/recording/recording_file.h"
 #include "tests/recording/some_motion.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QEventLoop>
 

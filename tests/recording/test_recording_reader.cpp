@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording may come from anybody.
-#include "encoder/refusal_text.h"
 #include "tests/recording/recording_file.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gmock/gmock.h>
 #include <random>

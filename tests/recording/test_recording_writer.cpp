@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "tests/recording/recording_file.h"
 #include "tests/support/no_room.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QDir>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "recording/server_address.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gmock/gmock.h>
 

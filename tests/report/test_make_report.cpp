@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "journal/ledger.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
-#include "project/project_take_over.h"
 #include "report/deviations.h"
 #include "report/kept_counts.h"
 #include "tests/report/report_example.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/fraba_k3.h"
-#include "simulator/simulated_bus_terminal.h"
-#include "simulator/simulated_ring_link.h"
+#include "kinds/interbus/simulator/fraba_k3.h"
+#include "kinds/interbus/simulator/simulated_bus_terminal.h"
+#include "kinds/interbus/simulator/simulated_ring_link.h"
 
 #include <memory>
 

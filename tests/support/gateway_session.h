@@ -2,12 +2,12 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "encoder/message.h"
-#include "encoder/refusal_text.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/places.h"
 #include "tests/support/simulated_gateway.h"
+#include "vocabulary/message.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gtest/gtest.h>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modbus/served_units.h"
-#include "ring/ring_session.h"
+#include "kinds/interbus/gateway/served_units.h"
+#include "kinds/interbus/ring/ring_session.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "project/line_plan.h"
-#include "project/ring_plan.h"
+#include "kinds/esc/plan/line_plan.h"
+#include "kinds/interbus/plan/ring_plan.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modbus/register_port.h"
+#include "kinds/interbus/gateway/register_port.h"
 
 #include <atomic>
 #include <functional>

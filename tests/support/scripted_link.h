@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ring/process_data_link.h"
+#include "kinds/interbus/ring/process_data_link.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "modbus/gateway_link.h"
-#include "simulator/simulated_ring.h"
+#include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/simulator/simulated_ring.h"
 
 #include <atomic>
 #include <deque>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the encoder at a place is the project's, and what that means for transfers.
-#include "encoder/refusal_text.h"
-#include "project/project_take_over.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "report/live_encoders.h"
 #include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"
 #include "transfer/project_places.h"
 #include "transfer/replacement.h"
 #include "transfer/values_before.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 namespace {

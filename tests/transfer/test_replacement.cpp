@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "tests/transfer/transfer_bus.h"
 #include "transfer/project_places.h"
 #include "transfer/replacement.h"
 #include "transfer/transfer_words.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gmock/gmock.h>
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jobs, places, positions and the report for encoders on several buses.
-#include "drivers/make_driver.h"
-#include "drivers/write_plan.h"
-#include "encoder/refusal_text.h"
-#include "esc_line/line_session.h"
-#include "project/line_plan.h"
-#include "project/project_take_over.h"
+#include "jobs/make_driver.h"
+#include "jobs/write_plan.h"
+#include "kinds/esc/line/line_session.h"
+#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
-#include "simulator/simulated_line_link.h"
 #include "tests/transfer/transfer_bus.h"
 #include "transfer/last_positions.h"
 #include "transfer/project_places.h"
 #include "transfer/replacement.h"
 #include "transfer/value_store.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 namespace {

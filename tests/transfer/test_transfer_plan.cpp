@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivers/write_plan.h"
-#include "encoder/refusal_text.h"
+#include "jobs/write_plan.h"
 #include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 namespace {

@@ -3,11 +3,11 @@
 
 #include "bus/buses.h"
 #include "catalog/catalog.h"
-#include "encoder/hex.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/places.h"
 #include "transfer/transfer_account.h"
+#include "vocabulary/hex.h"
 
 #include <gtest/gtest.h>
 

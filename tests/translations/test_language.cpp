@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "catalog/explain_word.h"
-#include "encoder/refusal_text.h"
 #include "language.h"
 #include "tests/translations/ts_file.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QCoreApplication>
 #include <QFile>

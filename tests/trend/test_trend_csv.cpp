@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/device_number.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/trend/trend_csv_test.h"
 
 #include <QFile>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "tests/support/no_room.h"
 #include "tests/trend/trend_csv_test.h"
 #include "trend/trend_files.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QDir>
 #include <QFile>

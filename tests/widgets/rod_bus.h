@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simulator/fraba_k3.h"
-#include "simulator/simulated_la66.h"
-#include "simulator/simulated_ring_link.h"
+#include "kinds/interbus/simulator/fraba_k3.h"
+#include "kinds/interbus/simulator/simulated_la66.h"
+#include "kinds/interbus/simulator/simulated_ring_link.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
 

@@ -4,8 +4,8 @@
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/places.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/cam_program.h"
-#include "encoder/circle.h"
+#include "vocabulary/cam_program.h"
+#include "vocabulary/circle.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/cam_program.h"
-#include "encoder/place.h"
+#include "vocabulary/cam_program.h"
+#include "vocabulary/place.h"
 #include "widgets/project/project_document.h"
 
 #include <array>

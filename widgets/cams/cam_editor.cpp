@@ -3,7 +3,7 @@
 
 #include "cams/check_cams.h"
 #include "catalog/device_description.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_mode_bar.h"
 #include "widgets/cams/cam_range.h"

@@ -2,8 +2,8 @@
 // The files of the cam editor.
 #include "cams/check_cams.h"
 #include "catalog/catalog.h"
-#include "encoder/refusal_text.h"
 #include "project/file_access.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_editor.h"
 #include "widgets/job/outcome_text.h"

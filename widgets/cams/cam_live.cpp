@@ -2,7 +2,7 @@
 #include "widgets/cams/cam_live.h"
 
 #include "cams/cam_states.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 
 #include <algorithm>
 

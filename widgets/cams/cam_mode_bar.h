@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/job.h"
+#include "vocabulary/job.h"
 
 #include <QWidget>
 

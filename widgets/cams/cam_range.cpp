@@ -2,8 +2,8 @@
 #include "widgets/cams/cam_range.h"
 
 #include "catalog/total_range.h"
-#include "drivers/value_notes.h"
-#include "drivers/values_to_write.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
 #include "project/project.h"
 
 namespace codewheel {

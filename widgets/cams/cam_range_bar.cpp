@@ -2,7 +2,7 @@
 #include "widgets/cams/cam_range_bar.h"
 
 #include "cams/check_cams.h"
-#include "encoder/sentence.h"
+#include "vocabulary/sentence.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/cams/position_input.h"
 #include "widgets/look/describe.h"

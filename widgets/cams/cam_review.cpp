@@ -2,12 +2,12 @@
 #include "widgets/cams/cam_review.h"
 
 #include "cams/cam_fields.h"
-#include "drivers/write_plan.h"
-#include "encoder/hex.h"
+#include "jobs/write_plan.h"
+#include "kinds/interbus/words/k3_cam_word.h"
+#include "vocabulary/hex.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/job/step_text.h"
 #include "widgets/look/describe.h"
-#include "words/k3_cam_word.h"
 
 #include <QComboBox>
 #include <QHeaderView>

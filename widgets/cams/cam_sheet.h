@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/refusal.h"
+#include "vocabulary/refusal.h"
 #include "widgets/cams/cam_document.h"
 #include "widgets/cams/cam_live.h"
 

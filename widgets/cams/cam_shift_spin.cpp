@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/cam_shift_spin.h"
 
-#include "encoder/cam_program.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/cam_program.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/input/decimal_text.h"
 #include "widgets/look/describe.h"
 

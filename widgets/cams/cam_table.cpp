@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/cam_table.h"
 
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/cams/cam_rows.h"
 #include "widgets/cams/cam_table_model.h"
 #include "widgets/cams/cam_texts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/cam_word_picture.h"
 
-#include "encoder/cam_program.h"
+#include "vocabulary/cam_program.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/roles.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/role.h"
+#include "vocabulary/role.h"
 
 #include <QWidget>
 

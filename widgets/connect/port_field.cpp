@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connect/port_field.h"
 
-#include "encoder/sentence.h"
+#include "vocabulary/sentence.h"
 #include "widgets/connect/setting_row.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"

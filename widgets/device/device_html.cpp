@@ -3,7 +3,7 @@
 
 #include "catalog/hex_code.h"
 #include "catalog/value_text.h"
-#include "encoder/device_error_name.h"
+#include "vocabulary/device_error_name.h"
 
 #include <QCoreApplication>
 #include <QLocale>

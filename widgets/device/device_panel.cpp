@@ -3,7 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/device/device_html.h"
 #include "widgets/device/naming_bar.h"
 #include "widgets/look/describe.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/place.h"
+#include "vocabulary/place.h"
 
 #include <QWidget>
 

@@ -4,7 +4,7 @@
 #include "bus/bus_outline.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"

@@ -2,8 +2,8 @@
 #include "widgets/dial/dial_panel.h"
 
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
 #include "history/track.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/dial/dial_head.h"
 #include "widgets/dial/rod_dial.h"
 #include "widgets/dial/shaft_dial.h"

@@ -2,8 +2,8 @@
 #include "widgets/dial/missing_values.h"
 
 #include "catalog/device_description.h"
-#include "encoder/position_mode.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/position_mode.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/job/known_before_bar.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"

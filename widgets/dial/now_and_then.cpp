@@ -2,7 +2,7 @@
 #include "widgets/dial/now_and_then.h"
 
 #include "catalog/device_description.h"
-#include "drivers/preset_position.h"
+#include "jobs/preset_position.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/rod_reading.h"

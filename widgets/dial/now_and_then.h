@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivers/position_scale.h"
-#include "encoder/encoder_session.h"
+#include "jobs/position_scale.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/dial/rod_state.h"
 #include "widgets/dial/shaft_state.h"
 

@@ -2,7 +2,7 @@
 #include "widgets/dial/printed_dial.h"
 
 #include "catalog/value_text.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/dial/dial_panel.h"
 
 namespace codewheel {

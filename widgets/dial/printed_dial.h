@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/known.h"
+#include "vocabulary/known.h"
 #include "widgets/look/printed_view.h"
 
 #include <span>

@@ -2,7 +2,7 @@
 #include "widgets/dial/rod_reading.h"
 
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/dial/rod_dial.h"
 #include "widgets/dial/state_note.h"
 #include "widgets/models/age_text.h"

@@ -3,7 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "catalog/position_format.h"
-#include "drivers/position_scale.h"
+#include "jobs/position_scale.h"
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/shaft_dial.h"
 #include "widgets/dial/state_note.h"

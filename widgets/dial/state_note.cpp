@@ -3,10 +3,10 @@
 
 #include "catalog/explain_word.h"
 #include "catalog/position_format.h"
-#include "encoder/encoder_session.h"
-#include "encoder/freshness_text.h"
-#include "encoder/hex.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/encoder_session.h"
+#include "vocabulary/freshness_text.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QCoreApplication>
 

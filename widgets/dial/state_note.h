@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/reading.h"
+#include "vocabulary/reading.h"
 #include "widgets/look/roles.h"
 
 #include <QString>

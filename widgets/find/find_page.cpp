@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/find/find_page.h"
 
-#include "encoder/sentence.h"
-#include "encoder/shown_text.h"
+#include "vocabulary/sentence.h"
+#include "vocabulary/shown_text.h"
 #include "widgets/find/finder_news_model.h"
 #include "widgets/input/form_fields.h"
 #include "widgets/input/number_fields.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/find/finder_news_model.h"
 
-#include "encoder/shown_text.h"
+#include "vocabulary/shown_text.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 

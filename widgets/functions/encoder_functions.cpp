@@ -2,8 +2,8 @@
 #include "widgets/functions/encoder_functions.h"
 
 #include "catalog/device_description.h"
-#include "encoder/position_mode.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/position_mode.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/job/known_text.h"

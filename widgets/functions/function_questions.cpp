@@ -2,9 +2,9 @@
 #include "widgets/functions/function_questions.h"
 
 #include "catalog/device_description.h"
-#include "drivers/what_run_makes_valid.h"
-#include "encoder/refusal_text.h"
+#include "jobs/what_run_makes_valid.h"
 #include "journal/eeprom_cost.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/dial/now_and_then.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/job/job_review.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 
 #include <QPointer>
 #include <QWidget>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/job/job_review.h"
 
-#include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/look/content_scroll_area.h"
 #include "widgets/look/grid.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/job/known_before_bar.h"
 
-#include "encoder/encoder_session.h"
-#include "encoder/sentence.h"
+#include "vocabulary/encoder_session.h"
+#include "vocabulary/sentence.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 

@@ -2,7 +2,7 @@
 #include "widgets/job/known_text.h"
 
 #include "catalog/value_text.h"
-#include "encoder/sentence.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QLocale>

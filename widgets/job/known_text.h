@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
-#include "encoder/event.h"
+#include "vocabulary/encoder_session.h"
+#include "vocabulary/event.h"
 
 #include <QStringList>
 

@@ -2,9 +2,9 @@
 #include "widgets/job/outcome_text.h"
 
 #include "catalog/device_description.h"
-#include "drivers/job_report.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
+#include "jobs/job_report.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 #include "widgets/job/known_text.h"
 #include "widgets/models/device_traits.h"
 

@@ -2,8 +2,8 @@
 #include "widgets/job/step_table.h"
 
 #include "catalog/device_description.h"
-#include "drivers/write_plan.h"
-#include "encoder/hex.h"
+#include "jobs/write_plan.h"
+#include "vocabulary/hex.h"
 #include "widgets/job/step_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"

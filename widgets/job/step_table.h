@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/event.h"
+#include "vocabulary/event.h"
 #include "widgets/models/table_model_base.h"
 
 #include <QString>

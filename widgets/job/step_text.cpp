@@ -2,7 +2,7 @@
 #include "widgets/job/step_text.h"
 
 #include "catalog/explain_word.h"
-#include "drivers/protocol.h"
+#include "jobs/protocol.h"
 
 #include <QCoreApplication>
 

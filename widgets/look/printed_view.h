@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
+#include "vocabulary/place.h"
 
 #include <QPicture>
 #include <QPointer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/messages/message_details.h"
 
-#include "encoder/sentence.h"
+#include "vocabulary/sentence.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"

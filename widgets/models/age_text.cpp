@@ -3,8 +3,8 @@
 
 #include "bus/not_live.h"
 #include "bus/word_channel.h"
-#include "encoder/encoder_session.h"
-#include "encoder/freshness_text.h"
+#include "vocabulary/encoder_session.h"
+#include "vocabulary/freshness_text.h"
 
 #include <QCoreApplication>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "drivers/values_to_write.h"
-#include "encoder/event.h"
+#include "jobs/values_to_write.h"
+#include "vocabulary/event.h"
 
 namespace codewheel {
 

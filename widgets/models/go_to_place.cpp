@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/go_to_place.h"
 
-#include "encoder/sentence.h"
 #include "journal/message_fields.h"
+#include "vocabulary/sentence.h"
 
 #include <QWidget>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/traffic_model.h"
 
-#include "encoder/csv_text.h"
-#include "encoder/hex.h"
-#include "encoder/sentence.h"
+#include "vocabulary/csv_text.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
 

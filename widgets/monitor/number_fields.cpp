@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/number_fields.h"
 
-#include "encoder/hex.h"
+#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 #include "widgets/monitor/word_format.h"
-#include "words/k3_word.h"
 
 #include <QEvent>
 #include <QLabel>

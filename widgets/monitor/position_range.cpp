@@ -3,9 +3,9 @@
 
 #include "catalog/position_format.h"
 #include "catalog/total_range.h"
-#include "drivers/value_notes.h"
-#include "drivers/values_to_write.h"
-#include "encoder/circle.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
+#include "vocabulary/circle.h"
 
 namespace codewheel {
 namespace {

@@ -2,10 +2,10 @@
 #include "widgets/monitor/word_card.h"
 
 #include "catalog/device_description.h"
-#include "encoder/hex.h"
-#include "encoder/refusal_text.h"
 #include "history/track.h"
 #include "journal/eeprom_cost.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"

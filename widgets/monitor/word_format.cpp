@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/word_format.h"
 
-#include "encoder/hex.h"
-#include "words/position_code.h"
+#include "kinds/interbus/words/position_code.h"
+#include "vocabulary/hex.h"
 
 #include <QCoreApplication>
 #include <QLocale>

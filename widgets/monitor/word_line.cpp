@@ -2,8 +2,8 @@
 #include "widgets/monitor/word_line.h"
 
 #include "catalog/explain_word.h"
-#include "encoder/freshness_text.h"
-#include "encoder/hex.h"
+#include "vocabulary/freshness_text.h"
+#include "vocabulary/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bus/word_channel.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/monitor/monitor_display.h"
 #include "widgets/monitor/word_form.h"
 #include "widgets/monitor/word_format.h"

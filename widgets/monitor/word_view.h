@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/interbus/words/k3_word.h"
 #include "widgets/help/key_help.h"
 #include "widgets/monitor/bit_cell.h"
 #include "widgets/monitor/change_marks.h"
 #include "widgets/monitor/word_layout.h"
-#include "words/k3_word.h"
 
 #include <QWidget>
 

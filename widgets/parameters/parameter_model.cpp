@@ -2,7 +2,7 @@
 #include "widgets/parameters/parameter_model.h"
 
 #include "catalog/value_text.h"
-#include "encoder/freshness_text.h"
+#include "vocabulary/freshness_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"

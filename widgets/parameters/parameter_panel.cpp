@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_panel.h"
 
-#include "drivers/plc_words.h"
-#include "drivers/value_notes.h"
-#include "drivers/values_to_write.h"
-#include "encoder/refusal_text.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
+#include "kinds/interbus/words/plc_words.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/functions/encoder_functions.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/job/job_strip.h"

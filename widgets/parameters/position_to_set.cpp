@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/position_to_set.h"
 
-#include "drivers/protocol.h"
-#include "drivers/value_notes.h"
-#include "drivers/values_to_write.h"
-#include "encoder/sentence.h"
-#include "words/la66_word.h"
+#include "jobs/protocol.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
+#include "kinds/interbus/words/la66_word.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 

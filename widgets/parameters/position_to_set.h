@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 
 namespace codewheel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/preset_review.h"
 
-#include "encoder/sentence.h"
+#include "vocabulary/sentence.h"
 #include "widgets/dial/now_and_then.h"
 #include "widgets/job/known_text.h"
 #include "widgets/parameters/position_to_set.h"

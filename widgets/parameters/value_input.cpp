@@ -2,9 +2,9 @@
 #include "widgets/parameters/value_input.h"
 
 #include "catalog/value_text.h"
-#include "encoder/hex.h"
-#include "encoder/refusal_text.h"
-#include "encoder/rod_scale.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/rod_scale.h"
 #include "widgets/input/decimal_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/parameters/parameter_words.h"

@@ -3,7 +3,7 @@
 
 #include "bus/encoder_bus.h"
 #include "catalog/catalog.h"
-#include "encoder/encoder_session.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/project/project_document.h"
 
 #include <QScopedValueRollback>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/recording/recording_details.h"
 
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"

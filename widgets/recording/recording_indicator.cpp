@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/recording/recording_indicator.h"
 
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/replay/replay_bar.h"
 
-#include "encoder/freshness_text.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/freshness_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"

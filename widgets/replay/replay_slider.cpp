@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/replay/replay_slider.h"
 
-#include "encoder/freshness_text.h"
+#include "vocabulary/freshness_text.h"
 #include "widgets/look/describe.h"
 
 #include <QSignalBlocker>

@@ -2,7 +2,7 @@
 #include "widgets/sequence/sequence_model.h"
 
 #include "catalog/explain_word.h"
-#include "encoder/hex.h"
+#include "vocabulary/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"

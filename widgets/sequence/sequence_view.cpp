@@ -2,9 +2,9 @@
 #include "widgets/sequence/sequence_view.h"
 
 #include "catalog/device_description.h"
-#include "encoder/hex.h"
-#include "encoder/refusal_text.h"
 #include "project/file_access.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/input/checked_delegate.h"
 #include "widgets/input/number_fields.h"

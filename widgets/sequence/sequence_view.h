@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/place.h"
 #include "project/word_list.h"
+#include "vocabulary/place.h"
 #include "widgets/look/roles.h"
 #include "widgets/monitor/word_format.h"
 #include "widgets/sequence/sequence_job.h"

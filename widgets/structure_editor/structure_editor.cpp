@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/structure_editor/structure_editor.h"
 
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/may_elide.h"

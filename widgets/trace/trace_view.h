@@ -3,7 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "encoder/place.h"
+#include "vocabulary/place.h"
 #include "widgets/monitor/word_format.h"
 
 #include <QWidget>

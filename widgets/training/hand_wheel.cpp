@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/training/hand_wheel.h"
 
-#include "encoder/circle.h"
+#include "vocabulary/circle.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/message.h"
 #include "transfer/last_positions.h"
+#include "vocabulary/message.h"
 #include "widgets/look/page.h"
 #include "widgets/transfer/replace_step.h"
 

@@ -2,7 +2,7 @@
 #include "widgets/transfer/replace_position_step.h"
 
 #include "catalog/device_description.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/input/decimal_text.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/describe.h"

@@ -3,9 +3,9 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "encoder/refusal_text.h"
 #include "report/transfer_report.h"
 #include "transfer/transfer_words.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/account_view.h"
 #include "widgets/job/job_strip.h"

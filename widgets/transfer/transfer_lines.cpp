@@ -3,13 +3,13 @@
 
 #include "bus/buses.h"
 #include "catalog/catalog.h"
-#include "drivers/values_to_write.h"
-#include "drivers/write_plan.h"
-#include "encoder/freshness_text.h"
-#include "encoder/refusal_text.h"
+#include "jobs/values_to_write.h"
+#include "jobs/write_plan.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
+#include "vocabulary/freshness_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/job/known_text.h"
 
 #include <QCoreApplication>

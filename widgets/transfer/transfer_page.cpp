@@ -3,12 +3,12 @@
 
 #include "bus/buses.h"
 #include "catalog/catalog.h"
-#include "encoder/refusal_text.h"
 #include "journal/eeprom_cost.h"
 #include "report/transfer_report.h"
 #include "transfer/project_places.h"
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/account_view.h"
 #include "widgets/job/job_strip.h"

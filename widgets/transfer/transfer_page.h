@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "encoder/message.h"
+#include "vocabulary/message.h"
 #include "widgets/look/page.h"
 #include "widgets/transfer/transfer_choice.h"
 #include "widgets/transfer/transfer_model.h"

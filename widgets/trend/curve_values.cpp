@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/trend/curve_values.h"
 
-#include "encoder/hex.h"
+#include "vocabulary/hex.h"
 #include "widgets/trend/ticks.h"
 #include "widgets/trend/track_text.h"
 

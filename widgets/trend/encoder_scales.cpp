@@ -2,8 +2,8 @@
 #include "widgets/trend/encoder_scales.h"
 
 #include "catalog/device_description.h"
-#include "drivers/position_scale.h"
-#include "encoder/rod_scale.h"
+#include "jobs/position_scale.h"
+#include "vocabulary/rod_scale.h"
 
 namespace codewheel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/trend/mark_text.h"
 
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the trend is made of.
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fitted_columns.h"

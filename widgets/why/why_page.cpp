@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/why/why_page.h"
 
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fitted_columns.h"

@@ -3,7 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"

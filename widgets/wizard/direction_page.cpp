@@ -2,8 +2,8 @@
 #include "widgets/wizard/direction_page.h"
 
 #include "catalog/device_description.h"
-#include "drivers/position_scale.h"
-#include "encoder/hex.h"
+#include "jobs/position_scale.h"
+#include "vocabulary/hex.h"
 #include "widgets/dial/state_note.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/gear_calculator.h"
 
-#include "words/k3_word.h"
+#include "kinds/interbus/words/k3_word.h"
 
 #include <algorithm>
 #include <cmath>

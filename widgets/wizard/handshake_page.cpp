@@ -2,10 +2,10 @@
 #include "widgets/wizard/handshake_page.h"
 
 #include "catalog/explain_word.h"
-#include "drivers/value_notes.h"
-#include "encoder/hex.h"
-#include "encoder/refusal_text.h"
+#include "jobs/value_notes.h"
 #include "journal/eeprom_cost.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/job/job_cancel.h"
 #include "widgets/job/known_text.h"

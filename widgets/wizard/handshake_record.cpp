@@ -2,7 +2,7 @@
 #include "widgets/wizard/handshake_record.h"
 
 #include "catalog/device_description.h"
-#include "drivers/values_to_write.h"
+#include "jobs/values_to_write.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "drivers/write_plan.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
+#include "jobs/write_plan.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 #include "widgets/dial/now_and_then.h"
 #include "widgets/eeprom/eeprom_gate.h"
 #include "widgets/job/job_review.h"

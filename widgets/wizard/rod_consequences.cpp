@@ -2,8 +2,8 @@
 #include "widgets/wizard/rod_consequences.h"
 
 #include "catalog/device_description.h"
-#include "encoder/rod_scale.h"
-#include "encoder/sentence.h"
+#include "vocabulary/rod_scale.h"
+#include "vocabulary/sentence.h"
 #include "widgets/dial/resolution.h"
 #include "widgets/wizard/rod_panel.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/interbus/words/la66_word.h"
 #include "widgets/wizard/rod_calculator.h"
-#include "words/la66_word.h"
 
 #include <QGroupBox>
 

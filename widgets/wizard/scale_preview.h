@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivers/position_scale.h"
+#include "jobs/position_scale.h"
 
 #include <QWidget>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivers/values_to_write.h"
-#include "encoder/encoder_session.h"
+#include "jobs/values_to_write.h"
+#include "vocabulary/encoder_session.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/wizard/handshake_record.h"
 

@@ -2,14 +2,14 @@
 #include "widgets/wizard/shaft_consequences.h"
 
 #include "catalog/device_description.h"
-#include "drivers/write_plan.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
+#include "jobs/write_plan.h"
+#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 #include "widgets/look/folding_row.h"
 #include "widgets/wizard/gear_panel.h"
 #include "widgets/wizard/scale_preview.h"
 #include "widgets/wizard/wanted_scale.h"
-#include "words/k3_word.h"
 
 #include <QLocale>
 

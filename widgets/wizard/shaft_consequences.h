@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivers/value_notes.h"
+#include "jobs/value_notes.h"
 #include "widgets/wizard/consequences.h"
 
 namespace codewheel {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/turn_check.h"
 
-#include "encoder/circle.h"
-#include "words/k3_word.h"
+#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/circle.h"
 
 namespace codewheel {
 

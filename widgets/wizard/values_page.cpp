@@ -3,7 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
-#include "encoder/refusal_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"

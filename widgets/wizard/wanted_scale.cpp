@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/wanted_scale.h"
 
-#include "drivers/preset_position.h"
-#include "drivers/value_notes.h"
+#include "jobs/preset_position.h"
+#include "jobs/value_notes.h"
 
 #include <algorithm>
 

@@ -3,10 +3,10 @@
 
 #include "catalog/device_description.h"
 #include "catalog/explain_word.h"
-#include "drivers/job_report.h"
-#include "encoder/hex.h"
-#include "encoder/refusal_text.h"
+#include "jobs/job_report.h"
 #include "journal/eeprom_cost.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/job/step_text.h"
 

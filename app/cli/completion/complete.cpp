@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/completion/complete.h"
 
+#include "cli/bus/present_ports.h"
+#include "cli/call/terminal.h"
+#include "cli/call/texts.h"
 #include "cli/commands.h"
 #include "cli/completion/known_devices.h"
 #include "cli/completion/usage_words.h"
-#include "cli/present_ports.h"
-#include "cli/terminal.h"
-#include "cli/texts.h"
-#include "encoder/shown_text.h"
 #include "history/track.h"
 #include "journal/message_fields.h"
+#include "vocabulary/shown_text.h"
 
 #include <algorithm>
 

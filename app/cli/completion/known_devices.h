@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "cli/link_kind.h"
+#include "cli/kinds/link_kind.h"
 #include "project/project.h"
 
 namespace codewheel {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/call/stop_signals.h"
+#include "cli/call/texts.h"
 #include "cli/commands.h"
-#include "cli/consent.h"
-#include "cli/jobs.h"
+#include "cli/encoder/consent.h"
+#include "cli/encoder/jobs.h"
 #include "cli/recording/export_wish.h"
-#include "cli/stop_signals.h"
-#include "cli/texts.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
 #include "recording/recording_archive.h"
 #include "trend/trend_files.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QFileInfo>
 #include <QJsonArray>

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/buses.h"
-#include "cli/bus_access.h"
+#include "cli/bus/bus_access.h"
+#include "cli/bus/places.h"
+#include "cli/call/json.h"
+#include "cli/call/texts.h"
 #include "cli/commands.h"
-#include "cli/json.h"
-#include "cli/places.h"
+#include "cli/project/transfer_call.h"
 #include "cli/recording/passing_time.h"
 #include "cli/recording/record_news.h"
 #include "cli/recording/record_trigger.h"
 #include "cli/recording/record_wish.h"
 #include "cli/recording/recording_facts.h"
-#include "cli/texts.h"
-#include "cli/transfer_call.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
 #include "history/histories.h"
 #include "history/rough_duration.h"
 #include "recording/trigger_text.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QFile>
 #include <QLocale>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/recording/export_time.h"
 
-#include "cli/texts.h"
-#include "encoder/local_time.h"
+#include "cli/call/texts.h"
+#include "vocabulary/local_time.h"
 
 namespace codewheel {
 namespace {

@@ -2,11 +2,11 @@
 #include "cli/recording/export_wish.h"
 
 #include "catalog/catalog.h"
+#include "cli/call/texts.h"
 #include "cli/recording/export_time.h"
-#include "cli/texts.h"
-#include "drivers/position_scale.h"
-#include "encoder/rod_scale.h"
+#include "jobs/position_scale.h"
 #include "project/project.h"
+#include "vocabulary/rod_scale.h"
 
 #include <algorithm>
 

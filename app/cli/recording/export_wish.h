@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/call/subcommand.h"
 #include "cli/recording/recording_facts.h"
-#include "cli/subcommand.h"
 #include "trend/trend_extract.h"
 #include "trend/trend_origin.h"
 

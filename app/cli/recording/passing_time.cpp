@@ -2,7 +2,7 @@
 #include "cli/recording/passing_time.h"
 
 #include "bus/buses.h"
-#include "cli/bus_access.h"
+#include "cli/bus/bus_access.h"
 
 #include <algorithm>
 #include <poll.h>

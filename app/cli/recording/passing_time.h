@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/stop_signals.h"
-#include "cli/subcommand.h"
-#include "encoder/instant.h"
+#include "cli/call/stop_signals.h"
+#include "cli/call/subcommand.h"
+#include "vocabulary/instant.h"
 
 #include <QDateTime>
 

@@ -2,11 +2,11 @@
 #include "cli/recording/record_news.h"
 
 #include "bus/encoder_bus.h"
-#include "cli/bus_access.h"
-#include "cli/texts.h"
-#include "encoder/refusal_text.h"
-#include "encoder/sentence.h"
+#include "cli/bus/bus_access.h"
+#include "cli/call/texts.h"
 #include "history/rough_duration.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QLocale>
 

@@ -3,9 +3,9 @@
 
 #include "bus/buses.h"
 #include "bus/word_channel.h"
-#include "cli/bus_access.h"
-#include "cli/places.h"
-#include "cli/texts.h"
+#include "cli/bus/bus_access.h"
+#include "cli/bus/places.h"
+#include "cli/call/texts.h"
 #include "history/track.h"
 #include "recording/trigger_text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/recording/record_wish.h"
 
-#include "cli/texts.h"
+#include "cli/call/texts.h"
 #include "recording/server_address.h"
 
 #include <QDateTime>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/places.h"
+#include "cli/bus/places.h"
 #include "recording/bus_recorder.h"
 
 #include <array>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/recording/recording_facts.h"
 
-#include "cli/json.h"
-#include "cli/text_table.h"
-#include "cli/texts.h"
-#include "encoder/local_time.h"
-#include "encoder/sentence.h"
+#include "cli/call/json.h"
+#include "cli/call/text_table.h"
+#include "cli/call/texts.h"
 #include "history/rough_duration.h"
 #include "history/track.h"
 #include "recording/server_address.h"
+#include "vocabulary/local_time.h"
+#include "vocabulary/sentence.h"
 
 #include <QFileInfo>
 #include <QJsonArray>

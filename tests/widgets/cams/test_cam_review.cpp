@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The review of the cam editor shows the words that are sent.
-#include "encoder/hex.h"
+#include "kinds/interbus/words/k3_cam_word.h"
 #include "tests/widgets/cams/cam_editor_test.h"
-#include "words/k3_cam_word.h"
+#include "vocabulary/hex.h"
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>

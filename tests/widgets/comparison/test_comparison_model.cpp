@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "project/project_take_over.h"
-#include "tests/ring/written_ring.h"
+#include "kinds/interbus/plan/project_take_over.h"
+#include "tests/kinds/interbus/ring/written_ring.h"
 #include "tests/support/model_tester.h"
 #include "widgets/comparison/comparison_model.h"
 #include "widgets/structure_editor/plan_edits.h"

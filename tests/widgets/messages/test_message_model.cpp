@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/training_bus_session.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/messages/message_model.h"
 
 #include <QAbstractItemModel>

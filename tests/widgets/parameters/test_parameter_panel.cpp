@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter panel on the training bus, in virtual time, with mouse and keys.
 #include "catalog/catalog.h"
-#include "ring/ring_session.h"
-#include "simulator/training_bus.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
 #include "tests/app/question.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"

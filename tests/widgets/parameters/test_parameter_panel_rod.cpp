@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter panel with a TR LA-66 in virtual time.
-#include "encoder/sentence.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/rod_bus.h"
+#include "vocabulary/sentence.h"
 #include "widgets/dial/rod_view.h"
 #include "widgets/job/review_table.h"
 #include "widgets/look/inline_message.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "project/line_plan.h"
+#include "kinds/esc/plan/line_plan.h"
 #include "tests/support/plans.h"
 #include "widgets/project/bus_model.h"
 #include "widgets/project/project_page.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/line_address.h"
-#include "project/project_take_over.h"
+#include "kinds/esc/protocol/line_address.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "tests/support/contrast.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/plans.h"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "project/project_take_over.h"
-#include "ring/ring_edit.h"
-#include "tests/ring/written_ring.h"
+#include "kinds/interbus/plan/project_take_over.h"
+#include "kinds/interbus/ring/ring_edit.h"
+#include "tests/kinds/interbus/ring/written_ring.h"
 #include "widgets/project/project_document.h"
 
 #include <gtest/gtest.h>

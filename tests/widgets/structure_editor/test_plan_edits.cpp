@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
-#include "ring/id_code.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "tests/support/places.h"
 #include "tests/widgets/structure_editor/plan_test.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/structure_editor/plan_edits.h"
 
 namespace codewheel {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ring/id_code.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/support/plans.h"

@@ -2,8 +2,8 @@
 #include "tests/support/places.h"
 #include "tests/support/plans.h"
 #include "tests/widgets/structure_editor/plan_test.h"
+#include "widgets/kinds/interbus/master/ring_plan_fields.h"
 #include "widgets/look/inline_message.h"
-#include "widgets/master/ring_plan_fields.h"
 #include "widgets/structure_editor/plan_model.h"
 #include "widgets/structure_editor/structure_editor.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "journal/known_keeper.h"
 #include "tests/widgets/transfer/transfer_test.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/transfer/replace_page.h"
 
 #include <QComboBox>

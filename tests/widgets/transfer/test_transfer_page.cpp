@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "encoder/refusal_text.h"
 #include "tests/app/question.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/old_file.h"
 #include "tests/support/places.h"
 #include "tests/widgets/transfer/transfer_test.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/job/account_view.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/transfer/transfer_page.h"

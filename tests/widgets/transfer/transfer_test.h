@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "project/project_take_over.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/project/project_document.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivers/make_driver.h"
-#include "drivers/position_scale.h"
-#include "esc_line/line_session.h"
-#include "simulator/simulated_line_link.h"
+#include "jobs/make_driver.h"
+#include "jobs/position_scale.h"
+#include "kinds/esc/line/line_session.h"
+#include "kinds/esc/simulator/simulated_line_link.h"
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/monitor/position_range.h"
 #include "widgets/parameters/position_to_set.h"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/call/complaint.h"
+
+#include "doctor/hindrance_of_refusal.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+
+namespace codewheel {
+
+tl::unexpected<Complaint> badInput(const QString &key, const QString &pattern,
+                                   std::vector<RefusalArgument> arguments)
+{
+    const QString text = sentence(pattern, argumentTexts(arguments));
+    return tl::unexpected(Complaint{ExitCode::badInput, key, text, std::move(arguments)});
+}
+
+Complaint complaintAbout(const Refusal &refusal)
+{
+    const ExitCode exit = refusal.kind == RefusalKind::badInput ? ExitCode::badInput : ExitCode::refused;
+    const auto hindrance = hindranceOf(refusal);
+    return {exit, refusalKey(refusal.id), hindrance ? hindrance->sentence : refusalText(refusal),
+            refusal.arguments, hindrance ? hindrance->command : QString()};
+}
+
+QString commandToCopy(const QString &command)
+{
+    return command.isEmpty() ? QString() : QStringLiteral("    %1\n").arg(command);
+}
+
+} // namespace codewheel

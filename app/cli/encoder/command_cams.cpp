@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cams/cam_file.h"
+#include "cams/check_cams.h"
+#include "catalog/catalog.h"
+#include "catalog/total_range.h"
+#include "cli/bus/bus_access.h"
+#include "cli/bus/places.h"
+#include "cli/call/json.h"
+#include "cli/call/texts.h"
+#include "cli/commands.h"
+#include "cli/encoder/cam_text.h"
+#include "cli/encoder/consent.h"
+#include "cli/encoder/eeprom_consent.h"
+#include "cli/encoder/jobs.h"
+#include "cli/encoder/trace.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
+#include "project/file_access.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *camsExamples[] = {"cams 1.0 read", "cams 1.0 read cams.json --program 1",
+                                        "cams 1.0 compare docs/examples/cams.json",
+                                        "cams 1.0 write docs/examples/cams.json --yes"};
+
+constexpr std::array camsOptions{
+    deviceOption,
+    beyondLimitOption,
+    ledgerOption,
+    Option{"--program", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "only this cam program, 1 to 8")},
+    Option{"--stay", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "leave the encoder in cam mode, in the last of the programs")},
+    Option{"--yes", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking, also where the budget of the "
+                                                       "EEPROM is used; replace FILE when reading")},
+    traceOption,
+};
+
+// One call in progress: what it is about, and what it has to say so far.
+struct CamCall
+{
+    const Call &call;
+    EncoderSession &encoder;
+    Answer answer{};
+    std::unique_ptr<JobTrace> trace{};
+
+    Checked<Outcome> carryOut(const AllowedJob &job)
+    {
+        Outcome outcome = runToEnd(call, job, *trace);
+        if (!outcome.result)
+            return tl::unexpected(complaintAbout(outcome.result.error()));
+        return outcome;
+    }
+    // Back to where it was, as far as known; otherwise it stays in the last program, which is saved.
+    SwitchMode afterwards(const std::vector<unsigned> &programs) const
+    {
+        const Reading &reading = encoder.latest();
+        if (call.arguments.has("--stay") || !reading.mode)
+            return {Mode::cam, programs.back()};
+        return {*reading.mode, reading.camProgram.value_or(0)};
+    }
+    std::optional<std::int64_t> positions() const
+    {
+        return totalRange(encoder.device(), valuesOf(allKnown(encoder)));
+    }
+    // Costs EEPROM writes if a program was changed before.
+    Checked<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
+    {
+        const auto allowed =
+            eepromConsent(call, encoder, ReadCams{programs, afterwards(programs)}, AsksAnyway::no);
+        if (!allowed)
+            return tl::unexpected(allowed.error());
+        auto read = carryOut({encoder, ReadParameters{{Parameter::steps, Parameter::revolutions}}});
+        if (read)
+            read = carryOut(*allowed);
+        if (!read)
+            return tl::unexpected(read.error());
+        std::ranges::sort(read->camsRead, {}, &CamProgram::number);
+        return read->camsRead;
+    }
+};
+
+Checked<std::optional<unsigned>> programFrom(const Arguments &arguments)
+{
+    const auto text = arguments.value("--program");
+    if (!text)
+        return std::nullopt;
+    bool isNumber = false;
+    const int number = text->toInt(&isNumber);
+    if (!isNumber)
+        return badInput(QStringLiteral("notANumber"),
+                        CommandLine::tr("\"%1\" is not a number of a cam program. Choose one from 1 to 8."),
+                        {*text});
+    if (const auto checked = checkCamProgramNumber(number); !checked)
+        return tl::unexpected(complaintAbout(checked.error()));
+    return static_cast<unsigned>(number);
+}
+
+// From the file: all its programs, or the one wanted.
+Checked<CamFile> programsIn(const QString &name, std::optional<unsigned> program)
+{
+    auto cams = readWholeFile(name, largestCamFile).and_then([&](const QByteArray &json) {
+        return camFileFromJson(json, name);
+    });
+    if (!cams)
+        return tl::unexpected(complaintAbout(cams.error()));
+    if (!program)
+        return *std::move(cams);
+    const auto one = camProgramOf(*cams, *program, name);
+    if (!one)
+        return tl::unexpected(complaintAbout(one.error()));
+    cams->programs = {*one};
+    return *std::move(cams);
+}
+
+Checked<void> checkMadeFor(const Call &call, const CamFile &file, const DeviceDescription &encoder)
+{
+    const QString &name = call.arguments.rest[2];
+    if (suits(file, encoder, call.catalog.find(file.device)))
+        return {};
+    return tl::unexpected(Complaint{ExitCode::badInput,
+                                    QStringLiteral("camFileOfOtherDevice"),
+                                    otherDeviceText(file, encoder, name),
+                                    {name, file.device, encoder.key}});
+}
+
+// A read must not overwrite a file, and nothing is read that could not be saved.
+Checked<void> checkCamFile(const Arguments &arguments)
+{
+    if (arguments.rest.size() < 3)
+        return {};
+    return checkTargetFile(
+        arguments, arguments.rest[2],
+        CommandLine::tr("%1 is there already. Nothing was read. Name another file, or add --yes to "
+                        "replace it."));
+}
+
+std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
+{
+    std::vector<unsigned> numbers;
+    numbers.reserve(programs.size());
+    for (const CamProgram &program : programs)
+        numbers.push_back(program.number);
+    return numbers;
+}
+
+void saveCams(CamCall &cams, const QString &name, std::vector<CamProgram> programs)
+{
+    const QByteArray json = camFileToJson({cams.encoder.device().key, cams.positions(), std::move(programs)});
+    if (const auto saved = replaceFile(name, json, OldFile::goes); !saved)
+        cams.answer.complaint = complaintAbout(saved.error());
+    else
+        cams.answer.text += sentence(CommandLine::tr("Saved in %1."), {name}) + u'\n';
+}
+
+void read(CamCall &cams, std::optional<unsigned> program)
+{
+    const auto programs =
+        program ? std::vector{*program} : programNumbers(cams.encoder.can().cams.value_or(CamAbilities()));
+    const auto read = cams.readPrograms(programs);
+    if (!read) {
+        cams.answer.complaint = read.error();
+        return;
+    }
+    cams.answer.text += camTable(*read);
+    cams.answer.json.insert(QStringLiteral("programs"), camsJson(*read));
+    if (cams.call.arguments.rest.size() > 2)
+        saveCams(cams, cams.call.arguments.rest[2], *read);
+}
+
+// Reads the programs of the file from the encoder, and reports the differences.
+std::optional<std::vector<CamDifference>> compareWith(CamCall &cams, const std::vector<CamProgram> &wanted)
+{
+    const auto read = cams.readPrograms(numbersOf(wanted));
+    if (!read) {
+        cams.answer.complaint = read.error();
+        return std::nullopt;
+    }
+    auto differences = differencesOf(*read, wanted);
+    cams.answer.json.insert(QStringLiteral("differences"), differencesJson(differences));
+    cams.answer.text += differences.empty() ? CommandLine::tr("The encoder has all of it.") + u'\n'
+                                            : differenceTable(differences);
+    return differences;
+}
+
+void compare(CamCall &cams, const std::vector<CamProgram> &wanted)
+{
+    const auto differences = compareWith(cams, wanted);
+    if (differences && !differences->empty())
+        cams.answer.complaint =
+            Complaint{ExitCode::refused, QStringLiteral("camsDiffer"),
+                      sentence(CommandLine::tr("The encoder and the file differ in values: %1."),
+                               {QString::number(differences->size())})};
+}
+
+QString wordList(const std::vector<Step> &steps)
+{
+    QStringList words;
+    for (const Step &step : steps)
+        if (!readsCams(step))
+            words << hexWord(step.out);
+    return words.join(u' ');
+}
+
+// What will be sent besides read-outs.
+Result<QString> reviewText(const CamCall &cams, const WriteCams &job)
+{
+    return cams.encoder.planned({job}).map([](const std::vector<Step> &steps) {
+        return sentence(CommandLine::tr("Words to be sent, beside read-outs: %1"), {wordList(steps)}) + u'\n';
+    });
+}
+
+QString costText(const std::vector<CamDifference> &differences)
+{
+    int programs = 0;
+    unsigned last = 0;
+    for (const CamDifference &one : differences)
+        programs += std::exchange(last, one.program) != one.program ? 1 : 0;
+    return sentence(CommandLine::tr("EEPROM writes: %1, one for each program that is changed and left."),
+                    {QString::number(programs)}) +
+           u'\n';
+}
+
+void showCams(CamCall &cams)
+{
+    if (!cams.call.arguments.has("--json"))
+        cams.call.terminal.print(std::exchange(cams.answer.text, {}));
+}
+
+void writeCams(CamCall &cams, const AllowedJob &job)
+{
+    const auto outcome = cams.carryOut(job);
+    if (!outcome) {
+        cams.answer.complaint = outcome.error();
+        return;
+    }
+    const QString numbers = listed(outcome->camsWritten,
+                                   [](const CamProgram &program) { return QString::number(program.number); });
+    cams.answer.text += sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
+                                 {numbers, QString::number(outcome->eepromWrites)}) +
+                        u'\n';
+    cams.answer.json.insert(QStringLiteral("written"), camsJson(outcome->camsWritten));
+    cams.answer.json.insert(QStringLiteral("eepromWrites"), outcome->eepromWrites);
+}
+
+void write(CamCall &cams, const std::vector<CamProgram> &wanted)
+{
+    const auto differences = compareWith(cams, wanted);
+    if (!differences || differences->empty())
+        return;
+    const WriteCams job{.programs = wanted, .afterwards = cams.afterwards(numbersOf(wanted))};
+    const auto review = reviewText(cams, job);
+    if (!review) {
+        cams.answer.complaint = complaintAbout(review.error());
+        return;
+    }
+    cams.answer.text += *review + costText(*differences);
+    showCams(cams);
+    const auto allowed = eepromConsent(cams.call, cams.encoder, job, AsksAnyway::yes);
+    if (!allowed) {
+        cams.answer.complaint = allowed.error();
+        return;
+    }
+    const auto agreed = consent(
+        cams.call, sentence(CommandLine::tr("Write this to %1?"), {cams.encoder.place().shown()}),
+        CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "
+                        "to look only."));
+    if (agreed)
+        writeCams(cams, *allowed);
+    else
+        cams.answer.complaint = agreed.error();
+}
+
+Checked<Answer> runCams(const Call &call)
+{
+    const QString &what = call.arguments.rest[1];
+    const bool reads = what == QStringLiteral("read");
+    const bool compares = what == QStringLiteral("compare");
+    if (!reads && !compares && what != QStringLiteral("write"))
+        return badInput(QStringLiteral("unknownAction"),
+                        CommandLine::tr("\"%1\" is none of read, write and compare."), {what});
+    if (!reads && call.arguments.rest.size() < 3)
+        return badInput(QStringLiteral("missingFile"), CommandLine::tr("Name the file of the cam programs."));
+    const auto program = programFrom(call.arguments);
+    if (!program)
+        return tl::unexpected(program.error());
+    if (const auto canSave = reads ? checkCamFile(call.arguments) : Checked<void>(); !canSave)
+        return tl::unexpected(canSave.error());
+    const auto wanted = reads ? Checked<CamFile>() : programsIn(call.arguments.rest[2], *program);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto encoder = encoderAt(call);
+    if (!encoder)
+        return tl::unexpected(encoder.error());
+    if (!(*encoder)->can().cams)
+        return tl::unexpected(complaintAbout(
+            {RefusalKind::notSupported, RefusalId::camsNotSupported, {(*encoder)->device().fullName()}}));
+    if (const auto fits = reads ? Checked<void>() : checkMadeFor(call, *wanted, (*encoder)->device()); !fits)
+        return tl::unexpected(fits.error());
+
+    CamCall cams{call, **encoder, {}, call.busOf((*encoder)->place()).trace({*encoder})};
+    if (reads)
+        read(cams, *program);
+    else if (compares)
+        compare(cams, wanted->programs);
+    else
+        write(cams, wanted->programs);
+    Answer answer = std::move(cams.answer);
+    addPlace(answer.json, call, (*encoder)->place());
+    answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
+    const QString text = std::exchange(answer.text, {});
+    addTrace(call, (*encoder)->place(), *cams.trace, answer);
+    answer.text += text;
+    return answer;
+}
+
+} // namespace
+
+const Subcommand camsCommand{
+    .name = "cams",
+    .usage = "PLACE read|write|compare [FILE] [--program N] [--stay] [--yes] [--trace]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read, write and compare cam programs"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "read prints the cam programs, and saves them in FILE where one is named; a FILE that is there\n"
+        "already is replaced with --yes only. compare reads those that are in FILE and tells line by line\n"
+        "what differs; exit code 1 if anything does. write does the same, shows the words and the EEPROM\n"
+        "writes, asks, writes what differs, and reads it back. A FILE made for another device is refused.\n"
+        "\n"
+        "Without --program, all eight are read, or all that are in the file. The encoder is in cam mode "
+        "meanwhile.\n"
+        "Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays "
+        "in "
+        "the\n"
+        "last of the programs. A changed program is saved when it is left, with one EEPROM write."),
+    .examples = camsExamples,
+    .options = camsOptions,
+    .minimumArguments = 2,
+    .maximumArguments = 3,
+    .needsBus = true,
+    .textIsAccount = true,
+    .run = runCams,
+};
+
+} // namespace codewheel

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus/places.h"
+#include "cli/call/json.h"
+#include "cli/call/texts.h"
+#include "cli/commands.h"
+#include "cli/encoder/consent.h"
+#include "cli/encoder/eeprom_consent.h"
+#include "cli/encoder/jobs.h"
+#include "cli/encoder/position_text.h"
+#include "cli/encoder/trace.h"
+#include "cli/encoder/value_lines.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *resetExamples[] = {"reset 1.0", "reset 2.0 --yes --trace"};
+
+constexpr std::array resetOptions{
+    deviceOption,
+    beyondLimitOption,
+    ledgerOption,
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "reset without asking")},
+    traceOption,
+};
+
+// What is lost, and what it costs.
+QString warningText(const EncoderSession &encoder)
+{
+    QStringList lost;
+    for (const ParameterDescription &parameter : encoder.device().parameters)
+        if (parameter.canBeWritten())
+            lost << parameterKey(parameter.parameter);
+    QString text =
+        sentence(CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run)."),
+                 {encoder.place().shown(), encoder.device().fullName()}) +
+        u'\n' + sentence(CommandLine::tr("This is lost: %1."), {lost.join(QStringLiteral(", "))}) + u'\n';
+    if (encoder.can().cams)
+        text += CommandLine::tr("All cam programs are lost, too, and the encoder is in position mode "
+                                "afterwards.") +
+                u'\n';
+    text += sentence(CommandLine::tr("EEPROM writes:   %1"), {QStringLiteral("1")});
+    const auto mode = encoder.latest().mode;
+    if (encoder.can().cams && mode != Mode::position && mode != Mode::velocity)
+        text += CommandLine::tr(", and 1 more where it is in a cam program that was changed");
+    return text + u'\n';
+}
+
+// Read back if possible, otherwise the factory settings, by the confirmation.
+ParameterValues valuesNow(const EncoderSession &encoder)
+{
+    ParameterValues values;
+    for (const ParameterDescription &parameter : encoder.device().parameters)
+        if (const auto known = encoder.known(parameter.parameter); known && parameter.canBeWritten())
+            values.push_back({parameter.parameter, known->value});
+    return values;
+}
+
+void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
+{
+    const EncoderSession &encoder = reset.encoder();
+    const FinishedJob job = runToEnd(call, reset);
+    const DeviceDescription &device = encoder.device();
+    answer.text += u'\n';
+    addTrace(call, encoder.place(), *job.trace, answer);
+    answer.json.insert(QStringLiteral("eepromWrites"), job.outcome.eepromWrites);
+    answer.json.insert(QStringLiteral("leftIn"), stateKey(job.outcome.leftIn));
+    addDoubt(answer.json, encoder, job.outcome.inDoubt);
+    if (!job.outcome.result) {
+        answer.text += eepromWritesLine(job.outcome) + doubtLines(encoder, job.outcome.inDoubt);
+        answer.complaint = complaintAbout(job.outcome.result.error());
+        if (job.outcome.leftIn == EncoderState::parameterization)
+            answer.complaint->text += u' ' + messageText({.id = MessageId::resetWaitsForRun});
+        return;
+    }
+    const ParameterValues values = valuesNow(encoder);
+    answer.json.insert(QStringLiteral("values"), valuesJson(encoder, values));
+    answer.json.insert(QStringLiteral("position"), numberJson(encoder.latest().position));
+    answer.json.insert(QStringLiteral("onlyZeroSinceRun"), job.outcome.onlyZeroSinceRun);
+    answer.text +=
+        (device.capabilities.reads ? CommandLine::tr("Read back:")
+                                   : CommandLine::tr("Factory settings, confirmed by the handshake:")) +
+        u'\n' + valueLines(encoder, values) + eepromWritesLine(job.outcome) +
+        sentence(CommandLine::tr("Position after:  %1"),
+                 {positionText(encoder.latest().position, encoder.latest())}) +
+        u'\n';
+    if (job.outcome.onlyZeroSinceRun)
+        answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
+}
+
+Checked<Answer> runReset(const Call &call, EncoderSession &encoder)
+{
+    const DeviceDescription &device = encoder.device();
+    if (!encoder.can().resets)
+        return tl::unexpected(
+            complaintAbout({RefusalKind::notSupported, RefusalId::resetNotSupported, {device.fullName()}}));
+    if (!call.arguments.has("--json"))
+        call.terminal.print(warningText(encoder));
+    Answer answer;
+    const auto allowed = eepromConsent(call, encoder, ResetToDefault{}, AsksAnyway::yes);
+    if (!allowed) {
+        answer.complaint = allowed.error();
+        return answer;
+    }
+    const auto agreed =
+        consent(call, sentence(CommandLine::tr("Reset %1?"), {encoder.place().shown()}),
+                CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to reset."));
+    if (agreed)
+        carryOutReset(call, *allowed, answer);
+    else
+        answer.complaint = agreed.error();
+    return answer;
+}
+
+} // namespace
+
+const Subcommand resetCommand{
+    .name = "reset",
+    .usage = "PLACE [--yes] [--trace]",
+    .summary =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "reset an encoder to factory settings, after asking"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Tells what is lost and what it costs; asks; resets the encoder; and tells what it has then, read "
+        "back\n"
+        "where that is possible. Where nobody can be asked, --yes is needed: without it nothing is sent, "
+        "exit\n"
+        "code 2."),
+    .examples = resetExamples,
+    .options = resetOptions,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = true,
+    .textIsAccount = true,
+    .run = atPlace<runReset>,
+};
+
+} // namespace codewheel

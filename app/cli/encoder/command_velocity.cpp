@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus/places.h"
+#include "cli/call/json.h"
+#include "cli/call/texts.h"
+#include "cli/commands.h"
+#include "cli/encoder/eeprom_consent.h"
+#include "cli/encoder/jobs.h"
+#include "cli/encoder/position_text.h"
+#include "cli/encoder/told_mode.h"
+#include "cli/encoder/trace.h"
+#include "vocabulary/sentence.h"
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *velocityExamples[] = {"velocity 1.0 on", "velocity 1.0 off --trace",
+                                            "velocity 1.0 on --in-position-mode"};
+
+constexpr std::array velocityOptions{
+    deviceOption, inPositionModeOption, budgetYesOption, beyondLimitOption, ledgerOption, traceOption,
+};
+
+Checked<SwitchMode> modeJob(const QString &wanted)
+{
+    if (wanted == QStringLiteral("on"))
+        return SwitchMode{Mode::velocity};
+    if (wanted == QStringLiteral("off"))
+        return SwitchMode{Mode::position};
+    return badInput(QStringLiteral("onOrOff"), CommandLine::tr("\"%1\" is neither on nor off."), {wanted});
+}
+
+QString readingText(const Reading &reading)
+{
+    if (reading.velocity)
+        return sentence(CommandLine::tr("Velocity mode: %1 rpm"), {argumentText(*reading.velocity)}) + u'\n';
+    return sentence(CommandLine::tr("Position mode: %1"), {positionText(reading.position, reading)}) + u'\n';
+}
+
+Checked<Answer> runVelocity(const Call &call, EncoderSession &encoder)
+{
+    const auto wanted = modeJob(call.arguments.rest[1]);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+
+    tellMode(encoder, call.arguments);
+    const auto allowed = eepromConsent(call, encoder, *wanted, AsksAnyway::no);
+    if (!allowed)
+        return tl::unexpected(allowed.error());
+    const FinishedJob job = runToEnd(call, *allowed);
+    const Reading &reading = encoder.latest();
+    Answer answer;
+    answer.json = {{QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
+                   {QStringLiteral("mode"), modeJson(reading.mode)},
+                   {QStringLiteral("velocity"), numberJson(reading.velocity)},
+                   {QStringLiteral("position"), numberJson(reading.position)}};
+    addTrace(call, encoder.place(), *job.trace, answer);
+    if (job.outcome.result)
+        answer.text += readingText(reading);
+    else
+        answer.complaint = complaintAbout(job.outcome.result.error());
+    return answer;
+}
+
+} // namespace
+
+const Subcommand velocityCommand{
+    .name = "velocity",
+    .usage = "PLACE on|off [--in-position-mode] [--trace]",
+    .summary =
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "let an encoder show its speed, or its position again"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "In velocity mode an encoder shows whole revolutions per minute instead of its position, and goes on "
+        "so\n"
+        "after power-off, until it is switched off. Sends at once, without asking; writes nothing to the "
+        "EEPROM,\n"
+        "but \"off\" ends cam mode, too: a cam program that was changed is stored when it is left."),
+    .examples = velocityExamples,
+    .options = velocityOptions,
+    .minimumArguments = 2,
+    .maximumArguments = 2,
+    .needsBus = true,
+    .textIsAccount = true,
+    .run = atPlace<runVelocity>,
+};
+
+} // namespace codewheel

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/encoder/jobs.h"
+
+#include "cli/bus/bus_access.h"
+#include "cli/call/json.h"
+#include "cli/call/stop_signals.h"
+#include "cli/call/subcommand.h"
+#include "cli/call/texts.h"
+#include "cli/encoder/value_lines.h"
+#include "jobs/job_report.h"
+#include "journal/eeprom_cost.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
+
+namespace codewheel {
+namespace {
+
+// A bus is in Watch until something has to be sent.
+Result<JobId> startOn(BusAccess &bus, const AllowedJob &allowed)
+{
+    auto started = allowed.encoder().start(allowed.job());
+    if (started || started.error().id != RefusalId::watchOnly)
+        return started;
+    bus.prepare(allowed.job());
+    return allowed.encoder().start(allowed.job());
+}
+
+// Until it has ended.
+void carryOut(BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
+{
+    EncoderSession &encoder = allowed.encoder();
+    const auto started = startOn(bus, allowed);
+    if (!started) {
+        finished.outcome.result = tl::unexpected(started.error());
+        return;
+    }
+    bool running = true;
+    QObject scope;
+    QObject::connect(&encoder, &EncoderSession::progressed, &scope,
+                     [&](const Progress &progress) { finished.lastStep = progress; });
+    QObject::connect(&encoder, &EncoderSession::finished, &scope, [&](const Outcome &ended) {
+        running = ended.job != *started;
+        finished.outcome = ended;
+    });
+    StopSignals stop;
+    while (running) {
+        if (stop.came()) {
+            finished.wasCancelled = true;
+            encoder.cancel(OnCancel::leaveAsIs);
+        }
+        bus.advance(bus.lookInterval());
+    }
+}
+
+FinishedJob run(const Call &call, const AllowedJob &allowed, JobTrace &trace)
+{
+    const EncoderSession &encoder = allowed.encoder();
+    BusAccess &bus = call.busOf(encoder.place());
+    trace.begin(encoder);
+    FinishedJob finished;
+    carryOut(bus, allowed, finished);
+    bus.rest();
+    bus.lookAgain(encoder);
+    return finished;
+}
+
+} // namespace
+
+FinishedJob runToEnd(const Call &call, const AllowedJob &allowed)
+{
+    const EncoderSession &encoder = allowed.encoder();
+    const std::shared_ptr<JobTrace> trace = call.busOf(encoder.place()).trace({&encoder});
+    FinishedJob finished = run(call, allowed, *trace);
+    finished.trace = trace;
+    return finished;
+}
+
+Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace)
+{
+    return run(call, allowed, trace).outcome;
+}
+
+void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer)
+{
+    if (!call.arguments.has("--trace"))
+        return;
+    answer.text += trace.text(place) + u'\n';
+    answer.json.insert(QStringLiteral("trace"), trace.json(place));
+}
+
+QString eepromWritesLine(const Outcome &outcome)
+{
+    return sentence(CommandLine::tr("EEPROM writes:   %1"),
+                    {eepromWritesText(outcome.eepromWrites, outcome.inDoubt.eepromWrites)}) +
+           u'\n';
+}
+
+QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt)
+{
+    QString text;
+    for (const QString &one : doubtSentences(doubt, encoder.device()))
+        text += one + u'\n';
+    return text;
+}
+
+void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &doubt)
+{
+    if (!doubt.hasSomething())
+        return;
+    QJsonArray programs;
+    for (const unsigned program : doubt.camPrograms)
+        programs.append(static_cast<int>(program));
+    QJsonArray words;
+    for (const Word out : doubt.out)
+        words.append(hexWord(out));
+    json.insert(QStringLiteral("inDoubt"),
+                QJsonObject{{QStringLiteral("values"), valuesJson(encoder, doubt.values)},
+                            {QStringLiteral("reset"), doubt.reset},
+                            {QStringLiteral("position"), doubt.position},
+                            {QStringLiteral("camPrograms"), programs},
+                            {QStringLiteral("eepromWrites"), doubt.eepromWrites},
+                            {QStringLiteral("out"), words}});
+}
+
+Complaint aboutCancelling()
+{
+    return complaintAbout({RefusalKind::stopped, RefusalId::cancelled, {}});
+}
+
+Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)
+{
+    return call.busOf(place).complaint(why);
+}
+
+} // namespace codewheel

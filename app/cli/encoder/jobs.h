@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/call/arguments.h"
+#include "cli/call/complaint.h"
+#include "cli/encoder/allowed_jobs.h"
+#include "cli/encoder/job_trace.h"
+
+#include <QtGlobal>
+
+#include <memory>
+
+namespace codewheel {
+
+struct Answer;
+struct Call;
+
+inline constexpr Option traceOption{
+    "--trace", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "print the words that went over the bus")};
+
+// How a job ended.
+struct FinishedJob
+{
+    Outcome outcome;
+    Progress lastStep; // that was started
+    std::shared_ptr<const JobTrace> trace;
+    bool wasCancelled = false; // by a signal, whatever came of it
+};
+
+// Runs a job to its end, by the clock of its bus. Ctrl+C cancels it: the answer to what was sent is awaited
+// and read.
+FinishedJob runToEnd(const Call &call, const AllowedJob &allowed);
+// The same, adding what goes over the bus to a trace.
+Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
+
+// With --trace: the words or requests that went over the bus, before what the answer already says.
+void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
+
+QString eepromWritesLine(const Outcome &outcome); // "EEPROM writes:   1"
+// What was sent and not answered, in lines; empty: nothing.
+QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt);
+// Adds it as "inDoubt", where there is something.
+void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &doubt);
+Complaint aboutCancelling();
+// About a job that was refused, and about its link if that is gone.
+Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
+
+} // namespace codewheel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/call/arguments.h"
+#include "vocabulary/position_mode.h"
+
+#include <QtGlobal>
+
+namespace codewheel {
+
+// For commands whose words would set a cam in cam mode.
+inline constexpr Option inPositionModeOption{
+    "--in-position-mode", nullptr,
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "say that the encoder is not in cam mode, where the same word sets a cam")};
+// The user says so with that option. Only needed if the mode is not known.
+inline void tellMode(EncoderSession &encoder, const Arguments &arguments)
+{
+    if (arguments.has(inPositionModeOption.name) && !encoder.latest().mode)
+        tellPositionMode(encoder);
+}
+
+} // namespace codewheel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/encoder/value_lines.h"
+
+#include "catalog/value_text.h"
+#include "cli/call/json.h"
+#include "cli/call/text_table.h"
+#include "cli/encoder/parameter_text.h"
+
+#include <QtEndian>
+
+namespace codewheel {
+
+QString valueCell(const ParameterDescription &parameter, std::int64_t value,
+                  const std::optional<ValueOptions> &options)
+{
+    const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
+    const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
+    return QStringLiteral("= %1 %2").arg(typedValue(parameter, value, options), unit).trimmed();
+}
+
+QString valueLines(const EncoderSession &encoder, const ParameterValues &values, const QString &version)
+{
+    TextTable table;
+    for (const ParameterValue &value : values) {
+        const ParameterDescription &parameter = *encoder.device().find(value.parameter);
+        table.add(
+            {parameterKey(value.parameter), valueCell(parameter, value.value, valueOptionsOf(&encoder))});
+    }
+    if (!version.isEmpty())
+        table.add({QStringLiteral("version"), QStringLiteral("= %1").arg(version)});
+    return table.toString();
+}
+
+QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &values)
+{
+    const auto options = valueOptionsOf(&encoder);
+    QJsonArray json;
+    for (const ParameterValue &value : values) {
+        QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
+        if (options && options->swapsWarningBytes && value.parameter == Parameter::warnings)
+            object.insert(QStringLiteral("asSent"), qbswap(static_cast<std::uint16_t>(value.value)));
+        json.append(object);
+    }
+    return json;
+}
+
+} // namespace codewheel

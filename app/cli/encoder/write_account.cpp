@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/encoder/write_account.h"
+
+#include "catalog/device_description.h"
+#include "cli/call/text_table.h"
+#include "cli/call/texts.h"
+#include "cli/encoder/parameter_text.h"
+#include "cli/encoder/position_text.h"
+
+namespace codewheel {
+
+WriteAccount::WriteAccount(const EncoderSession &encoder, const ParameterValues &wanted,
+                           const Outcome &outcome)
+    : m_encoder(encoder)
+    , m_wanted(wanted)
+    , m_outcome(outcome)
+{}
+
+QString WriteAccount::fateOf(const ParameterValue &value) const
+{
+    if (valueOf(m_outcome.written, value.parameter)) {
+        const auto known = m_encoder.known(value.parameter);
+        return known && known->evidence == Evidence::read
+                   ? CommandLine::tr("written, and read back")
+                   : CommandLine::tr("written, confirmed by the handshake");
+    }
+    if (valueOf(m_outcome.alreadyThere, value.parameter))
+        return CommandLine::tr("already there");
+    if (valueOf(m_outcome.inDoubt.values, value.parameter))
+        return CommandLine::tr("sent: it is not known whether the encoder has it");
+    return CommandLine::tr("did not become active");
+}
+
+QString WriteAccount::toText() const
+{
+    TextTable table;
+    const auto add = [&](const ParameterValue &value, const QString &fate) {
+        const ParameterDescription &parameter = *m_encoder.device().find(value.parameter);
+        table.add({parameterKey(value.parameter),
+                   QStringLiteral("= %1").arg(typedValue(parameter, value.value)), fate});
+    };
+    for (const ParameterValue &value : m_wanted)
+        add(value, fateOf(value));
+    for (const ParameterValue &value : m_outcome.setAlong)
+        add(value, CommandLine::tr("set by the encoder itself, with the steps"));
+    return table.toString();
+}
+
+QString WriteAccount::whereItWasLeft() const
+{
+    return codewheel::whereItWasLeft(m_outcome, m_encoder.latest());
+}
+
+} // namespace codewheel

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/encoder/write_plan_text.h"
+
+#include "catalog/device_description.h"
+#include "cli/call/json.h"
+#include "cli/call/text_table.h"
+#include "cli/call/texts.h"
+#include "cli/encoder/parameter_text.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+QString notesText(const EncoderSession &encoder, const WritePlan &plan)
+{
+    if (plan.jobs.empty())
+        return CommandLine::tr("The encoder has all of it: there is nothing to write.") + u'\n';
+    QStringList lines = howItIsWritten(plan);
+    if (std::ranges::any_of(plan.rows, &WriteRow::goesAlong))
+        lines << CommandLine::tr(
+            "The scaling factor is computed from them: they take effect once it is sent.");
+    for (const ValueNote &note : plan.notes)
+        lines << noteText(note);
+    if (encoder.device().outWords == 0)
+        lines << CommandLine::tr("Each command is sent once, and what was written is read back.");
+    if (encoder.device().profile == Profile::la66)
+        lines << CommandLine::tr("Each word goes out for two bus cycles with its first bit, the service bit, "
+                                 "0; what was written is read back.");
+    return lines.isEmpty() ? QString() : lines.join(u'\n') + u'\n';
+}
+
+} // namespace
+
+QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
+{
+    const DeviceDescription &device = encoder.device();
+    const bool hasWords = device.outWords > 0;
+    TextTable table;
+    table.add({CommandLine::tr("parameter"), CommandLine::tr("known"), CommandLine::tr("wanted"),
+               hasWords ? QStringLiteral("OUT") : CommandLine::tr("command")});
+    for (const WriteRow &row : plan.rows) {
+        const ParameterDescription &parameter = *device.find(row.wanted.parameter);
+        table.add({parameterKey(row.wanted.parameter),
+                   row.known ? typedValue(parameter, row.known->value) : CommandLine::tr("unknown"),
+                   typedValue(parameter, row.wanted.value),
+                   row.step ? sentText(*row.step) : CommandLine::tr("left out: already there")});
+    }
+    const bool endsWithRun = hasWords && device.profile != Profile::la66; // services need no run
+    if (!plan.jobs.empty() && endsWithRun)
+        table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
+    return sentence(CommandLine::tr("To be written to %1, %2:"),
+                    {encoder.place().shown(), device.fullName()}) +
+           u'\n' + table.toString(2) + notesText(encoder, plan);
+}
+
+QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan)
+{
+    const QString carrier =
+        encoder.device().outWords > 0 ? QStringLiteral("word") : QStringLiteral("command");
+    QJsonArray json;
+    for (const WriteRow &row : plan.rows) {
+        QJsonObject object = valueJson(*encoder.device().find(row.wanted.parameter), row.wanted.value);
+        addKnown(object, row.known);
+        object.insert(carrier, row.step ? QJsonValue(sentText(*row.step)) : QJsonValue());
+        object.insert(QStringLiteral("leftOut"), !row.step);
+        json.append(object);
+    }
+    return json;
+}
+
+QJsonArray valueNotesJson(const std::vector<ValueNote> &notes)
+{
+    QJsonArray json;
+    for (const ValueNote &note : notes)
+        json.append(QJsonObject{{QStringLiteral("key"), noteKey(note.id)},
+                                {QStringLiteral("arguments"), argumentsJson(note.arguments)}});
+    return json;
+}
+
+} // namespace codewheel

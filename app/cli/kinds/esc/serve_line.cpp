@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/kinds/esc/serve_line.h"
+
+#include "cli/call/stop_signals.h"
+#include "cli/call/texts.h"
+#include "cli/kinds/esc/pseudo_terminal.h"
+#include "cli/kinds/esc/served_line.h"
+#include "kinds/esc/simulator/simulated_line.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+namespace codewheel {
+namespace {
+
+constexpr int ofThousand = 1'000;
+constexpr int longestDelay = 10'000; // ms
+constexpr Instant longestWait{500'000};
+
+constexpr std::array serveLineOptions{
+    Option{"--lost", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are lost")},
+    Option{"--corrupted", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are wrong in one bit")},
+    Option{"--doubled", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many come twice")},
+    Option{"--delayed", "N",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "of 1000 bytes, so many come later, with all that follow them")},
+    Option{"--delay", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how much later (20)")},
+    Option{"--answer-delay", "MS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "from a request to its answer (0)")},
+    Option{"--echo", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "send back what comes in, as a half-duplex adapter")},
+    Option{"--silent", "ADDRESS",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "an encoder that does not answer; several as 03,12; all for all of them")},
+    Option{"--seed", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "another run of the same faults (1)")},
+};
+
+struct ServePlan
+{
+    LineFaults faults;
+    Instant answerDelay = SimulatedLine::usualAnswerDelay;
+    std::vector<LineAddress> silent;
+    std::uint32_t seed = 1;
+};
+
+Checked<std::vector<LineAddress>> silentOnes(const Arguments &arguments)
+{
+    std::vector<LineAddress> there;
+    for (const EscEncoderPlan &encoder : trainingLine())
+        there.push_back(encoder.address);
+    const QString given = arguments.value("--silent").value_or(QString());
+    if (given == QStringLiteral("all"))
+        return there;
+    std::vector<LineAddress> silent;
+    for (const QString &text : given.split(u',', Qt::SkipEmptyParts)) {
+        const auto address = LineAddress::fromWire(text);
+        if (!address || std::ranges::find(there, *address) == there.end())
+            return badInput(QStringLiteral("optionNotAllowed"),
+                            CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+                            {QStringLiteral("--silent"), text, QStringLiteral("03, 05, 12, all")});
+        silent.push_back(*address);
+    }
+    return silent;
+}
+
+// The options that take a number; the first wrong one is reported.
+Checked<void> takeNumbers(const Arguments &arguments, ServePlan &plan)
+{
+    int delay = 0;
+    int answerDelay = 0;
+    int seed = 0;
+    const struct
+    {
+        const char *option;
+        int otherwise;
+        int minimum;
+        int maximum;
+        int &value;
+    } rows[] = {
+        {"--lost", 0, 0, ofThousand, plan.faults.lost},
+        {"--corrupted", 0, 0, ofThousand, plan.faults.corrupted},
+        {"--doubled", 0, 0, ofThousand, plan.faults.doubled},
+        {"--delayed", 0, 0, ofThousand, plan.faults.delayed},
+        {"--delay", 20, 1, longestDelay, delay},
+        {"--answer-delay", 0, 0, longestDelay, answerDelay},
+        {"--seed", 1, 0, 1'000'000'000, seed},
+    };
+    for (const auto &row : rows) {
+        const auto number = arguments.number(row.option, row.otherwise, row.minimum, row.maximum);
+        if (!number)
+            return tl::unexpected(number.error());
+        row.value = *number;
+    }
+    plan.faults.delay = std::chrono::milliseconds(delay);
+    plan.answerDelay += std::chrono::milliseconds(answerDelay);
+    plan.seed = static_cast<std::uint32_t>(seed);
+    return {};
+}
+
+Checked<ServePlan> planOf(const Arguments &arguments)
+{
+    ServePlan plan;
+    plan.faults.echo = arguments.has("--echo");
+    if (const auto taken = takeNumbers(arguments, plan); !taken)
+        return tl::unexpected(taken.error());
+    const auto silent = silentOnes(arguments);
+    if (!silent)
+        return tl::unexpected(silent.error());
+    plan.silent = *silent;
+    return plan;
+}
+
+void prepare(SimulatedLine &line, const ServePlan &plan)
+{
+    line.setFaults(plan.faults);
+    line.setAnswerDelay(plan.answerDelay);
+    for (const LineAddress address : plan.silent)
+        line.withEncoder(address, [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
+    line.begin({});
+}
+
+void serve(ServedLine &line, const PseudoTerminal &port, StopSignals &stop)
+{
+    using std::chrono::steady_clock;
+    const auto begin = steady_clock::now();
+    while (!stop.came()) {
+        const auto now = std::chrono::duration_cast<Instant>(steady_clock::now() - begin);
+        const Instant next = line.serve(now).value_or(now + longestWait);
+        port.wait(stop.descriptor(), std::clamp(next - now, Instant{}, longestWait));
+    }
+}
+
+Checked<Answer> serveLine(const Call &call)
+{
+    const auto plan = planOf(call.arguments);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    auto port = PseudoTerminal::make();
+    if (!port)
+        return tl::unexpected(noPseudoTerminal());
+    SimulatedLine line(trainingLine(), plan->seed);
+    prepare(line, *plan);
+    ServedLine served(line, *port);
+    StopSignals stop;
+    call.terminal.print(port->path() + u'\n');
+    if (call.terminal.canPrint()) // otherwise nobody knows the port
+        serve(served, *port, stop);
+    return Answer{{}, {{QStringLiteral("port"), port->path()}}};
+}
+
+} // namespace
+
+const Service lineService{"esc", serveLineOptions, serveLine};
+
+} // namespace codewheel

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/kinds/link_kind.h"
+
+namespace codewheel {
+
+// Offers the simulated line at a pseudo terminal: serve esc.
+extern const Service lineService;
+
+} // namespace codewheel

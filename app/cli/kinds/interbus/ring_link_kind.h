@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/kinds/link_kind.h"
+
+namespace codewheel {
+
+extern const Subcommand masterCommand;
+
+std::unique_ptr<const LinkKind> ringLinkKind();
+
+} // namespace codewheel

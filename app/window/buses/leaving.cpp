@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/buses/leaving.h"
+
+#include "bus/buses.h"
+#include "bus/word_channel.h"
+#include "jobs/what_run_makes_valid.h"
+#include "vocabulary/hex.h"
+#include "widgets/help/help_topic.h"
+#include "widgets/job/cancel_question.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QTimer>
+
+#include <algorithm>
+#include <utility>
+
+namespace codewheel {
+Leaving::Leaving(QWidget &window)
+    : QObject(&window)
+    , m_window(window)
+{}
+
+void Leaving::setBuses(Buses &buses)
+{
+    m_buses = &buses;
+    connect(&buses, &Buses::changed, this, &Leaving::watch);
+    connect(&buses, &Buses::updated, this, [this] {
+        if (m_waitsForZero)
+            goOn();
+    });
+    watch();
+}
+
+// Sessions come and go with the connections.
+void Leaving::watch()
+{
+    std::erase(m_watched, nullptr);
+    const auto isWatched = [this](const EncoderSession *encoder) {
+        return std::ranges::any_of(m_watched, [encoder](const auto &watched) { return watched == encoder; });
+    };
+    for (const Place number : m_buses->places()) {
+        EncoderSession *encoder = m_buses->encoder(number);
+        if (encoder == nullptr || isWatched(encoder))
+            continue;
+        m_watched.emplace_back(encoder);
+        connect(encoder, &EncoderSession::progressed, this,
+                [this, encoder](const Progress &progress) { takeProgress(*encoder, progress); });
+        connect(encoder, &EncoderSession::finished, this, [this, encoder] {
+            m_progress.erase(encoder->place());
+            if (m_cancelled == encoder)
+                m_cancelled = nullptr;
+            QTimer::singleShot(0, this, &Leaving::goOn);
+        });
+    }
+}
+
+// If the encoder has taken something before the cancel reached it, the user is asked how to leave it.
+void Leaving::takeProgress(const EncoderSession &encoder, const Progress &progress)
+{
+    m_progress[encoder.place()] = progress;
+    if (m_cancelled != &encoder || !progress.hasTaken)
+        return;
+    m_cancelled = nullptr;
+    QTimer::singleShot(0, this, &Leaving::goOn);
+}
+
+void Leaving::ask(Why why, const std::vector<EncoderBus *> &left, std::function<void()> then)
+{
+    m_why = why;
+    m_left = left;
+    m_then = std::move(then);
+    m_outAnswered = false;
+    m_waitsForZero = false;
+    goOn();
+}
+
+// Called again whenever something it was waiting for has happened.
+void Leaving::goOn()
+{
+    if (!m_then || m_asks)
+        return;
+    const QScopedValueRollback asks(m_asks, true);
+    if (const QPointer<EncoderSession> encoder = busyEncoder()) {
+        if (m_waitsForZero)
+            return; // it is being brought back
+        if (!endJob(*encoder))
+            stay();
+        else if (!encoder || !encoder->runningJob())
+            QTimer::singleShot(0, this, &Leaving::goOn);
+        return; // otherwise finished() calls this again
+    }
+    const std::vector<Place> devices = devicesToAskFor();
+    const auto isRunning = [this](Place number) { return m_buses->busOf(number)->isRunning(); };
+    const auto stillSends = [&](Place number) {
+        return isRunning(number) && m_buses->channel(number)->out() != 0;
+    };
+    if (m_waitsForZero && std::ranges::any_of(devices, stillSends))
+        return; // updated() calls this again
+    if (!devices.empty() && !m_outAnswered && !askForOut(devices))
+        return;
+    m_waitsForZero = false;
+    std::exchange(m_then, nullptr)();
+}
+
+// With a word in OUT, or an encoder that nobody has brought back from a parameterization.
+std::vector<Place> Leaving::devicesToAskFor() const
+{
+    std::vector<Place> devices;
+    for (const EncoderBus *bus : buses()) {
+        std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
+        for (const Place place : bus->places())
+            if (isInParameterization(place) && std::ranges::count(devices, place) == 0)
+                devices.push_back(place);
+    }
+    return devices;
+}
+
+bool Leaving::isInParameterization(Place device) const
+{
+    const EncoderSession *encoder = m_buses->encoder(device);
+    return encoder != nullptr && encoder->freshness().isLive() &&
+           encoder->latest().state == EncoderState::parameterization;
+}
+
+std::vector<EncoderBus *> Leaving::buses() const
+{
+    std::vector<EncoderBus *> buses = m_buses->open();
+    std::erase_if(buses, [this](EncoderBus *bus) { return std::ranges::find(m_left, bus) == m_left.end(); });
+    return buses;
+}
+
+EncoderSession *Leaving::busyEncoder() const
+{
+    for (const EncoderBus *bus : buses())
+        for (const Place number : bus->places())
+            if (EncoderSession *encoder = bus->encoder(number); encoder != nullptr && encoder->runningJob())
+                return encoder;
+    return nullptr;
+}
+
+bool Leaving::canSend() const
+{
+    return std::ranges::all_of(buses(), [](const EncoderBus *bus) {
+        return devicesWithOut(*bus).empty() || (bus->isRunning() && bus->isOperating());
+    });
+}
+
+bool Leaving::endJob(EncoderSession &encoder)
+{
+    const Progress progress = m_progress[encoder.place()];
+    if (!progress.hasTaken) {
+        m_cancelled = &encoder;
+        encoder.cancel(OnCancel::ifNothingTaken);
+        return true;
+    }
+    const QPointer<EncoderSession> stillThere = &encoder;
+    const Place place = encoder.place();
+    const auto how = askHowToCancel(&m_window, encoder, situationOf(encoder, progress));
+    if (!stillThere || !encoder.runningJob())
+        return goesOnWithoutJob(place);
+    if (how)
+        encoder.cancel(*how);
+    return how.has_value();
+}
+
+// The job went on while its end was asked about, and has ended by itself: the question is gone without an
+// answer.
+bool Leaving::goesOnWithoutJob(Place place)
+{
+    QMessageBox box(QMessageBox::Question, title(),
+                    tr("The job on %1 has ended before an answer was given.").arg(place.shown()),
+                    QMessageBox::NoButton, &m_window);
+    setHelpTopic(box, "README.md#leaving");
+    box.setInformativeText(tr("Its result stands in the messages. %1 all the same?").arg(title()));
+    QPushButton *go = box.addButton(title(), QMessageBox::AcceptRole);
+    go->setToolTip(tr("Goes on without sending anything"));
+    box.setDefaultButton(box.addButton(QMessageBox::Cancel));
+    box.exec();
+    return box.clickedButton() == go;
+}
+
+QString Leaving::title() const
+{
+    switch (m_why) {
+    case Why::quit:
+        return tr("Quit Codewheel");
+    case Why::disconnect:
+        return tr("Disconnect");
+    case Why::stop:
+        return tr("Stop the bus");
+    }
+    return {};
+}
+
+// "OUT 1.0 is 020000FF".
+QString Leaving::stateOf(Place device) const
+{
+    const QString out = tr("OUT %1 is %2").arg(device.shown(), hexWord(m_buses->channel(device)->out()));
+    return isInParameterization(device)
+               ? tr("%1. The encoder is in parameterization, and stays there without a position until run is "
+                    "sent. %2",
+                    "OUT 1.0 is 020000FF, sentences")
+                     .arg(out, whatRunMakesValid(*m_buses->encoder(device)))
+               : out;
+}
+
+// True: go on now. False: the user stays, or the zeros are being sent.
+bool Leaving::askForOut(const std::vector<Place> &devices)
+{
+    QStringList states;
+    for (const Place device : devices)
+        states.append(stateOf(device));
+    const bool needsRun =
+        std::ranges::any_of(devices, [this](Place device) { return isInParameterization(device); });
+    QMessageBox box(QMessageBox::Question, title(),
+                    needsRun ? tr("An encoder has been left in parameterization.")
+                             : tr("Not all OUT words are 00000000."),
+                    QMessageBox::NoButton, &m_window);
+    setHelpTopic(box, "README.md#leaving");
+    box.setInformativeText(
+        states.join(u'\n') + QStringLiteral("\n\n") +
+        (needsRun ? tr("What shall be sent first?") : tr("Set them to 00000000 (normal running) first?")));
+    const bool maySend = canSend();
+    const auto add = [&](const QString &text, const QString &tip) {
+        QPushButton *button = box.addButton(text, QMessageBox::AcceptRole);
+        button->setEnabled(maySend);
+        button->setToolTip(maySend ? tip : tr("Nothing can be sent now: the bus is stopped, or in Watch"));
+        return button;
+    };
+    QPushButton *run = needsRun
+                           ? add(tr("Send &run, then 00000000"),
+                                 tr("Sends 80000000 to the encoders in parameterization, and 00000000 to "
+                                    "all devices named, then goes on"))
+                           : nullptr;
+    QPushButton *zeros =
+        add(tr("Set to &00000000"), needsRun ? tr("Sends 00000000 to these devices, then goes on. What is in "
+                                                  "parameterization stays there")
+                                             : tr("Sends 00000000 to these devices, then goes on"));
+    QPushButton *leave = box.addButton(tr("&Leave as they are"), QMessageBox::DestructiveRole);
+    leave->setToolTip(tr("Goes on without sending anything"));
+    QPushButton *cancel = box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(maySend && !needsRun ? zeros : cancel);
+    box.exec();
+
+    m_outAnswered = true;
+    m_waitsForZero = false;
+    if (box.clickedButton() == leave)
+        return true;
+    if (box.clickedButton() == zeros || (run != nullptr && box.clickedButton() == run))
+        zero(devices, box.clickedButton() == run);
+    else
+        stay();
+    return false;
+}
+
+// Where run fails, the question comes again: it says what is left.
+void Leaving::zero(const std::vector<Place> &devices, bool runsFirst)
+{
+    m_waitsForZero = true;
+    for (const Place device : devices) {
+        EncoderSession *encoder = m_buses->encoder(device);
+        if (runsFirst && isInParameterization(device) && encoder->start(EndParameterization{}))
+            m_outAnswered = false;
+        else if (WordChannel *channel = m_buses->channel(device))
+            channel->zero();
+    }
+}
+
+void Leaving::stay()
+{
+    m_then = nullptr;
+}
+
+} // namespace codewheel

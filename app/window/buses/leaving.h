@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/encoder_session.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <functional>
+#include <map>
+
+class QWidget;
+
+namespace codewheel {
+
+class Buses;
+class EncoderBus;
+
+// What to ask before a bus is stopped or disconnected, or the window is closed: how to end a running
+// handshake, and whether to set OUT words that are not 0 to 0. Saying "no" loses nothing.
+class Leaving : public QObject
+{
+    Q_OBJECT
+
+public:
+    enum class Why { stop, disconnect, quit };
+
+    explicit Leaving(QWidget &window);
+
+    // The buses outlive it. Called once, before anything is asked.
+    void setBuses(Buses &buses);
+    // Calls `then` once everything is answered and done; not at all if the user stays. `left` are the buses
+    // concerned; null entries are ignored.
+    void ask(Why why, const std::vector<EncoderBus *> &left, std::function<void()> then);
+
+private:
+    void goOn();
+    bool endJob(EncoderSession &encoder);
+    bool goesOnWithoutJob(Place place);
+    QString title() const;
+    bool askForOut(const std::vector<Place> &devices);
+    void zero(const std::vector<Place> &devices, bool runsFirst);
+    std::vector<Place> devicesToAskFor() const;
+    bool isInParameterization(Place device) const;
+    QString stateOf(Place device) const;
+    EncoderSession *busyEncoder() const;
+    std::vector<EncoderBus *> buses() const; // to be left, and still open
+    bool canSend() const;                    // on all of them
+    void watch();
+    void takeProgress(const EncoderSession &encoder, const Progress &progress);
+    void stay();
+
+    QWidget &m_window;
+    Buses *m_buses = nullptr;
+    std::vector<QPointer<EncoderSession>> m_watched;
+    std::map<Place, Progress> m_progress; // of the running jobs
+    QPointer<EncoderSession> m_cancelled; // while it has taken nothing
+    Why m_why = Why::stop;
+    std::vector<EncoderBus *> m_left; // for comparison only: they may be gone
+    std::function<void()> m_then;
+    bool m_outAnswered = false;
+    bool m_waitsForZero = false; // or for what run brings back
+    bool m_asks = false;         // a question is open
+};
+
+} // namespace codewheel

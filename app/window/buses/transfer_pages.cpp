@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/buses/transfer_pages.h"
+
+#include "app/window/window_actions.h"
+#include "bus/buses.h"
+#include "catalog/device_description.h"
+#include "vocabulary/refusal_text.h"
+#include "widgets/help/help_topic.h"
+#include "widgets/models/shown_encoder.h"
+#include "widgets/transfer/replace_page.h"
+#include "widgets/transfer/transfer_page.h"
+
+#include <QAction>
+#include <QStackedWidget>
+
+namespace codewheel {
+namespace {
+
+void describe(QAction &action, const QString &what)
+{
+    action.setStatusTip(what);
+    action.setToolTip(
+        QStringLiteral("%1 (%2)").arg(what, action.shortcut().toString(QKeySequence::NativeText)));
+}
+
+} // namespace
+
+TransferPages::TransferPages(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                             FindValuesBefore findBefore, const LastPositions &positions,
+                             const WindowActions &actions, QStackedWidget &pages, QObject *parent)
+    : QObject(parent)
+    , m_buses(buses)
+    , m_findBefore(std::move(findBefore))
+    , m_actions(actions)
+    , m_pages(pages)
+    , m_transfer(new TransferPage(buses, catalog, project, m_findBefore, &pages))
+    , m_replace(new ReplacePage(buses, catalog, project, positions, &pages))
+{
+    pages.addWidget(m_transfer);
+    pages.addWidget(m_replace);
+    setHelpTopic(*m_transfer, "transfer.md");
+    setHelpTopic(*m_replace, "transfer.md#replace-an-encoder");
+    connect(m_transfer, &TransferPage::messaged, this, &TransferPages::told);
+    connect(m_replace, &ReplacePage::messaged, this, &TransferPages::told);
+    connect(actions.transfer, &QAction::triggered, this, &TransferPages::showTransfer);
+    connect(actions.restoreValues, &QAction::triggered, this, &TransferPages::showRestore);
+    connect(actions.replaceEncoder, &QAction::triggered, this, &TransferPages::showReplace);
+    showActions();
+}
+
+void TransferPages::setEncoder(const ShownEncoder &shown)
+{
+    if (m_number)
+        if (EncoderSession *before = m_buses.encoder(*m_number))
+            before->disconnect(this);
+    EncoderSession *encoder = shown.session();
+    m_number = encoder ? std::optional(encoder->place()) : std::nullopt;
+    m_isOnlyPlanned = shown.isThere() && !encoder;
+    if (encoder)
+        connect(encoder, &EncoderSession::finished, this, &TransferPages::showActions, Qt::QueuedConnection);
+    showActions();
+}
+
+void TransferPages::showActions()
+{
+    const EncoderSession *encoder = m_number ? m_buses.encoder(*m_number) : nullptr;
+    const bool canBeWritten = encoder && encoder->can().writes;
+    const QString why = m_isOnlyPlanned ? tr("Not connected: nothing can be sent.")
+                        : !encoder      ? tr("No encoder is chosen.")
+                                        : refusalText({RefusalKind::notSupported,
+                                                       RefusalId::writingNotSupported,
+                                                       {encoder->device().fullName()}});
+    m_actions.replaceEncoder->setEnabled(canBeWritten);
+    describe(*m_actions.replaceEncoder,
+             canBeWritten
+                 ? tr("Gives the new encoder at this place the values and the position of the previous one")
+                 : why);
+    const auto before = canBeWritten ? m_findBefore(*m_number) : std::vector<ValuesBefore>();
+    m_actions.restoreValues->setEnabled(!before.empty());
+    m_actions.restoreValues->setText(
+        before.empty() ? tr("Restore earlier &values…")
+                       : tr("Restore &values of %1…").arg(timeOf(before.front(), m_buses.now(*m_number))));
+    describe(
+        *m_actions.restoreValues,
+        !canBeWritten ? why
+        : before.empty()
+            ? refusalText({RefusalKind::device, RefusalId::noValuesFromBefore, {encoder->place().shown()}})
+            : tr("Shows what the encoder had before this program wrote to it, and writes "
+                 "it again"));
+}
+
+bool TransferPages::isBusy() const
+{
+    return m_transfer->isBusy() || m_replace->isBusy();
+}
+
+void TransferPages::showTransfer()
+{
+    m_pages.setCurrentWidget(m_transfer);
+    m_transfer->setFocus();
+}
+
+void TransferPages::showRestore()
+{
+    m_transfer->choose(TransferChoice::What::restore, m_number);
+    showTransfer();
+}
+
+void TransferPages::showReplace()
+{
+    if (!m_number)
+        return;
+    m_replace->replace(*m_number);
+    m_pages.setCurrentWidget(m_replace);
+}
+
+} // namespace codewheel

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transfer/values_before.h"
+#include "vocabulary/message.h"
+
+#include <QObject>
+
+class QStackedWidget;
+
+namespace codewheel {
+
+class Buses;
+class Catalog;
+class LastPositions;
+class ProjectDocument;
+class ReplacePage;
+class ShownEncoder;
+class TransferPage;
+class WindowActions;
+
+// The pages of the window for parameter transfer, and the actions that open them: Transfer, Replace encoder,
+// Restore values of 14:02.
+class TransferPages : public QObject
+{
+    Q_OBJECT
+
+public:
+    // All must outlive it; the pages are put into `pages`.
+    TransferPages(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+                  FindValuesBefore findBefore, const LastPositions &positions, const WindowActions &actions,
+                  QStackedWidget &pages, QObject *parent = nullptr);
+
+    // The encoder chosen in the window.
+    void setEncoder(const ShownEncoder &shown);
+    bool isBusy() const; // encoders are being written
+
+Q_SIGNALS:
+    void told(const codewheel::Message &message);
+
+private:
+    void showTransfer();
+    void showRestore();
+    void showReplace();
+    void showActions();
+
+    const Buses &m_buses;
+    FindValuesBefore m_findBefore;
+    const WindowActions &m_actions;
+    QStackedWidget &m_pages;
+    TransferPage *m_transfer;
+    ReplacePage *m_replace;
+    std::optional<Place> m_number; // only if it is connected
+    bool m_isOnlyPlanned = false;
+};
+
+} // namespace codewheel

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/kinds/interbus/offer_views.h"
+
+#include "app/window/connect/trouble_of.h"
+#include "app/window/kinds/interbus/offer_files.h"
+#include "app/window/kinds/interbus/ring_at_work.h"
+#include "app/window/kinds/interbus/ring_offer.h"
+#include "app/window/look/status_line.h"
+#include "app/window/window_settings.h"
+#include "kinds/interbus/plan/ring_plan.h"
+#include "links/own_addresses.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+#include "widgets/help/help_topic.h"
+#include "widgets/kinds/interbus/offer/offer_form.h"
+#include "widgets/kinds/interbus/offer/offer_page.h"
+#include "widgets/kinds/interbus/offer/offered_view.h"
+#include "widgets/kinds/interbus/offer/seat_panel.h"
+#include "widgets/kinds/interbus/offer/seats_view.h"
+#include "widgets/look/role_label.h"
+#include "widgets/project/project_document.h"
+
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace codewheel {
+
+OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settings, StatusLine &status,
+                       QObject *parent)
+    : QObject(parent)
+    , m_offer(ring.offer())
+    , m_ring(ring)
+    , m_page(page)
+    , m_settings(settings)
+    , m_line(status)
+    , m_status(status.addState())
+{
+    m_status->setObjectName(QStringLiteral("offerState"));
+    m_status->setToolTip(tr("A simulated ring is offered to others (Bus > Training > Offer to others)"));
+    connect(&page, &OfferPage::offerWanted, this, &OfferViews::begin);
+    connect(&page, &OfferPage::endWanted, this, &OfferViews::end);
+    connect(&page, &OfferPage::filesWanted, this, &OfferViews::saveFiles);
+    connect(&seats(), &SeatsView::restartWanted, &m_offer, &RingOffer::restart);
+    connect(&seats(), &SeatsView::restartWanted, this, &OfferViews::showSeats); // without the ring before
+    connect(&seats(), &SeatsView::choiceChanged, this, &OfferViews::showSeats);
+    connect(&seats().panel(), &SeatPanel::acted, this, [this](int unit, Place place, const QString &what) {
+        if (m_offer.isOn())
+            m_offer.tellOfSeat(unit, place.node, what);
+    });
+    connect(&m_offer, &RingOffer::changed, this, &OfferViews::showPlace);
+    connect(&ring.project(), &ProjectDocument::changed, this, &OfferViews::showName);
+    page.form().show(settings.offer());
+    showName();
+    showPlace();
+}
+
+OfferViews::~OfferViews()
+{
+    delete m_status;
+    delete m_question;
+}
+
+QString OfferViews::whyNot() const
+{
+    const auto why = m_offer.whyNot();
+    return why ? refusalText(*why) : QString();
+}
+
+bool OfferViews::isOn() const
+{
+    return m_offer.isOn();
+}
+
+void OfferViews::end()
+{
+    const ClientCounts counts = m_offer.isOn() ? m_offer.counts() : ClientCounts();
+    if (counts.came == counts.left)
+        m_offer.end();
+    else
+        askToEnd(static_cast<int>(counts.came - counts.left));
+}
+
+// Not by exec(): the offer may end, or the window be rebuilt, while it is open.
+void OfferViews::askToEnd(int clients)
+{
+    withdrawQuestion();
+    m_question = new QMessageBox(
+        QMessageBox::Question, tr("Stop offering"),
+        sentence(tr("Connected clients: %1. Stop offering and disconnect them?"), {QString::number(clients)}),
+        QMessageBox::NoButton, m_page.window());
+    m_question->setObjectName(QStringLiteral("endOfferQuestion"));
+    m_question->setAttribute(Qt::WA_DeleteOnClose);
+    setHelpTopic(*m_question, "serving.md#in-the-window");
+    if (m_offer.place().seats > 0)
+        m_question->setInformativeText(tr("The rings of all seats end, with all that was written to them."));
+    QPushButton *stop = m_question->addButton(tr("&Stop offering"), QMessageBox::AcceptRole);
+    stop->setToolTip(tr("Disconnects all clients (Alt+S)"));
+    m_question->setDefaultButton(m_question->addButton(QMessageBox::Cancel));
+    connect(stop, &QPushButton::clicked, &m_offer, &RingOffer::end);
+    m_question->open();
+}
+
+void OfferViews::withdrawQuestion()
+{
+    if (m_question)
+        m_question->reject();
+    m_question = nullptr;
+}
+
+void OfferViews::listAddresses()
+{
+    m_page.form().setAddresses(ownAddresses());
+    m_page.setWhyNot(whyNot());
+}
+
+void OfferViews::showName()
+{
+    const PlannedBus *bus = findBus(m_ring.project().project(), m_ring.id());
+    m_page.setAbout(bus != nullptr ? bus->name : m_ring.nameOfNew());
+}
+
+void OfferViews::begin(const OfferWish &wish)
+{
+    if (const auto begun = m_offer.begin(wish); !begun)
+        m_page.setProblem(troubleOf(begun.error()));
+    else
+        m_settings.setOffer(wish);
+}
+
+void OfferViews::showPlace()
+{
+    if (!m_offer.isOn())
+        withdrawQuestion();
+    m_page.setPlace(m_offer.isOn() ? std::optional(m_offer.place()) : std::nullopt);
+    if (m_offer.isOn())
+        m_page.offered().setDevices(m_offer.devices());
+    m_status->setVisible(m_offer.isOn());
+    showSeats();
+    showFrame();
+    Q_EMIT changed();
+}
+
+void OfferViews::showFrame()
+{
+    m_page.setWhyNot(whyNot());
+    if (!m_offer.isOn())
+        return;
+    m_offer.takeFrame();
+    showStatus();
+    if (m_page.isVisible()) {
+        m_page.offered().showClients(m_offer.clients(), m_offer.counts());
+        showSeats();
+    }
+}
+
+SeatsView &OfferViews::seats() const
+{
+    return m_page.offered().seats();
+}
+
+void OfferViews::showSeats()
+{
+    const auto chosen = m_offer.isOn() ? seats().chosen() : std::nullopt;
+    if (const auto controls = chosen ? m_offer.controls(*chosen) : nullptr)
+        seats().panel().showSeat(*chosen, m_ring.id(), controls);
+    else
+        seats().panel().leave();
+    if (m_offer.isOn())
+        seats().show(m_offer.seats(seats().device()));
+}
+
+void OfferViews::saveFiles()
+{
+    const QFileInfo project(m_ring.project().file());
+    const auto saved =
+        OfferFiles(m_offer, ownAddresses(), project.exists() ? project.path() : QString(), m_page).save();
+    if (!saved)
+        return;
+    m_page.tell(saved->role, saved->sentence);
+}
+
+void OfferViews::showStatus()
+{
+    const OfferedPlace place = m_offer.place();
+    const ClientCounts counts = m_offer.counts();
+    const QString text =
+        sentence(tr("Offered at %1, %2"),
+                 {place.address, tr("%n clients", nullptr, static_cast<int>(counts.came - counts.left))});
+    const Role role = place.reachesOthers ? Role::attention : Role::running;
+    if (m_status->word() == text && m_status->role() == role)
+        return;
+    m_status->setState(role, text);
+    m_line.fit();
+}
+
+} // namespace codewheel

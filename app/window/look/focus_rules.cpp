@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/look/focus_rules.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+#include <QShortcutEvent>
+#include <QStackedWidget>
+
+namespace codewheel {
+
+FocusRules::FocusRules(QStackedWidget &pages, QObject *parent)
+    : QObject(parent)
+    , m_pages(pages)
+{
+    qApp->installEventFilter(this);
+    connect(qApp, &QApplication::focusChanged, this, [](QWidget *, QWidget *now) { bringIntoSight(now); });
+}
+
+// Qt would give each in turn only the focus.
+bool FocusRules::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() != QEvent::Shortcut || !static_cast<QShortcutEvent *>(event)->isAmbiguous())
+        return QObject::eventFilter(watched, event);
+    const QWidget *part = partWithFocus();
+    return part != nullptr && press(*part, static_cast<QShortcutEvent *>(event)->key());
+}
+
+QWidget *FocusRules::partWithFocus() const
+{
+    for (QWidget *its = QApplication::focusWidget(); its != nullptr; its = its->parentWidget())
+        if (its == m_pages.currentWidget() || qobject_cast<QDockWidget *>(its) != nullptr)
+            return its;
+    return nullptr;
+}
+
+// False: it has no such letter.
+bool FocusRules::press(const QWidget &part, const QKeySequence &letter)
+{
+    const auto isMeant = [&letter](const QWidget &widget, const QString &text) {
+        return widget.isVisible() && widget.isEnabled() && QKeySequence::mnemonic(text) == letter;
+    };
+    for (auto *button : part.findChildren<QAbstractButton *>())
+        if (isMeant(*button, button->text())) {
+            button->setFocus(Qt::ShortcutFocusReason);
+            button->animateClick();
+            return true;
+        }
+    for (const auto *label : part.findChildren<QLabel *>())
+        if (label->buddy() != nullptr && isMeant(*label, label->text())) {
+            label->buddy()->setFocus(Qt::ShortcutFocusReason);
+            return true;
+        }
+    return false;
+}
+
+// Not under a pressed mouse button, which would then be released elsewhere.
+void FocusRules::bringIntoSight(QWidget *widget)
+{
+    if (widget == nullptr || QApplication::mouseButtons() != Qt::NoButton)
+        return;
+    for (QWidget *around = widget->parentWidget(); around != nullptr; around = around->parentWidget())
+        if (auto *area = qobject_cast<QScrollArea *>(around); area != nullptr && area->widget() != nullptr)
+            area->ensureWidgetVisible(widget, 0, 0);
+}
+
+} // namespace codewheel

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/driven_encoder_session.h"
+
+#include "jobs/job_report.h"
+#include "vocabulary/position_speed.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+// What a word means may become known later, and changes nothing.
+bool showsTheSame(const DeviceDescription &device, const Reading &before, const Reading &now)
+{
+    const bool isSeen = before.state != EncoderState::notSeen;
+    return device.hasWords() ? isSeen && before.in == now.in
+                             : before.state == now.state && before.position == now.position;
+}
+
+// What it was given, not which encoder it is.
+bool isGivenValue(const std::pair<const Parameter, Known> &one)
+{
+    return one.first != Parameter::serialNumber;
+}
+
+} // namespace
+
+DrivenEncoderSession::DrivenEncoderSession(std::size_t device, Place place,
+                                           const DeviceDescription &description)
+    : m_index(device)
+    , m_place(place)
+    , m_description(description)
+    , m_can(description.capabilities)
+{}
+
+std::optional<Known> DrivenEncoderSession::known(Parameter parameter) const
+{
+    const auto found = m_known.find(parameter);
+    return found == m_known.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<KnownCams> DrivenEncoderSession::cams(unsigned program) const
+{
+    const auto found = m_cams.find(program);
+    return found == m_cams.end() ? std::nullopt : std::optional(found->second);
+}
+
+void DrivenEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
+{
+    if (value)
+        m_known[parameter] = {parameter, *value, Evidence::told, now()};
+    else if (m_known.erase(parameter) == 0)
+        return;
+    postAllKnown();
+    Q_EMIT knownChanged();
+}
+
+void DrivenEncoderSession::postAllKnown()
+{
+    std::vector<Known> all;
+    for (const auto &[parameter, known] : m_known)
+        all.push_back(known);
+    post(command::SetKnown{m_index, std::move(all)});
+}
+
+Result<JobId> DrivenEncoderSession::start(const Job &job, Pace pace)
+{
+    if (m_runningJob)
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {m_place.shown()});
+    if (const auto allowed = mayStart(job); !allowed)
+        return tl::unexpected(allowed.error());
+    const JobId id = ++m_lastJob;
+    m_runningJob = id;
+    m_job = job;
+    Q_EMIT jobAboutToStart(job);
+    post(command::StartJob{m_index, id, job, pace});
+    Q_EMIT jobStarted(id);
+    return id;
+}
+
+void DrivenEncoderSession::proceed()
+{
+    if (m_runningJob)
+        post(command::Proceed{m_index});
+}
+
+void DrivenEncoderSession::cancel(OnCancel how)
+{
+    if (!m_runningJob)
+        return;
+    if (how == OnCancel::restorePrevious)
+        Q_EMIT restoreAboutToStart();
+    post(command::Cancel{m_index, how});
+}
+
+void DrivenEncoderSession::show(const Reading &reading, const Freshness::Circumstances &bus)
+{
+    const Reading before = std::exchange(m_reading, reading);
+    setFreshness({reading, bus});
+    if (!freshness().isLive())
+        m_unchangedSince.reset(); // what came meanwhile was not seen
+    else if (!m_unchangedSince || !showsTheSame(m_description, before, reading))
+        m_unchangedSince = reading.at;
+    if (freshness().isLive() && reading.state == EncoderState::operation && reading.at > m_takenAt)
+        m_taken = {};
+    if (!freshness().isLive() || bus.now - reading.at > PositionSpeed::longestGap)
+        m_reading.stepsPerSecond.reset();
+    const bool isNewer = reading.at != before.at || reading.state != before.state;
+    if (isNewer || m_reading.stepsPerSecond != before.stepsPerSecond)
+        Q_EMIT latestChanged();
+}
+
+void DrivenEncoderSession::take(const Event &event, Instant at)
+{
+    if (const auto *outcome = std::get_if<Outcome>(&event))
+        take(*outcome, at);
+    else if (const auto *progress = std::get_if<Progress>(&event))
+        Q_EMIT progressed(*progress);
+    else
+        take(std::get<KnowledgeChanged>(event));
+}
+
+void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
+{
+    if (m_runningJob == outcome.job)
+        m_runningJob.reset();
+    if (outcome.inDoubt.hasSomething())
+        m_inDoubt = outcome.inDoubt;
+    takeWhatWaitsForRun(outcome, at);
+    for (Message &message : jobReport(m_job, outcome, m_description))
+        report(std::move(message), at);
+    Q_EMIT finished(outcome);
+}
+
+void DrivenEncoderSession::takeWhatWaitsForRun(const Outcome &outcome, Instant at)
+{
+    for (const ParameterValues *values : {&outcome.confirmed, &outcome.inDoubt.values})
+        for (const ParameterValue &value : *values)
+            replaceValue(m_taken.values, value);
+    m_taken.reset =
+        m_taken.reset || outcome.inDoubt.reset ||
+        (std::holds_alternative<ResetToDefault>(m_job) && outcome.leftIn == EncoderState::parameterization);
+    m_takenAt = at;
+}
+
+QString DrivenEncoderSession::takenWithoutRun() const
+{
+    return doubtText(m_taken, m_description);
+}
+
+std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
+{
+    std::vector<Parameter> parameters;
+    for (const ParameterDescription &its : m_description.parameters) {
+        const bool isInDoubt = m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter);
+        if (its.number && its.readOut && isInDoubt && !known(its.parameter))
+            parameters.push_back(its.parameter);
+    }
+    return parameters;
+}
+
+void DrivenEncoderSession::take(const KnowledgeChanged &change)
+{
+    for (const Known &known : change.known)
+        m_known[known.parameter] = known;
+    for (const Parameter parameter : change.noLongerKnown)
+        m_known.erase(parameter);
+    for (const KnownCams &known : change.cams)
+        m_cams[known.program.number] = known;
+    for (const unsigned program : change.camsNoLongerKnown)
+        m_cams.erase(program);
+    if (!change.version.isEmpty())
+        m_version = change.version;
+    m_eepromWrites += change.eepromWrites;
+    compareWithBefore();
+    Q_EMIT knownChanged();
+    if (change.eepromWrites > 0)
+        Q_EMIT eepromWritten(change.eepromWrites);
+}
+
+// By the serial number that it has just reported.
+void DrivenEncoderSession::compareWithBefore()
+{
+    const auto number = known(Parameter::serialNumber);
+    if (!knownBefore() || !knownBefore()->serialNumber || !number || number->evidence != Evidence::read)
+        return;
+    if (number->value == *knownBefore()->serialNumber)
+        takeKnownBefore();
+    else
+        setKnownBefore({});
+}
+
+void DrivenEncoderSession::takeKnownBefore()
+{
+    if (!knownBefore())
+        return;
+    const KnownBefore before = *knownBefore();
+    for (const KnownBefore::Value &value : before.values) {
+        const Instant at = instantOf(value.at);
+        m_known.try_emplace(value.parameter, Known{value.parameter, value.value, value.evidence, at});
+    }
+    setKnownBefore({});
+    postAllKnown();
+    Q_EMIT knownChanged();
+}
+
+bool DrivenEncoderSession::knowsValues() const
+{
+    return std::ranges::any_of(m_known, isGivenValue);
+}
+
+void DrivenEncoderSession::forgetValues()
+{
+    setKnownBefore({});
+    std::erase_if(m_known, isGivenValue);
+    m_cams.clear();
+    postAllKnown();
+}
+
+void DrivenEncoderSession::forgetKnown()
+{
+    m_known.clear();
+    m_cams.clear();
+    postAllKnown();
+}
+
+} // namespace codewheel

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "vocabulary/encoder_session.h"
+
+namespace codewheel {
+
+// Whether a device can do the job by its capabilities, and whether the input makes sense: parameters it has
+// (at least one), values in range, each once. `options`: of its line, for a scaling factor. What only its
+// protocol refuses is checked by the plan of its driver, which calls this first.
+Result<void> checkJob(const DeviceDescription &device, const Job &job,
+                      const std::optional<ValueOptions> &options = {});
+
+Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value,
+                        const std::optional<ValueOptions> &options = {});
+// Whether the value lies between the minimum and the maximum.
+Result<void> checkRange(const ParameterDescription &parameter, std::int64_t value);
+
+} // namespace codewheel

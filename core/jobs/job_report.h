@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "vocabulary/event.h"
+#include "vocabulary/message.h"
+
+#include <QStringList>
+
+#include <vector>
+
+namespace codewheel {
+
+// What the message log says when a job has ended: what was done even if the job failed later, why it failed,
+// and whether the encoder was left in parameterization. Without time and place.
+std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device);
+
+// "Steps = 255, position"; empty: nothing.
+QString doubtText(const InDoubt &doubt, const DeviceDescription &device);
+
+// The part of it about what was sent and not answered, in words; empty: nothing.
+QStringList doubtSentences(const InDoubt &doubt, const DeviceDescription &device);
+
+} // namespace codewheel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/event.h"
+
+#include <map>
+
+namespace codewheel {
+
+// The values an encoder is known to have, and what has changed since somebody last asked. Used by whatever
+// learns from the words that pass.
+class KnownValues
+{
+public:
+    // Replaces all that is known, e.g. after the user told something. Not reported as a change.
+    void set(const std::vector<Known> &known);
+    void learn(Known known);
+    void forget(Parameter parameter);
+    void countEepromWrite();
+
+    std::optional<std::int64_t> value(Parameter parameter) const;
+    ParameterValues values() const;
+    int eepromWrites() const { return m_eepromWrites; }
+
+    // What changed since the last call; empty if nothing did.
+    std::optional<KnowledgeChanged> takeChanges();
+
+private:
+    std::map<Parameter, Known> m_known;
+    KnowledgeChanged m_changes;
+    bool m_changed = false;
+    int m_eepromWrites = 0;
+};
+
+} // namespace codewheel

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "jobs/position_scale.h"
+#include "vocabulary/encoder_session.h"
+#include "vocabulary/event.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// What is known of an encoder when its jobs are planned.
+struct PlanBasis
+{
+    std::vector<Known> known{};
+    std::vector<KnownCams> cams{};
+    Word out = 0; // currently in OUT
+    std::optional<ValueOptions> options{};
+    NodeId node{}; // where it is
+};
+
+// What the protocol of an encoder makes of jobs and values before anything is sent. One object per protocol;
+// the base class stands for encoders that receive values in words. `known` are the values an encoder has,
+// `written` those that one job writes.
+class Protocol
+{
+public:
+    virtual ~Protocol() = default;
+
+    // See plannedSteps().
+    virtual Result<std::vector<Step>> planned(const DeviceDescription &device, const Job &job,
+                                              const PlanBasis &basis) const = 0;
+    // What a request asks or says, for the user: "03: preset := 5200h = 20992".
+    virtual QString requestText(const QByteArray &line) const { return QString::fromLatin1(line); }
+    // The command that sets the position to the value it carries.
+    virtual QString presetCommand() const { return {}; }
+
+    // Whether a job that got this far has sent this value; without a parameter, the position. False: nobody
+    // can tell.
+    virtual bool wasSent(const Progress & /*job*/, std::optional<Parameter> /*parameter*/) const
+    {
+        return false;
+    }
+    // Whether nobody knows if the encoder has what this job sent but did not report as written: the job ended
+    // before that was checked. Without a parameter, the position.
+    virtual bool isFateUnknown(const EncoderSession & /*encoder*/, std::optional<Parameter> parameter,
+                               const Outcome &outcome, const Progress & /*job*/) const
+    {
+        const InDoubt &doubt = outcome.inDoubt;
+        return parameter ? doubt.reset || valueOf(doubt.values, *parameter) : doubt.position;
+    }
+
+    // The description with its range narrowed by the encoder's own values and the options.
+    virtual ParameterDescription narrowed(const DeviceDescription &device, Parameter parameter,
+                                          const ParameterValues &known,
+                                          const std::optional<ValueOptions> &options) const;
+    // What the encoder sets by itself with these values.
+    virtual ParameterValues setAlong(const ParameterValues & /*written*/,
+                                     const ParameterValues & /*known*/) const
+    {
+        return {};
+    }
+    // Whether a wanted value is sent along with those written even if the encoder already has it.
+    virtual bool goesAlong(Parameter /*parameter*/, const ParameterValues & /*written*/) const
+    {
+        return false;
+    }
+    // How many values are written in addition to these.
+    virtual int writtenBesides(const ParameterValues & /*written*/) const { return 0; }
+
+    // See scaleOf() and scaleAfter().
+    virtual std::optional<PositionScale> scaleOf(const DeviceDescription &device,
+                                                 const ValueOf &valueOf) const;
+    virtual std::optional<std::int64_t> valueAfter(Parameter parameter, const ParameterValues &written,
+                                                   const ParameterValues &known) const;
+    // Where a preset is kept when the scaling changes.
+    virtual Parameter presetOffset() const { return Parameter::zeroOffset; }
+};
+
+const Protocol &protocolOf(const DeviceDescription &device);
+
+// The words that `job` will put into OUT, or the requests it will send, step by step, as far as can be told
+// beforehand: what is read on the way may remove values the encoder already has, and may turn steps into
+// steps - 1. For review before anything is sent; refused like the job itself if the input is bad. A WriteCams
+// that writes only what differs reads each program first; what follows is derived from the cams of the basis,
+// if the program is known.
+Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const Job &job,
+                                       const PlanBasis &basis = {});
+
+} // namespace codewheel

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/encoder_session.h"
+
+namespace codewheel {
+
+struct WriteWish
+{
+    ParameterValues wanted;
+    bool initialisePreset = false; // set the position to the preset now
+    // Set the position to this value now, after the values; for commands that need it (presetNeedsValue).
+    std::optional<std::int64_t> setPositionTo{};
+    bool writeAll = false;     // including what the encoder already has
+    bool inOrderGiven = false; // otherwise in that of the description
+};
+
+// What is wanted, in the order in which it is written; what the device does not have comes last.
+ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish);
+
+// Whether the encoder is known to have the value, so that it need not be written. A value that was only told
+// counts if the encoder cannot be read.
+bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
+
+// Error 3. What can be read from it, if anything, is not what it works with: only parameters 1 to 4, all of
+// them, bring it back, or its default values.
+bool hasLostParameters(const EncoderSession &encoder);
+// Of parameters 1 to 4, those that are not among the values; none if the encoder has not lost them.
+std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const ParameterValues &values);
+
+// The job for a wish: what is known and equal is left out. If the encoder can be read and a value is not
+// known from reading, the job reads it first and leaves it out if it is already there. An encoder that has
+// lost its parameters gets all of it; the position to be set is its preset. A used-up preset
+// (FRABA) is programmed again, as it could not be initialised otherwise.
+WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish);
+
+// All of it, one job after the other: writing the values, then setting the position to a value, or to a
+// preset that is not given and may be used up (FRABA): the encoder's own is programmed again. A preset wanted
+// in addition to another position is written last, since setting the position uses the preset itself.
+std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wish);
+// Their steps, as far as can be told beforehand: from the mode the encoder is in now, with what is known of
+// its values and cams. `out` is what is in OUT. Whoever does not know that calls EncoderSession::planned().
+Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out);
+
+// All that is known of an encoder.
+std::vector<Known> allKnown(const EncoderSession &encoder);
+
+// Whether the encoder takes anything with this step, a value or a position that becomes its preset: its
+// EEPROM is written.
+bool takesValue(const Step &step);
+// Whether that is a value of the step's parameter.
+bool writesValue(const Step &step);
+
+// Whether the step only reads cams, or ends such a read-out.
+bool readsCams(const Step &step);
+
+// EEPROM writes these steps will cost at most: one per value, and the preset if it may be stored.
+int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device);
+
+} // namespace codewheel

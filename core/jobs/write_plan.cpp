@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/write_plan.h"
+
+#include "catalog/device_description.h"
+#include "jobs/job_check.h"
+#include "vocabulary/hex.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The context of these texts.
+struct WriteWords
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::WriteWords)
+};
+
+std::vector<WriteRow>::iterator rowOf(std::vector<WriteRow> &rows, Parameter parameter)
+{
+    return std::ranges::find(rows, parameter, [](const WriteRow &row) { return row.wanted.parameter; });
+}
+
+// A value that was not wanted was computed: it exists only in the request.
+void addSent(std::vector<WriteRow> &rows, const Step &step, const ParameterValues &allWanted)
+{
+    const Parameter parameter = *step.parameter;
+    const auto wanted = valueOf(allWanted, parameter);
+    if (const auto row = rowOf(rows, parameter); row != rows.end())
+        row->step = step;
+    else if (wanted || step.data)
+        rows.push_back(
+            {.wanted = {parameter, wanted ? *wanted : *step.data}, .step = step, .goesAlong = !wanted});
+}
+
+std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &plan,
+                             const ParameterValues &allWanted)
+{
+    std::vector<WriteRow> rows;
+    for (const Step &step : plan.steps)
+        if (writesValue(step))
+            addSent(rows, step, allWanted);
+    for (const ParameterValue &wanted : allWanted)
+        if (rowOf(rows, wanted.parameter) == rows.end())
+            rows.push_back({.wanted = wanted});
+    for (WriteRow &row : rows) {
+        row.known = encoder.known(row.wanted.parameter);
+        if (const auto checked = checkValue(encoder.device(), row.wanted, encoder.valueOptions()); !checked)
+            row.hindrance = checked.error();
+        row.isThere = !row.step && !row.hindrance && !valueOf(plan.job.values, row.wanted.parameter);
+    }
+    return rows;
+}
+
+QString parameterNames(const std::vector<Parameter> &parameters)
+{
+    QStringList names;
+    for (const Parameter parameter : parameters)
+        names << parameterNameInText(parameter);
+    return names.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+QString sentText(const Step &step)
+{
+    return step.kind == StepKind::request ? QString::fromLatin1(step.line) : hexWord(step.out);
+}
+
+QString readsFirstText()
+{
+    return WriteWords::tr("The encoder is read first; what it already has is not written again.");
+}
+
+QStringList howItIsWritten(const WritePlan &plan)
+{
+    QStringList notes;
+    if (!plan.lostAndNotWritten.empty())
+        notes << WriteWords::tr(
+                     "The encoder has lost its parameters (error 3), and works again only with all "
+                     "of parameters 1 to 4. Without a value: %1. Want these too, or reset it to its "
+                     "default values.")
+                     .arg(parameterNames(plan.lostAndNotWritten));
+    if (plan.job.onlyWhatDiffers)
+        notes << readsFirstText();
+    if (plan.stepsMayBeLess)
+        notes << WriteWords::tr("If the encoder counts steps minus 1, the word for the steps is one less.");
+    return notes;
+}
+
+WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish)
+{
+    const DeviceDescription &device = encoder.device();
+    WritePlan plan{.job = jobForWish(encoder, wish), .jobs = jobsForWish(encoder, wish)};
+    plan.stepsMayBeLess = device.quirks.mayCountStepsMinusOne &&
+                          !encoder.known(Parameter::multiTurnAndStepsMinusOne) &&
+                          valueOf(plan.job.values, Parameter::steps);
+    if (auto steps = encoder.planned(plan.jobs); steps)
+        plan.steps = std::move(*steps);
+    else if (plan.jobs.clear(); steps.error().id != RefusalId::nothingToDo)
+        plan.refusal = steps.error();
+    plan.rows = rowsOf(encoder, plan, inTurn(device, wish));
+    plan.lostAndNotWritten = lostAndNotAmong(encoder, plan.job.values);
+    const bool setsPosition = wish.initialisePreset || wish.setPositionTo;
+    plan.notes = valueNotes(device, plan.job.values, valuesOf(allKnown(encoder)),
+                            setsPosition ? PositionIsSet::yes : PositionIsSet::no);
+    return plan;
+}
+
+} // namespace codewheel

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "project/bus_kind.h"
+
+#include "kinds/esc/plan/line_plan.h"
+#include "kinds/interbus/plan/ring_plan.h"
+#include "project/plan_rules.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+using Kinds = std::vector<std::unique_ptr<const BusKind>>;
+
+// The list of kinds.
+Kinds kindsOfTheProgram()
+{
+    Kinds kinds;
+    kinds.push_back(makeRingKind());
+    kinds.push_back(makeLineKind());
+    return kinds;
+}
+
+Kinds &kinds()
+{
+    static Kinds all = kindsOfTheProgram();
+    return all;
+}
+
+} // namespace
+
+const PlanRules &BusKind::planRules() const
+{
+    static const PlanRules none;
+    return none;
+}
+
+const BusKind *busKind(QStringView key)
+{
+    const auto found = std::ranges::find(kinds(), key, [](const auto &kind) { return kind->key(); });
+    return found == kinds().end() ? nullptr : found->get();
+}
+
+bool plansTraining(const Project &project, BusId bus)
+{
+    const PlannedBus *planned = findBus(project, bus);
+    const BusKind *kind = planned != nullptr ? busKind(planned->kind) : nullptr;
+    return kind == nullptr || kind->isTraining(planned->settings);
+}
+
+QStringList busKindKeys()
+{
+    QStringList keys;
+    for (const auto &kind : kinds())
+        keys << kind->key();
+    return keys;
+}
+
+void addBusKind(std::unique_ptr<const BusKind> kind)
+{
+    kinds().push_back(std::move(kind));
+}
+
+} // namespace codewheel

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/line/row_text.h"
+
+#include "kinds/esc/line/typed_request.h"
+#include "kinds/esc/protocol/esc_frame.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+
+namespace codewheel {
+namespace {
+
+using RowKind = esc::LineRow::Kind;
+
+// The translation context of these texts.
+struct LineRowText
+{
+    Q_DECLARE_TR_FUNCTIONS(LineRowText)
+};
+
+QString sentMeaning(const std::optional<esc::Request> &request, const esc::ExplainOptions &options)
+{
+    return request ? esc::requestText(*request, options) : LineRowText::tr("no request of this protocol");
+}
+
+QString answerMeaning(const esc::LineRow &row, const std::optional<esc::Request> &request,
+                      const esc::ExplainOptions &options)
+{
+    const auto answer = request ? answerIn(row.bytes, request->command) : std::nullopt;
+    return answer ? esc::answerText(*request, *answer, options) : LineRowText::tr("no well-formed answer");
+}
+
+} // namespace
+
+std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command command)
+{
+    const esc::CommandShape &shape = esc::shapeOf(command);
+    if (auto wordless = esc::wordlessAnswer(bytes, shape))
+        return wordless;
+    const auto frames = esc::valuesIn(bytes, shape);
+    if (frames.size() != 1 || frames.front().size() != bytes.size())
+        return {};
+    return frames.front().answer;
+}
+
+bool isAutomatic(esc::Command command)
+{
+    switch (command) {
+    case esc::Command::position:
+    case esc::Command::warnings:
+    case esc::Command::alarms:
+    case esc::Command::serialNumber:
+    case esc::Command::version:
+    case esc::Command::deviceCode:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool PassedRow::isPoll() const
+{
+    return isAutomatic() && request->command == esc::Command::position;
+}
+
+bool PassedRow::isAutomatic() const
+{
+    const bool isWrong = row.kind == RowKind::garbage || row.kind == RowKind::late;
+    return !isWrong && request && codewheel::isAutomatic(request->command);
+}
+
+PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest)
+{
+    if (row.kind == RowKind::sent)
+        lastRequest = sentRequest(row.bytes);
+    return {row, lastRequest};
+}
+
+QString rowMeaning(const PassedRow &passed, const esc::ExplainOptions &options)
+{
+    const auto &[row, request] = passed;
+    switch (row.kind) {
+    case RowKind::sent:
+        return sentMeaning(request, options);
+    case RowKind::answer:
+        return answerMeaning(row, request, options);
+    case RowKind::echo:
+        return LineRowText::tr("what was sent, echoed by the adapter: dropped");
+    case RowKind::garbage:
+        return request ? sentence(LineRowText::tr("no well-formed answer to \"%1\": dropped"),
+                                  {esc::requestText(*request, options)})
+                       : LineRowText::tr("nobody asked for it: dropped");
+    case RowKind::late:
+        break;
+    }
+    return LineRowText::tr("came after its time-out: dropped");
+}
+
+TrafficRow LineTraffic::row(const esc::LineRow &what)
+{
+    const PassedRow passed = passedRow(what, m_lastRequest);
+    return {.at = what.at,
+            .place = passed.request ? std::optional(placeOnLine(passed.request->to)) : std::nullopt,
+            .kind = what.kind,
+            .bytes = what.bytes,
+            .meaning = [passed, options = m_options] { return rowMeaning(passed, *options); },
+            .isAutomatic = passed.isAutomatic()};
+}
+
+} // namespace codewheel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/esc/protocol/esc_answer.h"
+#include "kinds/esc/protocol/esc_request.h"
+#include "kinds/esc/protocol/esc_scaling.h"
+#include "kinds/esc/protocol/line_address.h"
+
+#include <QString>
+
+#include <set>
+
+namespace codewheel::esc {
+
+// What the manual leaves open and a setting of the device decides.
+struct ExplainOptions
+{
+    bool swapWarningBytes = false;          // of all devices
+    int fractionBits = defaultFractionBits; // of the scaling factor
+    std::set<LineAddress> swapping{};       // the devices whose warning bytes are swapped
+
+    bool swaps(LineAddress device) const { return swapWarningBytes || swapping.contains(device); }
+};
+
+// One line of the protocol in words, translated, values hexadecimal and decimal. Used by the terminal and by
+// `explain`.
+
+// "05: position?", "03: preset := 5200h = 20992"
+QString requestText(const Request &request, const ExplainOptions &options = {});
+// "1235h = 4661", "4000h: battery flat", "accepted", "command unknown (03)"
+QString answerText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
+// The digits of a bit field as sent, which are always shown: "4000h", "0098h, bytes swapped 9800h".
+QString bitDigits(std::uint16_t asSent, bool isSwapped);
+// "05: position? -> 1235h = 4661"
+QString exchangeText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
+
+// The name of what a command reads or writes: "position", "upper limit switch".
+QString commandName(Command command);
+
+} // namespace codewheel::esc

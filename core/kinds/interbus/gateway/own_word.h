@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/instant.h"
+
+#include <vector>
+
+namespace codewheel {
+
+// Which words may be in the OUT registers of one device without somebody else having written them: the one
+// written last, and for a while those that it replaces, since a gateway may show a word later than it has
+// acknowledged it. Used by GatewayLink.
+class OwnWord
+{
+public:
+    // Until a word that was written must be read back (assumed).
+    static constexpr Instant gatewayLag = std::chrono::seconds(1);
+
+    // As it is on the gateway when nobody else is expected to write any more.
+    void found(Word word);
+    // It is going to be written: from now on it may be there.
+    void write(Word word, Instant now);
+    // That was not answered, and may still be carried out: what it replaces stays ours until wasAnswered().
+    void wasNotAnswered();
+    void wasAnswered(Instant now);
+    // From now on only the last one is ours: it has had its time to show.
+    void isThere()
+    {
+        if (isKnown())
+            m_words.erase(m_words.begin(), m_words.end() - 1);
+    }
+    // Whether this word, as read back, is ours. What was replaced by it does not come back.
+    bool takes(Word there, Instant now);
+    bool isKnown() const { return !m_words.empty(); }
+    Word word() const { return m_words.back().word; }
+    void forget() { m_words.clear(); }
+
+private:
+    struct Written
+    {
+        Word word = 0;
+        Instant replacedAt{};        // by the next one
+        bool mayStayForever = false; // the next one was not answered
+    };
+    std::vector<Written> m_words; // oldest first
+};
+
+} // namespace codewheel

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cams/cam_fields.h"
+#include "kinds/interbus/words/k3_explain.h"
+#include "vocabulary/event.h"
+
+#include <array>
+
+namespace codewheel {
+
+// What is known of a FRABA encoder's cam programs, learned from the words that pass, whoever sent them: a
+// read-out reports a value, an acknowledgement sets it. A changed program is saved on leaving it, and lost if
+// power goes off before that. Part of K3Knowledge.
+class K3CamKnowledge
+{
+public:
+    void set(const std::vector<KnownCams> &known);
+    // One bus cycle. `mode` and `program` (in cam mode) as far as they are known.
+    void observe(Word in, Word out, std::optional<Mode> mode, std::optional<unsigned> program, Instant now);
+    // A word that leaves the program was taken. True: the program had been changed, which costs an EEPROM
+    // write.
+    bool leave();
+    void forgetAll();
+    // Nobody sees any more what becomes of `out`, nor of what was changed and is not saved.
+    void loseSight(Word out, bool mayBeCamMode);
+
+    // The program as the encoder has it now; empty while one of its values is not known.
+    std::optional<KnownCams> known(unsigned program) const;
+    // Adds what has changed since the last call; returns whether anything has.
+    bool takeChanges(KnowledgeChanged &changes);
+
+private:
+    struct Value
+    {
+        std::int64_t data = 0;
+        Evidence evidence = Evidence::read;
+    };
+    struct Program
+    {
+        std::array<std::optional<Value>, camFieldCount> values;
+        Instant at{};
+    };
+
+    void observeOut(Word out, bool mayBeCamMode);
+    void observeAnswer(Word in);
+    void observeOperation(Word in);
+    void observeReadOut(Word in, Word out);
+    void observeError(Word in);
+    void learn(unsigned program, CamField field, Value value);
+    void beginChange();
+    void doubtAsked();
+    void loseChange(bool certainly);
+
+    std::array<Program, CamProgram::programs + 1> m_programs; // by number
+    std::array<std::optional<KnownCams>, CamProgram::programs + 1> m_told;
+    std::optional<unsigned> m_program; // the one in use
+    bool m_changed = false;            // since it was entered, and not yet saved
+    Program m_saved;                   // that program, before the first change
+    std::optional<Word> m_asked;       // a cam word not yet answered, still in OUT or not
+    bool m_isParameterized = false;    // an acknowledgement was in IN, and its end has not been seen
+    bool m_mayEnd = false;             // run has been sent since, or another mode
+    bool m_answerIsFresh = false;      // IN has held no read-out answer since the request was put into OUT
+    bool m_isDirty = false;
+    Word m_shown = 0; // last in operation
+    Word m_in = 0;
+    Word m_out = 0;
+    Instant m_now{};
+};
+
+} // namespace codewheel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/interbus/k3/k3_run.h"
+#include "kinds/interbus/words/word_driver.h"
+
+namespace codewheel {
+
+// Drives a K3 encoder of any make, as its description says: plans the steps of a job, carries them out one by
+// one, refines the plan by what it reads, and ends in a known state (K3Run).
+class K3Driver final : public WordDriver<K3Encoder, K3Run>
+{
+public:
+    // The description must outlive the driver.
+    explicit K3Driver(const DeviceDescription &device, K3Timing timing = {})
+        : WordDriver(device, timing)
+    {}
+
+    void forget() override { m_encoder.forget(); } // its mode and its cams too
+    void expectTornWords() override { m_encoder.knowledge.expectTornWords(); }
+    bool mayStand(Word out) const override { return !m_encoder.knowledge.isManufacturerPreset(out); }
+};
+
+} // namespace codewheel

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "jobs/known_values.h"
+#include "kinds/interbus/k3/k3_cam_knowledge.h"
+#include "kinds/interbus/k3/k3_mode.h"
+
+#include <map>
+#include <optional>
+
+namespace codewheel {
+
+// What a K3 encoder is known to have, learned from the words that pass, whoever sent them: a confirmation
+// makes a value pending, run answered by operation makes it active, a read-out reports it. Counts EEPROM
+// writes the same way.
+class K3Knowledge
+{
+public:
+    explicit K3Knowledge(const DeviceDescription &device)
+        : m_device(device)
+    {}
+
+    // Replaces all that is known, e.g. after the user told something.
+    void set(const std::vector<Known> &known);
+    // It may be another encoder by now.
+    void forget();
+    void setCams(const std::vector<KnownCams> &known) { m_cams.set(known); }
+    void observe(Word in, Word out, Instant now);
+    // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there:
+    // what it may have changed, or what may become active by it, is not known from now on. Returns how many
+    // writes that may cost which are not counted.
+    int loseSight(Word out);
+    Word lastOut() const { return m_out; }
+    // From now on a read-out answer with the low half of the last position counts only after another read-out
+    // word stood between, and it came again (spec modbus-gateway.md).
+    void expectTornWords() { m_wordsMayTear = true; }
+    bool isDoubtful(unsigned readOut) const { return m_doubtful && m_doubtful->code == readOut; }
+
+    const KnownValues &known() const { return m_known; }
+    std::optional<std::int64_t> value(Parameter parameter) const { return m_known.value(parameter); }
+    ParameterValues values() const { return m_known.values(); }
+    std::optional<Mode> mode() const { return m_mode.now(); }
+    // The cam program the encoder is in, in cam mode.
+    std::optional<unsigned> camProgram() const { return m_mode.camProgram(); }
+    std::optional<KnownCams> cams(unsigned program) const { return m_cams.known(program); }
+    // 60000000h acts in every cycle it is in OUT (FRABA manual 5.4.1); in cam mode it is another word.
+    bool isManufacturerPreset(Word out) const;
+    std::optional<PositionCoding> coding() const;
+    // Whether the encoder takes and reports steps - 1 (flag_mt_stepsm1); empty: not known yet.
+    std::optional<bool> countsStepsMinusOne() const;
+    int eepromWrites() const { return m_known.eepromWrites(); }
+
+    // The data of the word that gives `parameter` this value, and the reverse for a read-out.
+    Word dataFor(Parameter parameter, std::int64_t value) const;
+    std::optional<std::int64_t> valueOfReadOut(Parameter parameter, Word data) const;
+
+    // What changed since the last call; empty if nothing did.
+    std::optional<KnowledgeChanged> takeChanges();
+
+private:
+    void observeConfirmation(Word in, Word out);
+    void observeError(Word in, Word out);
+    void observeReadOut(Word in, Word out, Instant now);
+    bool mayBeTorn(unsigned code, Word in);
+    void observeOperation(Word in, Word out, Instant now);
+    void observeRun(Word in, Instant now);
+    void observeMode(Word out, Instant now);
+    void observePreset(Word out);
+    void observeManufacturerPreset();
+    void countConfirmed();
+    bool isConfirmed(Word out) const;
+    int writesInDoubt(Word out);
+    void forgetNumber(unsigned number);
+    void activate(unsigned number, std::optional<Word> data, Instant now);
+    void reset(bool isProven, Instant now);
+    void learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now);
+
+    const DeviceDescription &m_device;
+    KnownValues m_known;
+    std::map<unsigned, std::optional<Word>>
+        m_pending; // by number; no data: confirmed, but not certain with what
+    std::optional<unsigned> m_lastConfirmed;
+    std::optional<Word>
+        m_asked; // a parameter word that is not answered; it may still be taken after it left OUT
+    Word m_inWhenAsked = 0;
+    bool m_askedIsProcessed = false;
+    // Activated by a run that was answered by 00000000h, which an encoder without power shows too: known once
+    // a position shows.
+    std::map<unsigned, std::optional<Word>> m_unproven;
+    K3Mode m_mode;
+    K3CamKnowledge m_cams;
+    Instant m_modeSince{};        // anything told before that is out of date
+    bool m_hasRun = false;        // what was confirmed became active, whether known or not
+    bool m_answerIsFresh = false; // IN has held no read-out answer since the request was put into OUT
+    struct Doubtful
+    {
+        unsigned code = 0;
+        bool anotherCame = false; // since
+    };
+    bool m_wordsMayTear = false;
+    std::optional<Doubtful> m_doubtful; // the last read-out that may be torn
+    Word m_lastPosition = 0;            // IN in operation
+    bool m_presetIsOpen = false;        // it was sent, and stores once it is there
+    std::optional<bool> m_presetArmed;
+    bool m_hasSeenWords = false;
+    bool m_wordIsOfOthers = false; // the last parameter word, or it was counted before sight was lost
+    Word m_out = 0;
+    Word m_in = 0;
+};
+
+} // namespace codewheel

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/k3/k3_mode.h"
+
+#include "kinds/interbus/words/k3_cam_word.h"
+
+namespace codewheel {
+namespace {
+
+// Start-up modes: 0 K2, 1 K3, 2 velocity, 3 cam program 1.
+constexpr std::int64_t startUpInPosition = 1;
+constexpr std::int64_t startUpInVelocity = 2;
+
+} // namespace
+
+void K3Mode::tell(std::optional<Mode> mode, std::optional<unsigned> camProgram)
+{
+    m_mode = mode;
+    m_camProgram = mode == Mode::cam ? camProgram : std::nullopt;
+}
+
+bool K3Mode::observe(Word out)
+{
+    bool isOpen = false;
+    if (out != m_out) {
+        isOpen = m_stoodFor > 0 && m_stoodFor < cyclesUntilTaken && switches(m_out);
+        if (isOpen)
+            tell(std::nullopt);
+        m_out = out;
+        m_stoodFor = 0;
+    }
+    if (m_stoodFor == cyclesUntilTaken || ++m_stoodFor != cyclesUntilTaken || !switches(out))
+        return isOpen;
+    switchedBy(out);
+    return true;
+}
+
+bool K3Mode::switches(Word out) const
+{
+    if (k3::isProgramWord(out))
+        return (out & ~k3::programWord) <= k3::camProgramCount;
+    // In cam mode these two words set the cam configuration instead.
+    const bool mayBeVelocity = m_mode == Mode::position || m_mode == Mode::velocity;
+    return mayBeVelocity && (out == k3::velocityOn || out == k3::velocityOff);
+}
+
+void K3Mode::switchedBy(Word out)
+{
+    const Word program = out & ~k3::programWord;
+    if (!k3::isProgramWord(out))
+        tell(out == k3::velocityOn ? Mode::velocity : Mode::position);
+    else if (program == 0)
+        tell(Mode::position);
+    else
+        tell(Mode::cam, program);
+}
+
+std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode)
+{
+    if (startUpMode == 0 || startUpMode == startUpInPosition)
+        return Mode::position;
+    if (startUpMode == startUpInVelocity)
+        return Mode::velocity;
+    if (camProgramAfterStartUp(startUpMode))
+        return Mode::cam;
+    return std::nullopt;
+}
+
+std::optional<unsigned> camProgramAfterStartUp(std::int64_t startUpMode)
+{
+    if (startUpMode <= startUpInVelocity || startUpMode > startUpInVelocity + k3::camProgramCount)
+        return std::nullopt;
+    return static_cast<unsigned>(startUpMode - startUpInVelocity);
+}
+
+std::optional<std::int64_t> startUpModeFor(Mode mode, std::optional<unsigned> camProgram)
+{
+    if (mode == Mode::position)
+        return startUpInPosition;
+    if (mode == Mode::velocity)
+        return startUpInVelocity;
+    return camProgram ? std::optional(startUpInVelocity + std::int64_t{*camProgram}) : std::nullopt;
+}
+
+} // namespace codewheel

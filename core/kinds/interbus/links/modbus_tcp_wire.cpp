@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/links/modbus_tcp_wire.h"
+
+#include "kinds/interbus/gateway/gateway_texts.h"
+#include "links/wait_for.h"
+#include "vocabulary/sentence.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <poll.h>
+#include <sys/socket.h>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using modbus_message::Pdu;
+using std::chrono::steady_clock;
+using ErrorKind = RegisterError::Kind;
+
+// The header: transaction, protocol (0), length of what follows, unit. A function and its data follow.
+constexpr std::size_t protocolAt = 2;
+constexpr std::size_t lengthAt = 4;
+constexpr std::size_t lengthEnd = 6;
+constexpr std::size_t unitAt = 6;
+constexpr std::size_t headerLength = 7;
+constexpr std::size_t shortestAnswer = headerLength + 1;
+constexpr std::size_t longestAnswer = 260; // MODBUS Messaging on TCP/IP, 3.1.3
+constexpr std::size_t mostAtOnce = 4'096;
+constexpr Instant shortestConnect = 2s; // a network may take longer than a unit
+constexpr int longestMemory = 1'000;    // transactions
+
+RegisterError closedBy(int errorNumber)
+{
+    return {ErrorKind::closed, 0, QString::fromLocal8Bit(std::strerror(errorNumber))};
+}
+
+} // namespace
+
+ModbusTcpWire::ModbusTcpWire(const GatewaySettings &settings)
+    : m_settings(settings)
+{}
+
+Result<void> ModbusTcpWire::open()
+{
+    close();
+    if (m_wake.lower())
+        return refuse(RefusalKind::stopped, RefusalId::cancelled);
+    auto addresses = resolveHost(m_settings.host, m_settings.tcpPort, m_wake);
+    if (!addresses)
+        return tl::unexpected(addresses.error());
+    m_addresses = *std::move(addresses);
+    auto connected = connect(std::max(m_settings.timeOut, shortestConnect));
+    m_isOpen = connected.has_value();
+    return connected;
+}
+
+void ModbusTcpWire::close()
+{
+    m_socket.close();
+    m_isOpen = false;
+}
+
+Result<void> ModbusTcpWire::connect(Instant timeOut)
+{
+    m_socket.close();
+    auto socket = connectToHost(m_addresses, gatewayAddress(m_settings), timeOut, m_wake);
+    if (!socket)
+        return tl::unexpected(socket.error());
+    m_socket = *std::move(socket);
+    m_received.clear();
+    m_isOutOfStep = false;
+    m_before = -1;
+    m_answers = 0;
+    return {};
+}
+
+ModbusTcpWire::Failed ModbusTcpWire::failed(RegisterError error)
+{
+    if (error.kind == ErrorKind::closed)
+        close();
+    return tl::unexpected(std::move(error));
+}
+
+ModbusTcpWire::Failed ModbusTcpWire::outOfStep(const QString &text)
+{
+    m_isOutOfStep = true;
+    return modbus_message::wrongAnswer(text);
+}
+
+tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
+{
+    if (m_wake.lower())
+        return failed({.kind = ErrorKind::stopped});
+    if (!m_isOpen)
+        return failed({.kind = ErrorKind::closed});
+    const bool isOver = isGivenUp();
+    if (isOver && !m_closesAfterEach && modbus_message::writes(request))
+        return failed({.kind = ErrorKind::closed, .isSent = false});
+    if (!m_socket || m_isOutOfStep || isOver) {
+        if (auto connected = connect(m_settings.timeOut); !connected)
+            return failed({.kind = connected.error().kind == RefusalKind::stopped ? ErrorKind::stopped
+                                                                                  : ErrorKind::closed});
+        m_reconnections += isOver ? 1 : 0;
+    }
+    const Time until = steady_clock::now() + m_settings.timeOut;
+    if (auto sent = send(request); !sent)
+        return tl::unexpected(sent.error());
+    return receive(until);
+}
+
+// Nothing is on its way then, so that nothing is in doubt.
+bool ModbusTcpWire::isGivenUp()
+{
+    if (m_closesAfterEach && m_answers > 0)
+        return true;
+    std::array<std::uint8_t, mostAtOnce> late{};
+    ssize_t came = 1;
+    while (m_socket && came > 0)
+        came = ::recv(m_socket.get(), late.data(), late.size(), MSG_DONTWAIT);
+    const bool isClosed = m_socket && (came == 0 || (errno != EAGAIN && errno != EINTR));
+    if (isClosed)
+        learnFromClosing();
+    return isClosed;
+}
+
+void ModbusTcpWire::learnFromClosing()
+{
+    m_closesAfterEach = m_closesAfterEach || m_answers == 1;
+}
+
+RegisterPort::Done ModbusTcpWire::send(const Pdu &request)
+{
+    ++m_transaction;
+    m_before = std::min(m_before + 1, longestMemory);
+    const std::size_t length = request.size() + 1; // with the unit
+    Pdu frame{static_cast<std::uint8_t>(m_transaction >> 8),
+              static_cast<std::uint8_t>(m_transaction & 0xFF),
+              0,
+              0,
+              static_cast<std::uint8_t>(length >> 8),
+              static_cast<std::uint8_t>(length & 0xFF),
+              static_cast<std::uint8_t>(m_settings.unit)};
+    frame.insert(frame.end(), request.begin(), request.end());
+    const auto sent = ::send(m_socket.get(), frame.data(), frame.size(), MSG_NOSIGNAL);
+    if (sent == static_cast<ssize_t>(frame.size()))
+        return {};
+    if (sent < 0 && errno != EAGAIN)
+        return failed(closedBy(errno));
+    m_isOutOfStep = true; // whoever does not read does not answer either
+    return failed({.kind = ErrorKind::noAnswer});
+}
+
+// However much comes: what has not answered by then does not count.
+tl::expected<Pdu, RegisterError> ModbusTcpWire::receive(Time until)
+{
+    for (;;) {
+        auto next = nextAnswer();
+        if (!next)
+            return failed(next.error());
+        if (!*next) {
+            if (auto more = receiveMore(until); !more)
+                return failed(more.error());
+            continue;
+        }
+        Answer &answer = **next;
+        if (isOver(answer.transaction)) {
+            m_comesLate = true;
+            continue;
+        }
+        if (answer.transaction != m_transaction)
+            return outOfStep(ofForeignTransaction(answer.transaction));
+        if (answer.unit != m_settings.unit)
+            return outOfStep(sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(answer.unit)}));
+        ++m_answers;
+        m_comesLate = false;
+        return std::move(answer.pdu);
+    }
+}
+
+// A gateway that always sends the same number cannot be used: nothing tells its late answers.
+QString ModbusTcpWire::ofForeignTransaction(std::uint16_t transaction)
+{
+    const QString its = QString::number(transaction);
+    if (std::exchange(m_foreignBefore, transaction) == transaction)
+        return sentence(
+            GatewayTexts::tr("each is for transaction %1: the gateway does not repeat the number of "
+                             "the request, as Modbus/TCP wants it"),
+            {its});
+    return sentence(GatewayTexts::tr("it is for transaction %1, not %2"),
+                    {its, QString::number(m_transaction)});
+}
+
+// The one that has come completely; empty: none has.
+tl::expected<std::optional<ModbusTcpWire::Answer>, RegisterError> ModbusTcpWire::nextAnswer()
+{
+    if (m_received.size() < shortestAnswer)
+        return std::optional<Answer>();
+    const std::size_t length = lengthEnd + registerAt(m_received, lengthAt);
+    if (registerAt(m_received, protocolAt) != 0 || length < shortestAnswer || length > longestAnswer)
+        return outOfStep(GatewayTexts::tr("it is not Modbus"));
+    if (m_received.size() < length)
+        return std::optional<Answer>();
+    const auto end = m_received.begin() + static_cast<std::ptrdiff_t>(length);
+    Answer answer{registerAt(m_received, 0), m_received[unitAt], {m_received.begin() + headerLength, end}};
+    m_received.erase(m_received.begin(), end);
+    return answer;
+}
+
+RegisterPort::Done ModbusTcpWire::receiveMore(Time until)
+{
+    const Waited waited =
+        steady_clock::now() < until ? waitFor(m_socket.get(), POLLIN, m_wake, until) : Waited::timeOut;
+    if (waited == Waited::woken)
+        return tl::unexpected(RegisterError{.kind = ErrorKind::stopped});
+    if (waited == Waited::timeOut && !m_received.empty())
+        return outOfStep(GatewayTexts::tr("it is incomplete"));
+    if (waited == Waited::timeOut)
+        return tl::unexpected(RegisterError{.kind = ErrorKind::noAnswer, .isLate = m_comesLate});
+    std::array<std::uint8_t, mostAtOnce> bytes{};
+    const auto came = ::recv(m_socket.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (came < 0 && errno == EAGAIN)
+        return {};
+    if (came <= 0) {
+        const int why = came < 0 ? errno : ECONNRESET;
+        learnFromClosing();
+        return tl::unexpected(closedBy(why));
+    }
+    m_received.insert(m_received.end(), bytes.begin(), bytes.begin() + came);
+    return {};
+}
+
+// A transaction before this one, of this connection.
+bool ModbusTcpWire::isOver(std::uint16_t transaction) const
+{
+    const int before = static_cast<std::uint16_t>(m_transaction - transaction);
+    return before > 0 && before <= m_before;
+}
+
+Instant ModbusTcpWire::now() const
+{
+    return std::chrono::duration_cast<Instant>(steady_clock::now() - m_begin);
+}
+
+void ModbusTcpWire::wait(Instant until)
+{
+    waitFor(-1, 0, m_wake, m_begin + until);
+}
+
+} // namespace codewheel

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/interbus/ring/participant.h"
+
+namespace codewheel {
+
+// Whether it is on the local bus behind a bus terminal (n.1, n.2, ...) rather than on the remote bus.
+inline bool isOnLocalBus(const Participant &participant)
+{
+    return participant.deviceNumber().position > 0;
+}
+
+// The number of the device that follows `before` in ring order: a remote-bus device starts a segment, one on
+// the local bus counts on within it.
+constexpr DeviceNumber nextNumber(DeviceNumber before, bool onLocalBus)
+{
+    return onLocalBus ? DeviceNumber{before.segment, before.position + 1}
+                      : DeviceNumber{before.segment + 1, 0};
+}
+
+// Gives each device the number that follows from its place in the ring.
+void numberDevices(RingStructure &structure);
+
+} // namespace codewheel

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/bus_thread.h"
+#include "bus/encoder_bus.h"
+#include "kinds/interbus/ring/command.h"
+#include "kinds/interbus/ring/master_link.h"
+#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/process_data_link.h"
+#include "kinds/interbus/ring/ring_event.h"
+#include "kinds/interbus/ring/snapshot.h"
+#include "kinds/interbus/words/cyclic_driver.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace codewheel {
+
+class Catalog;
+class CrcHistory;
+class WordDoubts;
+
+// A connected ring as the window and the command line see it: owns link, runner, thread, encoder sessions and
+// word channels. All of it lives in the caller's thread; the bus thread is hidden behind pump().
+//
+// A lost link is tried again every second. Once it is back the bus is in Watch; if the ring is a different
+// one by then, it is adopted: structureChanged. A device with the same number, device code and name keeps its
+// session and its channel; those of all others are gone at the next pump(). Of a real encoder nothing is
+// known then: meetsAgain.
+class RingSession final : public EncoderBus
+{
+    Q_OBJECT
+
+public:
+    // Null for a device that cannot be driven; the description outlives the driver.
+    using DriverFactory = std::function<std::unique_ptr<CyclicDriver>(const DeviceDescription &)>;
+
+    // The catalog must outlive the session. `begin` is the date and time of Instant 0. No factory: the
+    // drivers of the program (drivers/make_driver.h).
+    RingSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
+                QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstRing);
+    ~RingSession() override;
+
+    // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards. Sends
+    // nothing. Ends sessions and channels of an earlier connection. With a pacing a thread does it, and the
+    // bus is `opening` until pump() reports the end; without one it is done at once, and the first cycle
+    // comes with startThread() or advance().
+    Result<void> open(Start start, std::optional<Pacing> pacing = {});
+    // Closes the bus, which has this link, on whose clock it is `time` now, from its next open() on. What was
+    // on the bus is gone. Returns the link it had.
+    std::unique_ptr<ProcessDataLink> useLink(std::unique_ptr<ProcessDataLink> link, const QDateTime &time);
+    void close() override;
+
+    // Cycles driven by a thread of its own, on absolute deadlines ...
+    void startThread(std::chrono::nanoseconds period, SleepWatch::Slept slept = SleepWatch::ofThisComputer);
+    // ... or by hand: each cycle is 1 ms after the previous one. Pumps afterwards.
+    void advance(int cycles);
+    void advance(Instant duration) override;
+    void pump() override;
+
+    // Guests read and write the ring beside us, from now on and after each opening; null: nobody does.
+    void offerTo(std::shared_ptr<RingGuests> guests);
+
+    std::vector<DataCheck> dataChecks(NodeId node, const std::vector<Participant> &planned) const override;
+
+    BusState state() const override;
+    bool isSimulated() const override;
+    bool findsDevices() const override;
+    const RingStructure &structure() const;
+    const BusOutline &outline() const override;
+    std::vector<Place> places() const override;
+
+    const Snapshot &latest() const;
+    // What the ring's master says; null if the link reaches none.
+    const MasterStatus *master() const;
+    const CrcHistory &crcHistory() const;
+    const WordDoubts &doubts() const;
+    // Whether a device can have sent its IN word; empty: its link or its description does not tell.
+    std::optional<DataCheck> checkWord(std::size_t device) const;
+    bool isOperating() const override;
+    bool isRunning() const override;
+    Instant now() const override { return latest().at; }
+
+    void setRunning(bool on) override;
+    void setOperate(bool on) override;
+    void alarmStop() override;
+    // The zeros of an ALARM STOP were asked for a second ago, and have not arrived.
+    bool areZerosLate() const;
+    // Of a gateway; refused where no register is set for it.
+    void acknowledgeWatchdog();
+    // Goes to Operate, sets the OUT that a job has left to 00000000 and reads what is not known since. What
+    // comes of it is reported like any job.
+    void bringBack(Place place);
+    // Ends the parameterization in which the encoder was left: what it has taken becomes valid.
+    void sendRun(Place place);
+
+    // Services of the ring's master. Each ends in messages; a link that reaches no master refuses them.
+    //
+    // Reads in the ring: stops it, has the master find the devices (readInProgressed), and lets it run again.
+    // A ring that differs from the previous one is adopted: structureChanged.
+    void readIn();
+    bool isReadingIn() const;
+    // Takes a segment out of the data cycles with everything behind it, or puts it back.
+    void switchSegment(int segment, bool on);
+    void confirmDiagnostics();
+    // The master stores this configuration from now on, and activates it the next time it is started.
+    void keepConfiguration(const KeptConfiguration &configuration);
+    void askKeptConfiguration(); // answered by keptConfigurationTold
+
+    // If no description has the key, the device is "make not known" again.
+    Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
+    // By its device code.
+    Result<void> canBe(Place place, const DeviceDescription &device) const override;
+    const Catalog &catalog() const override;
+    std::optional<Participant> found(Place place) const override;
+    Refusal whyNotThere(Place place) const override;
+    std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
+
+Q_SIGNALS:
+    void
+    refused(const codewheel::Refusal &why); // a request to the whole ring was refused, or its link is lost
+    void readInProgressed(int devices);     // found so far
+    void readInEnded();                     // structure() is what was found
+    void readInFailed(const codewheel::Refusal &why);
+    void keptConfigurationTold(const std::optional<codewheel::KeptConfiguration> &configuration);
+
+private:
+    friend class RingEncoderSession;
+    template <class Runner, class Session>
+    friend class BusEngine;
+    EncoderSession *encoderAt(NodeId node) const override;
+    WordChannel *channelAt(NodeId node) const override; // null: no such device
+    Result<void> write(const WordChannel &channel, Word word);
+    void showDevice(std::size_t place);
+    void lookForZeros();
+    void goOnBringingBack();
+    void startReported(EncoderSession &encoder, const Job &job);
+    void post(Command command);
+    void linkOpened() {} // the ring is reported next
+    bool takeAtOnce(const RingEvent &event);
+    bool isWordDoubtful(std::size_t device) const;
+    bool isOfNow(const Snapshot &snapshot) const;
+    EncoderSession *showing(std::size_t device) const;
+    void showLatest();
+    void dispatch(const RingEvent &event);
+    void dispatch(Message message, std::optional<std::size_t> device);
+    void takeOfMaster(const MasterEvent &event);
+    void useFirstRing(const RingFound &found);
+    void useOtherRing(const RingFound &found);
+    void endJobsOfBefore();
+    void meetAgain();
+    void showNewRing(const RingFound &found, const RingState &state);
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace codewheel

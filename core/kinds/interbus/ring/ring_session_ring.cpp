@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/ring_session_private.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+// Not by its make, which no master can tell.
+bool isSameDevice(const Participant &before, const Participant &found)
+{
+    return before.number == found.number && before.deviceCode == found.deviceCode &&
+           before.inWords == found.inWords && before.outWords == found.outWords &&
+           (found.deviceKey.isEmpty() || found.deviceKey == before.deviceKey);
+}
+
+} // namespace
+
+// What is unchanged keeps its driver, session and channel; only its index may differ.
+command::UseRing RingSession::Private::takeOver(RingSession &bus, const RingFound &found)
+{
+    const RingStructure before = std::exchange(structure, found.structure);
+    auto sessionsBefore = std::exchange(sessions, {});
+    auto channelsBefore = std::exchange(channels, {});
+    sessions.resize(structure.size());
+    renamings.assign(structure.size(), 0);
+    command::UseRing use{{}, found.out, {}};
+    for (std::size_t i = 0; i < structure.size(); ++i) {
+        Participant &participant = structure[i];
+        const auto same = std::ranges::find_if(
+            before, [&](const Participant &other) { return isSameDevice(other, participant); });
+        if (same == before.end()) {
+            channels.push_back(makeChannel(bus, participant));
+            use.drivers.push_back(
+                {makeSession(bus, i, catalog.find(participant.deviceKey, participant.deviceCode)), {}});
+            continue;
+        }
+        const auto j = static_cast<std::size_t>(same - before.begin());
+        participant.deviceKey = same->deviceKey;
+        use.drivers.push_back({nullptr, j});
+        channels.push_back(std::move(channelsBefore[j]));
+        sessions[i] = std::move(sessionsBefore[j]);
+        if (sessions[i])
+            sessions[i]->moveIndexTo(i);
+    }
+    std::ranges::move(sessionsBefore, std::back_inserter(retired));
+    std::ranges::move(channelsBefore, std::back_inserter(retiredChannels));
+    use.structure = structure;
+    return use;
+}
+
+void RingSession::takeOfMaster(const MasterEvent &event)
+{
+    if (const auto *progress = std::get_if<ReadInProgress>(&event)) {
+        Q_EMIT readInProgressed(progress->devices);
+    } else if (const auto *kept = std::get_if<KeptConfigurationTold>(&event)) {
+        Q_EMIT keptConfigurationTold(kept->configuration);
+    } else {
+        d->readingIn = false;
+        if (const auto &result = std::get<ReadInEnded>(event).result; result)
+            Q_EMIT readInEnded();
+        else
+            Q_EMIT readInFailed(result.error());
+    }
+}
+
+// As it will be once the first cycle has carried this out.
+void RingSession::useFirstRing(const RingFound &found)
+{
+    const bool operates = d->start == Start::operating;
+    post(d->makeDevices(*this, found));
+    post(command::AskKeptConfiguration{.onConnecting = true});
+    post(command::StartBus{});
+    if (operates)
+        post(command::SetOperate{true});
+    showNewRing(found, {.at = d->latest().at, .state = MasterState::run, .operate = operates});
+    Q_EMIT nodesChanged();
+}
+
+void RingSession::useOtherRing(const RingFound &found)
+{
+    endJobsOfBefore();
+    if (!isOpen()) // closed by a handler
+        return;
+    post(d->takeOver(*this, found));
+    const Snapshot &before = d->latest();
+    showNewRing(
+        found,
+        {.at = before.at, .state = MasterState::active, .operate = before.operate, .period = before.period});
+    d->crcHistory.clear();
+    Q_EMIT structureChanged();
+    Q_EMIT nodesChanged();
+}
+
+// Those that came too late for the previous ring: the bus thread refuses them, but nobody listens to it about
+// them any more.
+void RingSession::endJobsOfBefore()
+{
+    for (std::size_t i = 0; i < d->sessions.size(); ++i)
+        if (RingEncoderSession *session = d->sessions[i].get(); session && session->runningJob())
+            session->take(
+                Event(notTaken(*session->runningJob(), {RefusalKind::stopped, RefusalId::busStopped, {}},
+                               session->latest().state)),
+                d->latest().at);
+}
+
+void RingSession::showNewRing(const RingFound &found, const RingState &state)
+{
+    auto shown = std::make_shared<Snapshot>();
+    static_cast<RingState &>(*shown) = state;
+    shown->generation = ++d->generation;
+    shown->connected = true;
+    shown->master = found.master;
+    shown->figures = found.figures;
+    for (const Word word : found.out)
+        shown->devices.push_back({.out = word, .reading = {}, .outIsKnown = found.outIsKnown});
+    d->engine.setLatest(std::move(shown));
+    showLatest();
+}
+
+void RingSession::acknowledgeWatchdog()
+{
+    post(command::AcknowledgeWatchdog{});
+}
+
+void RingSession::bringBack(Place place)
+{
+    d->toBringBack = place;
+    setOperate(true);
+    goOnBringingBack();
+}
+
+// A read clears OUT first. Where nothing can be read, the word is all there is.
+void RingSession::goOnBringingBack()
+{
+    if (!d->toBringBack || !isOperating())
+        return;
+    const auto encoder = encoderAt(std::exchange(d->toBringBack, std::nullopt)->node);
+    if (encoder == nullptr)
+        return;
+    const auto *driven = static_cast<RingEncoderSession *>(encoder);
+    const std::vector<Parameter> unknown = driven->readableDoubts();
+    startReported(*encoder, unknown.empty() ? Job(SendWords{.words = {k3::normalRunning}})
+                                            : Job(ReadParameters{unknown}));
+}
+
+void RingSession::sendRun(Place place)
+{
+    if (EncoderSession *encoder = encoderAt(place.node))
+        startReported(*encoder, EndParameterization{});
+}
+
+void RingSession::startReported(EncoderSession &encoder, const Job &job)
+{
+    if (const auto started = encoder.start(job, Pace::byItself); !started)
+        Q_EMIT refused(started.error());
+}
+
+const MasterStatus *RingSession::master() const
+{
+    return d->latest().master.get();
+}
+
+const CrcHistory &RingSession::crcHistory() const
+{
+    return d->crcHistory;
+}
+
+const WordDoubts &RingSession::doubts() const
+{
+    return d->doubts;
+}
+
+std::optional<DataCheck> RingSession::checkWord(std::size_t device) const
+{
+    const EncoderSession *encoder = showing(device);
+    return encoder != nullptr ? d->link->checkWord(device, latest().devices[device].in, *encoder)
+                              : std::nullopt;
+}
+
+void RingSession::readIn()
+{
+    if (!isOpen())
+        return;
+    d->readingIn = true;
+    d->stoppedBy = StoppedBy::other;
+    post(command::ReadIn{});
+}
+
+bool RingSession::isReadingIn() const
+{
+    return d->readingIn;
+}
+
+void RingSession::switchSegment(int segment, bool on)
+{
+    post(command::SwitchSegment{segment, on});
+}
+
+void RingSession::confirmDiagnostics()
+{
+    post(command::ConfirmDiagnostics{});
+}
+
+void RingSession::keepConfiguration(const KeptConfiguration &configuration)
+{
+    post(command::KeepConfiguration{configuration});
+}
+
+void RingSession::askKeptConfiguration()
+{
+    post(command::AskKeptConfiguration{.onConnecting = false});
+}
+
+} // namespace codewheel

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/simulator/planned_ring.h"
+
+#include "kinds/interbus/ring/id_code.h"
+#include "kinds/interbus/simulator/fraba_k3.h"
+#include "kinds/interbus/simulator/simulated_bus_terminal.h"
+#include "kinds/interbus/simulator/simulated_ring_link.h"
+#include "kinds/interbus/simulator/simulated_words.h"
+
+namespace codewheel {
+namespace {
+
+constexpr std::int64_t slowTurning = 10;  // rpm
+constexpr std::int64_t rodLength = 1'000; // mm
+constexpr std::int64_t slowTravel = 10;   // mm/s
+
+bool isK3OfAnyMake(const DeviceDescription &device)
+{
+    return device.profile == Profile::k3 && device.dialect == k3::Dialect::generic;
+}
+
+TrainingParticipant participantOf(const ProjectDevice &planned, const DeviceDescription &device)
+{
+    TrainingParticipant participant;
+    participant.number = planned.participant.number;
+    participant.device = &device;
+    participant.revolutionsPerMinute = slowTurning;
+    participant.rodMillimetres = rodLength;
+    participant.millimetresPerSecond = slowTravel;
+    participant.serialNumber = planned.label.serialNumber.toUInt() & k3::dataMask;
+    return participant;
+}
+
+std::unique_ptr<SimulatedDevice> anyK3()
+{
+    auto encoder = std::make_unique<FrabaK3>(PhysicalResolution{}, 0, FrabaPlate{});
+    encoder->setSpeed(static_cast<double>(slowTurning));
+    return encoder;
+}
+
+std::unique_ptr<SimulatedDevice> simulated(const ProjectDevice &planned, const Catalog &catalog)
+{
+    const Participant &its = planned.participant;
+    if (its.idCode == busTerminalIdCode)
+        return std::make_unique<SimulatedBusTerminal>();
+    const DeviceDescription *found = catalog.find(its.deviceKey, its.deviceCode);
+    if (found == nullptr)
+        return std::make_unique<SimulatedWords>(its.inWords, its.outWords);
+    const DeviceDescription device = found->labelled(planned.label.turns, planned.label.stepsPerTurn);
+    if (canBeSimulated(device))
+        return simulatedDevice(participantOf(planned, device));
+    if (isK3OfAnyMake(device))
+        return anyK3();
+    return std::make_unique<SimulatedWords>(its.inWords, its.outWords);
+}
+
+} // namespace
+
+TrainingBus makePlannedRing(const Project &project, BusId ring, const Catalog &catalog)
+{
+    auto simulatedRing = std::make_shared<SimulatedRing>();
+    for (const ProjectDevice &planned : devicesOn(project, ring))
+        simulatedRing->add(planned.participant, simulated(planned, catalog));
+    return {.link = std::make_unique<SimulatedRingLink>(simulatedRing), .controls = simulatedRing};
+}
+
+} // namespace codewheel

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finder/spoken_protocol.h"
+#include "kinds/esc/finder/line_esc_protocol.h"
+#include "kinds/interbus/finder/gateway_rtu_protocol.h"
+
+namespace codewheel {
+namespace {
+
+std::vector<std::unique_ptr<const SpokenProtocol>> &protocols()
+{
+    static std::vector<std::unique_ptr<const SpokenProtocol>> all = [] {
+        std::vector<std::unique_ptr<const SpokenProtocol>> builtIn;
+        builtIn.push_back(makeEscProtocol());
+        builtIn.push_back(makeRtuProtocol());
+        return builtIn;
+    }();
+    return all;
+}
+
+} // namespace
+
+std::vector<const SpokenProtocol *> spokenProtocols()
+{
+    std::vector<const SpokenProtocol *> all;
+    for (const auto &one : protocols())
+        all.push_back(one.get());
+    return all;
+}
+
+void addSpokenProtocol(std::unique_ptr<const SpokenProtocol> protocol)
+{
+    protocols().push_back(std::move(protocol));
+}
+
+} // namespace codewheel

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/interbus/words/k3_explain.h"
+#include "vocabulary/instant.h"
+
+#include <optional>
+
+namespace codewheel {
+
+// One row of a handshake trace: what OUT and IN held in one cycle. A row is kept when OUT changed, when
+// D31..D25 of IN changed, or when IN changed while it held anything but a position.
+struct Exchange
+{
+    std::uint64_t cycle = 0;
+    Instant at{};
+    Word out = 0;
+    Word in = 0;
+    std::optional<Mode> mode;
+    std::optional<PositionCoding> coding;
+    bool outIsKnown = true; // a gateway may not show it
+
+    friend bool operator==(const Exchange &, const Exchange &) = default;
+};
+
+} // namespace codewheel

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/instant.h"
+#include "vocabulary/parameter.h"
+
+namespace codewheel {
+
+// How a value came to be known, strongest first. A value without evidence is unknown; no default is ever
+// shown in its place.
+enum class Evidence : std::uint8_t {
+    read,   // the encoder reported it (read-out)
+    echoed, // the handshake confirmed it and after run the encoder returned undisturbed to operation
+    told,   // given by the user, or by the plan of the training bus
+};
+
+struct Known
+{
+    Parameter parameter = Parameter::steps;
+    std::int64_t value = 0;
+    Evidence evidence = Evidence::told;
+    Instant at{};
+
+    friend bool operator==(const Known &, const Known &) = default;
+};
+
+} // namespace codewheel

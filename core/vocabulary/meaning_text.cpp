@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vocabulary/meaning_text.h"
+
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+struct MeaningRow
+{
+    MeaningId id;
+    const char *key;
+    const char *text;
+};
+
+constexpr std::array meaningRows{
+    // OUT. "%1 = %2" is a parameter and its value.
+    MeaningRow{MeaningId::normalRunning, "normalRunning", QT_TRANSLATE_NOOP("Meaning", "Normal running")},
+    MeaningRow{MeaningId::normalRunningData, "normalRunningData",
+               QT_TRANSLATE_NOOP("Meaning", "Normal running; the data %1 mean nothing")},
+    MeaningRow{MeaningId::run, "run", QT_TRANSLATE_NOOP("Meaning", "Run")},
+    MeaningRow{MeaningId::runIgnoresRest, "runIgnoresRest",
+               QT_TRANSLATE_NOOP("Meaning", "Run; the other bits (%1) are ignored")},
+    MeaningRow{MeaningId::initialisePreset, "initialisePreset",
+               QT_TRANSLATE_NOOP("Meaning", "Initialise the preset")},
+    MeaningRow{MeaningId::frabaPreset, "frabaPreset",
+               QT_TRANSLATE_NOOP("Meaning", "FRABA preset: activate the preset in every cycle")},
+    MeaningRow{MeaningId::parameterRequest, "parameterRequest", QT_TRANSLATE_NOOP("Meaning", "%1 = %2")},
+    MeaningRow{MeaningId::parameterRequestInCamMode, "parameterRequestInCamMode",
+               QT_TRANSLATE_NOOP("Meaning", "%1 = %2: refused in cam mode")},
+    MeaningRow{MeaningId::parameterRequestInvalid, "parameterRequestInvalid",
+               QT_TRANSLATE_NOOP("Meaning", "%1 = %2")},
+    MeaningRow{MeaningId::parameterRequestUndefined, "parameterRequestUndefined",
+               QT_TRANSLATE_NOOP("Meaning", "%1 = %2")},
+    MeaningRow{MeaningId::resetToDefault, "resetToDefault",
+               QT_TRANSLATE_NOOP("Meaning", "Reset to factory settings")},
+    MeaningRow{MeaningId::velocityOn, "velocityOn", QT_TRANSLATE_NOOP("Meaning", "Velocity mode on")},
+    MeaningRow{MeaningId::velocityOff, "velocityOff", QT_TRANSLATE_NOOP("Meaning", "Velocity mode off")},
+    MeaningRow{MeaningId::readOutRequest, "readOutRequest", QT_TRANSLATE_NOOP("Meaning", "Read out %1")},
+    MeaningRow{MeaningId::opcRegisterRequest, "opcRegisterRequest",
+               QT_TRANSLATE_NOOP("Meaning", "Read out register %1 of the bus chip")},
+    MeaningRow{MeaningId::camMode, "camMode", QT_TRANSLATE_NOOP("Meaning", "Cam mode, program %1")},
+    MeaningRow{MeaningId::positionMode, "positionMode", QT_TRANSLATE_NOOP("Meaning", "Position mode")},
+    MeaningRow{MeaningId::camConfiguration, "camConfiguration",
+               QT_TRANSLATE_NOOP("Meaning", "Active cams: %1")},
+    MeaningRow{MeaningId::camStart, "camStart", QT_TRANSLATE_NOOP("Meaning", "Start of cam %1 = %2")},
+    MeaningRow{MeaningId::camStop, "camStop", QT_TRANSLATE_NOOP("Meaning", "Stop of cam %1 = %2")},
+    MeaningRow{MeaningId::setCamShift, "setCamShift",
+               QT_TRANSLATE_NOOP("Meaning", "Position beside the cams shifted by %1")},
+    MeaningRow{MeaningId::camConfigurationRequest, "camConfigurationRequest",
+               QT_TRANSLATE_NOOP("Meaning", "Read out the active cams")},
+    MeaningRow{MeaningId::camStartRequest, "camStartRequest",
+               QT_TRANSLATE_NOOP("Meaning", "Read out the start of cam %1")},
+    MeaningRow{MeaningId::camStopRequest, "camStopRequest",
+               QT_TRANSLATE_NOOP("Meaning", "Read out the stop of cam %1")},
+    MeaningRow{MeaningId::camShiftRequest, "camShiftRequest",
+               QT_TRANSLATE_NOOP("Meaning", "Read out the shift of the position beside the cams")},
+    MeaningRow{MeaningId::manufacturerBitIgnored, "manufacturerBitIgnored",
+               QT_TRANSLATE_NOOP("Meaning", "%1 (D29 is ignored)")},
+    MeaningRow{MeaningId::manufacturerSpecificOut, "manufacturerSpecificOut",
+               QT_TRANSLATE_NOOP("Meaning", "Manufacturer specific (D29), and the make is not known")},
+    MeaningRow{MeaningId::serviceRead, "serviceRead",
+               QT_TRANSLATE_NOOP("Meaning", "Service %1: read, service bit %2")},
+    MeaningRow{MeaningId::serviceWrite, "serviceWrite",
+               QT_TRANSLATE_NOOP("Meaning", "Service %1: write %2, service bit %3")},
+    MeaningRow{
+        MeaningId::serviceWriteInvalid, "serviceWriteInvalid",
+        QT_TRANSLATE_NOOP("Meaning", "Service %1: write %2, service bit %3; the encoder refuses this value")},
+    MeaningRow{MeaningId::noOutWord, "noOutWord",
+               QT_TRANSLATE_NOOP("Meaning", "This encoder has no OUT word: it only sends its position")},
+    MeaningRow{MeaningId::undescribedOut, "undescribedOut",
+               QT_TRANSLATE_NOOP("Meaning", "No source describes the OUT word of a K4 encoder")},
+    MeaningRow{MeaningId::undefinedOut, "undefinedOut",
+               QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
+
+    // IN
+    MeaningRow{MeaningId::position, "position", QT_TRANSLATE_NOOP("Meaning", "position %1")},
+    MeaningRow{MeaningId::signedPosition, "signedPosition",
+               QT_TRANSLATE_NOOP("Meaning", "position %1 (signed)")},
+    MeaningRow{MeaningId::grayPosition, "grayPosition",
+               QT_TRANSLATE_NOOP("Meaning", "position %1 (Gray code %2)")},
+    MeaningRow{MeaningId::undescribedPosition, "undescribedPosition",
+               QT_TRANSLATE_NOOP(
+                   "Meaning",
+                   "position %1, as long as all four status bits are 0: no source says where they stand")},
+    MeaningRow{MeaningId::rawPosition, "rawPosition",
+               QT_TRANSLATE_NOOP("Meaning", "position %1 in a coding that is not known")},
+    MeaningRow{MeaningId::velocity, "velocity", QT_TRANSLATE_NOOP("Meaning", "speed %1 rpm")},
+    MeaningRow{MeaningId::cams, "cams", QT_TRANSLATE_NOOP("Meaning", "cams on: %1, position part %2")},
+    MeaningRow{MeaningId::processing, "processing", QT_TRANSLATE_NOOP("Meaning", "Processing, data %1")},
+    MeaningRow{MeaningId::confirmed, "confirmed", QT_TRANSLATE_NOOP("Meaning", "%1 = %2 confirmed")},
+    MeaningRow{MeaningId::oldConfirmation, "oldConfirmation",
+               QT_TRANSLATE_NOOP("Meaning", "Old confirmation: %1 = %2")},
+    MeaningRow{MeaningId::camConfirmation, "camConfirmation",
+               QT_TRANSLATE_NOOP("Meaning", "Acknowledged: %1")},
+    MeaningRow{MeaningId::selfTestOrReadOut, "selfTestOrReadOut",
+               QT_TRANSLATE_NOOP("Meaning", "Self test, or read-out of %1")},
+    MeaningRow{MeaningId::readOutValue, "readOutValue", QT_TRANSLATE_NOOP("Meaning", "Read-out: %1 = %2")},
+    MeaningRow{MeaningId::opcRegisterValue, "opcRegisterValue",
+               QT_TRANSLATE_NOOP("Meaning", "Read-out: register %1 of the bus chip = %2")},
+    MeaningRow{MeaningId::camConfigurationValue, "camConfigurationValue",
+               QT_TRANSLATE_NOOP("Meaning", "Read-out: active cams %1")},
+    MeaningRow{MeaningId::camStartValue, "camStartValue",
+               QT_TRANSLATE_NOOP("Meaning", "Read-out: start of cam %1 = %2")},
+    MeaningRow{MeaningId::camStopValue, "camStopValue",
+               QT_TRANSLATE_NOOP("Meaning", "Read-out: stop of cam %1 = %2")},
+    MeaningRow{MeaningId::camShiftValue, "camShiftValue",
+               QT_TRANSLATE_NOOP("Meaning", "Read-out: position beside the cams shifted by %1")},
+    MeaningRow{MeaningId::readOutUnknown, "readOutUnknown",
+               QT_TRANSLATE_NOOP("Meaning", "The encoder does not know the read-out code %1")},
+    MeaningRow{MeaningId::noValidPosition, "noValidPosition",
+               QT_TRANSLATE_NOOP("Meaning", "No valid position")},
+    MeaningRow{MeaningId::deviceError, "deviceError", QT_TRANSLATE_NOOP("Meaning", "Error %1: %2")},
+    MeaningRow{MeaningId::wrongCamCommand, "wrongCamCommand",
+               QT_TRANSLATE_NOOP("Meaning", "Error 2: wrong cam command")},
+    MeaningRow{MeaningId::manufacturerError, "manufacturerError",
+               QT_TRANSLATE_NOOP("Meaning", "Manufacturer's error %1")},
+    MeaningRow{MeaningId::unknownState, "unknownState",
+               QT_TRANSLATE_NOOP("Meaning", "D31 D30 = 01: a state that no manual describes")},
+    MeaningRow{MeaningId::manufacturerSpecificIn, "manufacturerSpecificIn",
+               QT_TRANSLATE_NOOP("Meaning", "Manufacturer specific (D29), and the make is not known")},
+    MeaningRow{MeaningId::positionWithError, "positionWithError",
+               QT_TRANSLATE_NOOP("Meaning",
+                                 "Error bit: the magnet is or was outside the measuring range; position "
+                                 "%1")},
+    MeaningRow{MeaningId::serviceWritten, "serviceWritten",
+               QT_TRANSLATE_NOOP("Meaning", "Service %1: %2 written")},
+    MeaningRow{MeaningId::serviceValue, "serviceValue", QT_TRANSLATE_NOOP("Meaning", "Service %1: %2 read")},
+    MeaningRow{MeaningId::oldServiceAnswer, "oldServiceAnswer",
+               QT_TRANSLATE_NOOP("Meaning", "Old answer: service %1, %2")},
+    MeaningRow{MeaningId::serviceRefused, "serviceRefused", QT_TRANSLATE_NOOP("Meaning", "Refused: %1")},
+    MeaningRow{MeaningId::unusedBitsSet, "unusedBitsSet",
+               QT_TRANSLATE_NOOP("Meaning", "No position: %1 should be 0, since the position has %2 bits")},
+    MeaningRow{MeaningId::undefinedIn, "undefinedIn",
+               QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
+};
+
+static_assert(areInOrder(meaningRows, &MeaningRow::id) && meaningRows.size() == meaningCount);
+
+const MeaningRow &meaningRow(MeaningId id)
+{
+    return meaningRows.at(static_cast<std::size_t>(id));
+}
+
+} // namespace
+
+QString meaningKey(MeaningId id)
+{
+    return QString::fromLatin1(meaningRow(id).key);
+}
+
+QString meaningSentence(MeaningId id, const QStringList &parts)
+{
+    return sentence(QCoreApplication::translate("Meaning", meaningRow(id).text), parts);
+}
+
+bool asksForParameter(MeaningId id)
+{
+    return id == MeaningId::parameterRequest || id == MeaningId::parameterRequestInvalid ||
+           id == MeaningId::parameterRequestUndefined;
+}
+
+bool isOfOperation(MeaningId id)
+{
+    return id >= MeaningId::position && id <= MeaningId::cams;
+}
+
+} // namespace codewheel

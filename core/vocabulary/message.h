@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/instant.h"
+#include "vocabulary/place.h"
+#include "vocabulary/refusal.h"
+
+#include <optional>
+
+namespace codewheel {
+
+enum class Severity : std::uint8_t { information, attention, fault };
+
+// What the user is told as it happens. Kept as a code and arguments, so that the language can change; the
+// sentence is made by encoder/refusal_text.h. The comment beside each lists its arguments.
+enum class MessageId : std::uint8_t {
+    refused,           // see Message::refusal
+    busStarted,        //
+    busStopped,        //
+    alarmStop,         // all OUT words set to 0
+    zerosReadBack,     // of the ALARM STOP, on a gateway
+    zerosOverwritten,  // they were sent, but something else was read back: text of what is where
+    zerosSent,         // and cannot be read back
+    zerosWait,         // the link is lost: they go out first once it is back
+    zerosLate,         // they were asked for a second ago, and have not arrived
+    operateOn,         // writing is allowed
+    watchOn,           // nothing is sent any more
+    computerSlept,     // seconds; writing is no longer allowed
+    wordWritten,       // Word
+    parametersWritten, // number of parameters, EEPROM writes, texts "Steps = 255" joined
+    restoredReadBack,  // previous values: their texts joined, EEPROM writes
+    restoredConfirmed, // likewise, where nothing can be read
+    parametersRead,    // number of parameters
+    presetDone,        // position before, position after (either may be missing: QString())
+    wordsSent,         // number of words
+    broughtBack,       // the encoder is in operation again
+    inDoubt,           // texts of what was sent and not answered, joined; EEPROM writes that it may have cost
+    outLeft,           // text of the words of which OUT may still hold one
+    leftInParameterization,
+    leftInService,            // LA-66: IN still holds the answer to a service
+    onlyZeroSinceRun,         // success that would look the same from an encoder without power
+    deviceFault,              // error number, Word IN; Message::refusal names it where the device is known
+    deviceFaultGone,          //
+    valuesForgotten,          // the encoder lost its parameters: what was known no longer holds
+    lateCycles,               // number since the last message; from earlier versions, today only a figure
+    modeSwitched,             // text of the mode
+    resetWaitsForRun,         // the reset was confirmed, and run was not sent
+    resetDone,                // EEPROM writes
+    camsRead,                 // number of programs
+    camsWritten,              // texts of the programs joined, EEPROM writes
+    deviceNamed,              // name of the device
+    connected,                // link
+    disconnected,             //
+    busFault,                 // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
+    busFaultGone,             //
+    peripheralFault,          // error code (Word), diagnostic parameter (Word)
+    peripheralFaultConfirmed, //
+    crcErrors,                // segment, errors since the last message, errors since the start
+    segmentOff,               // segment
+    segmentOn,                // segment
+    diagnosticsConfirmed,     //
+    ringRead,                 // devices
+    configurationActivated,   // file name
+    configurationKept,        // file name, devices
+    configurationFound,       // file name, devices
+    configurationNone,        //
+    ringAsConfigured,         // devices
+    ringDiffers,              // differences
+    faultPlan,                // text of the step
+    projectOpened,            // file
+    projectSaved,             // file
+    projectRecovered,         // file
+    eepromThreeQuarters,      // writes by this program, budget
+    eepromBudgetUsed,         // writes by this program, budget
+    valuesStored,             // encoders, values
+    transferDone,             // encoders, values written, values that were already there, EEPROM writes
+    encoderReplaced,          // serial number before, serial number now (either may be empty)
+    valuesRestored,           // the time they date from, values
+    reportSaved,              // file
+    oldMessagesDropped,       // messages
+    notKept,                  // file, reason
+    keptBeside,               // ledger, reason, the file kept beside it
+    databasePutAside,         // file, its new name
+    lineOpened,               // port, baud rate
+    lineClosed,               // port
+    portLost,                 // port
+    portBack,                 // port
+    linkBack,                 // of a ring
+    ringRunsAgain,            // as its gateway says
+    watchdogAcknowledged,     // of a gateway
+    lowLatencyRefused,        // port
+    encoderSilent,            // tries without an answer
+    encoderAnswers,           //
+    suspectPosition,          // the position that jumped, the position before
+    lineAddressChanged,       // address before, address now
+    baudRateChanged,          // baud rate before, baud rate now
+    encodersFound,            // encoders, requests
+    recordingBegun,           // file
+    recordingWaits,           // file
+    recordingTriggered,       // file
+    recordingGoesOn,          // file, values lost meanwhile
+    recordingEnded,           // file, text of its size
+    training,                 // text of what the trainer did (QString)
+    offerBegun,               // where a simulated ring is offered to others: "127.0.0.1:1502"
+    offerEnded,               // where it was offered; so for the next four
+    offerEndedWithRing,       // the ring was closed
+    offerEndedWithStructure,  // another ring was read in
+    offerEndedWithProject,    // another project was opened
+    offerEndedWithRealRing,   // a real ring is used now
+    clientCame,               // address of a client of the offered ring
+    clientLeft,               // address, requests, writes
+    clientRefused,            // address
+    clientsPassed,            // of many in a short time: how many came, left, were refused
+    seatRestarted,            // unit
+};
+inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::seatRestarted) + 1;
+
+struct Message
+{
+    Instant at{};
+    std::optional<Place> place{}; // whom it concerns, a device or the bus itself; empty: the program
+    Severity severity = Severity::information;
+    MessageId id = MessageId::refused;
+    std::vector<RefusalArgument> arguments{};
+    std::optional<Refusal> refusal{}; // with MessageId::refused and deviceFault
+
+    friend bool operator==(const Message &, const Message &) = default;
+};
+
+} // namespace codewheel

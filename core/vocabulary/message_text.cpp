@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vocabulary/bus_fault.h"
+#include "vocabulary/device_error_name.h"
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+// %1, %2, ... are the arguments in the order given in encoder/message.h.
+struct MessageRow
+{
+    MessageId id;
+    const char *key;
+    const char *text;
+};
+
+constexpr std::array messageRows{
+    MessageRow{MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
+    MessageRow{MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
+    MessageRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
+    MessageRow{MessageId::alarmStop, "alarmStop",
+               QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
+    MessageRow{MessageId::zerosReadBack, "zerosReadBack",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
+                                            "read back as 00000000.")},
+    MessageRow{MessageId::zerosOverwritten, "zerosOverwritten",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent, but OUT was read back as "
+                                            "something else: %1. Somebody else may write to it: stop the "
+                                            "machine by its own means.")},
+    MessageRow{MessageId::zerosSent, "zerosSent",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
+                                            "cannot be read back on this link.")},
+    MessageRow{MessageId::zerosWait, "zerosWait",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The link is lost, so the zeros of the ALARM STOP have not arrived: "
+                                 "they go out first once it is back. Stop the machine by its own "
+                                 "means.")},
+    MessageRow{MessageId::zerosLate, "zerosLate",
+               QT_TRANSLATE_NOOP(
+                   "Message",
+                   "The zeros of the ALARM STOP have not arrived yet: the gateway does not "
+                   "acknowledge them. The program goes on trying. Stop the machine by its own means.")},
+    MessageRow{MessageId::operateOn, "operateOn",
+               QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
+    MessageRow{MessageId::watchOn, "watchOn",
+               QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
+    MessageRow{MessageId::computerSlept, "computerSlept",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The computer slept for %1 s: the bus is in Watch, and what was shown "
+                                 "before is old.")},
+    MessageRow{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
+    MessageRow{
+        MessageId::parametersWritten, "parametersWritten",
+        QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
+    MessageRow{
+        MessageId::restoredReadBack, "restoredReadBack",
+        QT_TRANSLATE_NOOP("Message",
+                          "The earlier values were written again and read back: %1 (EEPROM writes: %2).")},
+    MessageRow{MessageId::restoredConfirmed, "restoredConfirmed",
+               QT_TRANSLATE_NOOP("Message", "The earlier values were written again, confirmed and activated, "
+                                            "but cannot be read: %1 (EEPROM writes: %2).")},
+    MessageRow{MessageId::parametersRead, "parametersRead", QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
+    MessageRow{MessageId::presetDone, "presetDone",
+               QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
+    MessageRow{MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
+    MessageRow{MessageId::broughtBack, "broughtBack",
+               QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
+    MessageRow{MessageId::inDoubt, "inDoubt",
+               QT_TRANSLATE_NOOP(
+                   "Message",
+                   "Sent, and not answered: %1. Whether the encoder has it is not known until it is read.")},
+    MessageRow{MessageId::outLeft, "outLeft",
+               QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
+                                            "it back once the bus runs again.")},
+    MessageRow{MessageId::leftInParameterization, "leftInParameterization",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The encoder was left in parameterization. Send run to bring it back to "
+                                 "operation.")},
+    MessageRow{MessageId::leftInService, "leftInService",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The encoder was left in service mode: it shows no position. Set OUT to "
+                                 "0 to bring it back to normal mode.")},
+    MessageRow{MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
+               QT_TRANSLATE_NOOP("Message",
+                                 "IN has been 00000000 since run: position 0, or an encoder without power. "
+                                 "Turn the shaft to be sure.")},
+    MessageRow{MessageId::deviceFault, "deviceFault",
+               QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
+    MessageRow{MessageId::deviceFaultGone, "deviceFaultGone",
+               QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
+    MessageRow{
+        MessageId::valuesForgotten, "valuesForgotten",
+        QT_TRANSLATE_NOOP("Message", "What was known of the encoder may not hold any more: read it again.")},
+    MessageRow{MessageId::lateCycles, "lateCycles",
+               QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
+    MessageRow{MessageId::modeSwitched, "modeSwitched",
+               QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
+    MessageRow{
+        MessageId::resetWaitsForRun, "resetWaitsForRun",
+        QT_TRANSLATE_NOOP("Message",
+                          "The reset to factory settings waits for run. Run carries it out; switching the "
+                          "encoder off drops it.")},
+    MessageRow{
+        MessageId::resetDone, "resetDone",
+        QT_TRANSLATE_NOOP("Message", "The encoder was reset to factory settings (EEPROM writes: %1).")},
+    MessageRow{MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
+    MessageRow{MessageId::camsWritten, "camsWritten",
+               QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
+    MessageRow{MessageId::deviceNamed, "deviceNamed",
+               QT_TRANSLATE_NOOP("Message",
+                                 "This encoder is now treated as: %1. What was known of it is forgotten.")},
+    MessageRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
+    MessageRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
+    MessageRow{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
+    MessageRow{MessageId::busFaultGone, "busFaultGone",
+               QT_TRANSLATE_NOOP("Message", "The bus fault is cleared. Start the bus again.")},
+    MessageRow{MessageId::peripheralFault, "peripheralFault",
+               QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
+    MessageRow{MessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
+               QT_TRANSLATE_NOOP("Message", "The peripheral fault was confirmed.")},
+    MessageRow{MessageId::crcErrors, "crcErrors",
+               QT_TRANSLATE_NOOP("Message",
+                                 "CRC errors in segment %1: %2 since the last message, %3 since the start.")},
+    MessageRow{MessageId::segmentOff, "segmentOff",
+               QT_TRANSLATE_NOOP("Message", "Segment %1 was switched off.")},
+    MessageRow{MessageId::segmentOn, "segmentOn",
+               QT_TRANSLATE_NOOP("Message", "Segment %1 was switched on.")},
+    MessageRow{MessageId::diagnosticsConfirmed, "diagnosticsConfirmed",
+               QT_TRANSLATE_NOOP("Message", "The diagnostics were confirmed.")},
+    MessageRow{MessageId::ringRead, "ringRead",
+               QT_TRANSLATE_NOOP("Message", "The ring was read in: %1 devices.")},
+    MessageRow{MessageId::configurationActivated, "configurationActivated",
+               QT_TRANSLATE_NOOP("Message", "The master activated its configuration %1.")},
+    MessageRow{MessageId::configurationKept, "configurationKept",
+               QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 now (%2 devices).")},
+    MessageRow{MessageId::configurationFound, "configurationFound",
+               QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 (%2 devices).")},
+    MessageRow{MessageId::configurationNone, "configurationNone",
+               QT_TRANSLATE_NOOP("Message", "The master keeps no configuration.")},
+    MessageRow{MessageId::ringAsConfigured, "ringAsConfigured",
+               QT_TRANSLATE_NOOP("Message", "The ring is as the project says: %1 devices.")},
+    MessageRow{MessageId::ringDiffers, "ringDiffers",
+               QT_TRANSLATE_NOOP("Message", "The ring differs from the project (lines: %1). Compare them.")},
+    MessageRow{MessageId::faultPlan, "faultPlan", QT_TRANSLATE_NOOP("Message", "Fault plan: %1")},
+    MessageRow{MessageId::projectOpened, "projectOpened",
+               QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
+    MessageRow{MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
+    MessageRow{MessageId::projectRecovered, "projectRecovered",
+               QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were recovered.")},
+    MessageRow{MessageId::eepromThreeQuarters, "eepromThreeQuarters",
+               QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual "
+                                            "states about %2 writes. Each further write is asked about.")},
+    MessageRow{MessageId::eepromBudgetUsed, "eepromBudgetUsed",
+               QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as "
+                                            "its manual states (%2). It may lose its values.")},
+    MessageRow{MessageId::valuesStored, "valuesStored",
+               QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
+    MessageRow{
+        MessageId::transferDone, "transferDone",
+        QT_TRANSLATE_NOOP(
+            "Message", "Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.")},
+    MessageRow{MessageId::encoderReplaced, "encoderReplaced",
+               QT_TRANSLATE_NOOP("Message", "The encoder was replaced (serial number before: %1, now: %2).")},
+    MessageRow{MessageId::valuesRestored, "valuesRestored",
+               QT_TRANSLATE_NOOP("Message", "Values of %1 were restored: %2.")},
+    MessageRow{MessageId::reportSaved, "reportSaved", QT_TRANSLATE_NOOP("Message", "Report saved: %1.")},
+    MessageRow{
+        MessageId::oldMessagesDropped, "oldMessagesDropped",
+        QT_TRANSLATE_NOOP(
+            "Message", "The message file had reached its size limit: the oldest %1 messages were dropped.")},
+    MessageRow{MessageId::notKept, "notKept",
+               QT_TRANSLATE_NOOP("Message",
+                                 "%1 cannot be used: %2 What belongs there is kept only until the program "
+                                 "ends.")},
+    MessageRow{MessageId::keptBeside, "keptBeside",
+               QT_TRANSLATE_NOOP("Message",
+                                 "EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered "
+                                 "when the program can open it again.")},
+    MessageRow{
+        MessageId::databasePutAside, "databasePutAside",
+        QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
+    MessageRow{MessageId::lineOpened, "lineOpened",
+               QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 Bd.")},
+    MessageRow{MessageId::lineClosed, "lineClosed",
+               QT_TRANSLATE_NOOP("Message", "The serial line %1 was closed.")},
+    MessageRow{
+        MessageId::portLost, "portLost",
+        QT_TRANSLATE_NOOP("Message",
+                          "The serial port %1 is gone: the adapter was unplugged or has lost its supply.")},
+    MessageRow{MessageId::portBack, "portBack",
+               QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
+    MessageRow{MessageId::linkBack, "linkBack",
+               QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
+    MessageRow{MessageId::ringRunsAgain, "ringRunsAgain",
+               QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
+    MessageRow{MessageId::watchdogAcknowledged, "watchdogAcknowledged",
+               QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
+    MessageRow{
+        MessageId::lowLatencyRefused, "lowLatencyRefused",
+        QT_TRANSLATE_NOOP(
+            "Message", "The adapter at %1 does not take low latency: answers may come up to 16 ms later.")},
+    MessageRow{MessageId::encoderSilent, "encoderSilent",
+               QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
+    MessageRow{MessageId::encoderAnswers, "encoderAnswers",
+               QT_TRANSLATE_NOOP("Message", "The encoder answers again.")},
+    MessageRow{MessageId::suspectPosition, "suspectPosition",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The position %1 is suspect: %2 came before it, and the encoder cannot "
+                                 "turn that fast. It is asked for again.")},
+    MessageRow{MessageId::lineAddressChanged, "lineAddressChanged",
+               QT_TRANSLATE_NOOP("Message", "The encoder at %1 has the address %2 now.")},
+    MessageRow{MessageId::baudRateChanged, "baudRateChanged",
+               QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
+    MessageRow{MessageId::encodersFound, "encodersFound",
+               QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
+    MessageRow{MessageId::recordingBegun, "recordingBegun", QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
+    MessageRow{MessageId::recordingWaits, "recordingWaits",
+               QT_TRANSLATE_NOOP("Message", "The recording %1 waits for its trigger.")},
+    MessageRow{MessageId::recordingTriggered, "recordingTriggered",
+               QT_TRANSLATE_NOOP("Message", "The trigger fired: recording to %1.")},
+    MessageRow{MessageId::recordingGoesOn, "recordingGoesOn",
+               QT_TRANSLATE_NOOP("Message", "The recording %1 goes on (values lost so far: %2).")},
+    MessageRow{MessageId::recordingEnded, "recordingEnded",
+               QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
+    MessageRow{MessageId::training, "training", "%1"},
+    MessageRow{MessageId::offerBegun, "offerBegun",
+               QT_TRANSLATE_NOOP("Message", "Offered to others at %1 by Modbus.")},
+    MessageRow{MessageId::offerEnded, "offerEnded",
+               QT_TRANSLATE_NOOP("Message", "No longer offered to others at %1.")},
+    MessageRow{MessageId::offerEndedWithRing, "offerEndedWithRing",
+               QT_TRANSLATE_NOOP("Message", "The ring was disconnected, so it is no longer offered at %1.")},
+    MessageRow{MessageId::offerEndedWithStructure, "offerEndedWithStructure",
+               QT_TRANSLATE_NOOP("Message", "The ring has other devices now, in other registers, so it is no "
+                                            "longer offered at %1. Offer it again.")},
+    MessageRow{MessageId::offerEndedWithProject, "offerEndedWithProject",
+               QT_TRANSLATE_NOOP("Message", "Another project was opened, so nothing is offered at %1 any "
+                                            "more. Offer it again.")},
+    MessageRow{MessageId::offerEndedWithRealRing, "offerEndedWithRealRing",
+               QT_TRANSLATE_NOOP("Message", "This ring is a real one now, so nothing is offered at %1 any "
+                                            "more.")},
+    MessageRow{MessageId::clientCame, "clientCame",
+               QT_TRANSLATE_NOOP("Message", "%1 is connected to the offered ring.")},
+    MessageRow{
+        MessageId::clientLeft, "clientLeft",
+        QT_TRANSLATE_NOOP("Message", "%1 has left the offered ring (requests: %2, of them writes: %3).")},
+    MessageRow{MessageId::clientRefused, "clientRefused",
+               QT_TRANSLATE_NOOP("Message", "%1 was disconnected: the offered ring has as many clients as it "
+                                            "can have.")},
+    MessageRow{MessageId::clientsPassed, "clientsPassed",
+               QT_TRANSLATE_NOOP("Message",
+                                 "More clients of the offered ring in a short time: %1 came, %2 left, "
+                                 "%3 were refused.")},
+    MessageRow{MessageId::seatRestarted, "seatRestarted",
+               QT_TRANSLATE_NOOP("Message", "The ring of seat %1 starts afresh, with factory settings.")},
+};
+
+static_assert(areInOrder(messageRows, &MessageRow::id) && messageRows.size() == messageCount);
+
+const MessageRow &messageRow(MessageId id)
+{
+    return messageRows.at(static_cast<std::size_t>(id));
+}
+
+QString messagePattern(const char *text)
+{
+    return QCoreApplication::translate("Message", text);
+}
+
+// Either position may be missing.
+QString presetText(const QStringList &parts)
+{
+    const QString before = parts.value(0);
+    const QString after = parts.value(1);
+    if (before.isEmpty() && after.isEmpty())
+        return messagePattern(QT_TRANSLATE_NOOP("Message", "Preset initialised."));
+    if (before.isEmpty())
+        return sentence(
+            messagePattern(QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 after.")), {after});
+    if (after.isEmpty())
+        return sentence(
+            messagePattern(QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before.")),
+            {before});
+    return sentence(messagePattern(messageRow(MessageId::presetDone).text), {before, after});
+}
+
+// When it was switched off, the place of a bus fault went with it.
+QString segmentWithFaultText(const Message &message)
+{
+    const std::vector<RefusalArgument> fault(message.arguments.begin() + 1, message.arguments.end());
+    return sentence(messagePattern(QT_TRANSLATE_NOOP(
+                        "Message", "Segment %1 is switched off, and the place of the bus fault with "
+                                   "it: %2. The fault may still be there. Start the bus again.")),
+                    {argumentText(message.arguments.front()), busFaultText(fault)});
+}
+
+} // namespace
+
+QString messageText(const Message &message)
+{
+    if (message.id == MessageId::refused && message.refusal)
+        return refusalText(*message.refusal);
+    const QStringList parts = argumentTexts(message.arguments);
+    if (message.id == MessageId::presetDone)
+        return presetText(parts);
+    if (message.id == MessageId::busFault || message.id == MessageId::peripheralFault)
+        return sentence(messagePattern(messageRow(message.id).text), {busFaultText(message.arguments)});
+    if (message.id == MessageId::segmentOff && parts.size() > 1)
+        return segmentWithFaultText(message);
+    if (message.id == MessageId::ringRead &&
+        message.arguments == std::vector<RefusalArgument>{std::int64_t{0}})
+        return messagePattern(
+            QT_TRANSLATE_NOOP("Message", "No device answered when the ring was read in. Check the cable to "
+                                         "the first device, and its supply."));
+    if (message.id == MessageId::deviceFault && message.refusal)
+        return sentence(
+            messagePattern(QT_TRANSLATE_NOOP("Message", "The encoder reports error %1, %3 (IN %2).")),
+            parts + QStringList{deviceErrorName(message.refusal->id)});
+    return sentence(messagePattern(messageRow(message.id).text), parts);
+}
+
+QString messageKey(MessageId id)
+{
+    return QString::fromLatin1(messageRow(id).key);
+}
+
+} // namespace codewheel

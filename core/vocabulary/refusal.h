@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/parameter.h"
+
+#include <QString>
+
+#include <tl/expected.hpp>
+#include <variant>
+#include <vector>
+
+namespace codewheel {
+
+// Who is to blame, roughly: determines the icon in the window and the exit code at the command line.
+enum class RefusalKind : std::uint8_t {
+    badInput,     // the user's input (exit 2)
+    notSupported, // the encoder cannot do this (exit 1)
+    busy,         // another job holds the word (exit 1)
+    device,       // the encoder refused, or did not answer (exit 1)
+    link,         // bus, link or disk (exit 1)
+    stopped,      // the user or ALARM STOP ended it (exit 1)
+};
+
+// Why something was refused. The sentence is made where it is shown (encoder/refusal_text.h). The comment
+// beside each lists its arguments.
+enum class RefusalId : std::uint8_t {
+    // badInput
+    valueOutOfRange,       // Parameter, value, minimum, maximum
+    inputNotUnderstood,    // Parameter, sentence about what was typed, minimum, maximum
+    valueNotAllowed,       // Parameter, text, allowed texts
+    parameterGivenTwice,   // Parameter
+    parameterReadOnly,     // Parameter, device name
+    nothingToDo,           //
+    unknownDevice,         // place, the places there are
+    totalRangeTooLarge,    // total range, largest
+    tooManyStepsPerTurn,   // steps, revolutions, physical steps per turn
+    valueAboveTotalRange,  // Parameter, value, largest
+    presetNeedsValue,      // device name
+    camProgramOutOfRange,  // program
+    camOutOfRange,         // cam
+    camPositionTooLarge,   // cam, position, largest
+    camShiftOutOfRange,    // shift
+    camHasNoShift,         // shift
+    camThroughZero,        // cam
+    camHasMore,            // cam
+    camProgramGivenTwice,  // program
+    camFileBroken,         // file, line, key, reason
+    camFileOfOtherProgram, // file, its program, the program wanted
+    labelKeyNotUnderstood, // the key, the part (empty: it ends too early), what may stand there (empty:
+                           // nothing)
+    deviceFileBroken,      // file with line and key, reason
+    deviceCodeDiffers,     // place, its device code, device name, device code of that device
+    deviceOfOtherBus,      // place, device name
+    fileNotReadable,       // file, reason of the system
+    fileNotWritten,        // file, reason of the system
+    fileChanged,           // file
+    fileTooLarge,          // file, its size in MB, largest in MB
+    projectFileBroken,     // file, line, key, reason
+    projectFileNewer,      // file, its version, ours
+    faultPlanBroken,       // file, line, key, reason
+    structureBroken,       // text of the rule that would be broken
+    noSuchProjectDevice,   // place, places there are
+    projectEmpty,          //
+    lineAddressWrong,      // the text given
+    lineSettingWrong,      // the text given, what is allowed
+    lineAddressTaken,      // address, text of what answers there
+    lineAddressNotAlone,   // address, text of another encoder of the line
+    recordingExists,       // file
+    serverAddressWrong,    // sentence about what is wrong
+    passwordInAddress,     //
+    noSizeOnServer,        //
+    recordingEmpty,        // file
+    linkSettingWrong,      // setting, the text given, what is allowed
+    linkSettingUnknown,    // setting, the settings there are
+    registerMapWrong,      // sentence about what is wrong
+    gatewayHasNoDevices,   //
+    // notSupported
+    parameterNotSupported,          // Parameter, device name
+    readingNotSupported,            // device name
+    writingNotSupported,            // device name
+    presetNotSupported,             // device name
+    modeNotKnown,                   // Word OUT: the text says what it would do in cam mode
+    inCamMode,                      // Word OUT: the text says what it does there
+    camsNotSupported,               // device name
+    velocityNotSupported,           // device name
+    manufacturerPresetNotSupported, // device name
+    linkDoesNotBoundCycles,         // Word OUT
+    resetNotSupported,              // device name
+    sendingNotSupported,            // device name: it has no OUT word
+    jobNotSupported,                // device name
+    onlyRecorded,                   //
+    masterServiceNotSupported,      // text of the service
+    watchdogNotSet,                 //
+    outNotReadBack,                 //
+    noIdCycle,                      //
+    encodersDiffer,                 // place, device name, place, device name
+    // busy
+    jobRunning,         // place
+    wordHeldByJob,      // place
+    watchOnly,          // place
+    notRunning,         // place: the bus is stopped
+    inParameterization, // Word IN: found that way, not caused by this job
+    masterStateWrong,   // text of the service, text of the state
+    noConfiguration,    //
+    eepromBudgetUsed,   // place, writes by this program, budget
+    eepromLimitPassed,  // place, writes by this program, limit
+    outNotOurs,         // place, Word OUT of ours, Word OUT found there
+    // device
+    wrongParameterData,     // error 1: Parameter or number, Word IN; several where it came late
+    unknownParameterNumber, // error 2
+    parametersLost,         // error 3
+    eepromStoreError,       // Baumer 13
+    batteryLow,             // Baumer 14
+    codeDiscFault,          // Baumer 15
+    readOutUnknown,         // A4xxxxxx: code, Word IN
+    manufacturerError,      // 980000xx: code, Word IN
+    noValidPosition,        // 80000000
+    otherDeviceError,       // number, Word IN
+    noAnswer,               // seconds, Word OUT, Word IN
+    noAnswerAtGateway,      // the same: its registers may be others
+    verificationFailed,     // Parameter, wanted, read
+    unknownState,           // Word IN
+    restarted,              // Word IN: parameterization ended without run
+    camWordRefused,         // Word OUT, Word IN: the text says what the word does
+    camsInParameterization, // Word OUT, Word IN: a parameterization that was already open before the job
+    camPositionAboveRange,  // cam, Word IN; or Word IN alone if the cam is not known
+    lostInCamMode,          // error 3 in cam mode: Word IN
+    camVerificationFailed,  // program
+    serviceRefused,         // service number, Word IN
+    magnetOutOfRange,       // Word IN
+    noValuesFromBefore,     // place
+    escCommandUnknown,      // command: the encoder answered 03
+    escOutOfRange,          // command with its data: the encoder answered 05
+    escNoAnswer,            // command, tries
+    escNotSentInTime,       // seconds without an answer since it was confirmed
+    escReadsDisagree,       // Parameter, one value, the other
+    escWriteUnknown,        // command: no answer, and what the encoder has now could not be read
+    escWriteNotDone,        // command: no answer, and the encoder has the old value
+    escPresetUnproven,      // command, preset: accepted, but neither S nor the position shows it
+    presetNotTaken,         // position by the preset, position shown (or IN)
+    presetUsedUp,           // the same: the preset flag of a FRABA was 0
+    presetNotKnownWithout,  // Parameter that is not known, position shown (or IN)
+    presetNotKnown,         // position shown (or IN)
+    escNotFoundAgain,       // where it was looked for
+    escFactorFitsNothing,   // factor, steps, measuring range, as reported by the encoder
+    encoderSilent,          // place
+    // link
+    linkFailed,           // text of the link
+    ringDiffers,          // place, configured, found
+    busFault,             // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
+    notInRing,            // place
+    ringStands,           // status register of the gateway
+    ringFailed,           // the same
+    ringFailedAt,         // status register of the gateway, text of the place
+    databaseFailed,       // file, reason
+    recordingGone,        // file
+    damagedBlocks,        // file, blocks of samples
+    diskAlmostFull,       // file, free MB, MB that are to stay free
+    serverAway,           // address, reason, MB that wait
+    notAllSent,           // address, reason, MB that wait, file
+    portNotFound,         // port
+    portInUse,            // port
+    portNoRights,         // port, group that may use it, command that adds the user to it
+    portLost,             // port: the adapter was unplugged
+    portOfOther,          // port, the adapter that was expected
+    lineClosed,           //
+    hostNotFound,         // host
+    connectionRefused,    // address
+    connectionSilent,     // address, seconds
+    connectionClosed,     // address
+    serverPortTaken,      // port
+    serverPortPrivileged, // port
+    serverAddressNotOurs, // address
+    realRingNotOffered,   //
+    closedRingNotOffered, //
+    registersUnanswered,  // link, text of the registers, tries
+    registersLate,        // the same; answers come too late
+    registersRefused,     // link, text of the registers, code of the exception, its meaning
+    registersGarbled,     // link, text of the registers, what was wrong
+    outAreaTooShort,      // link, text of the registers
+    outputsBlocked,       // link, text of the registers
+    notConnected,         // place
+    deviceDiffers,        // place, planned, connected
+    serialDiffers,        // place, serial number on the label, serial number reported by the encoder
+    // stopped
+    cancelled,      //
+    alarmStop,      //
+    busStopped,     //
+    computerSlept,  //
+    outsOfOther,    // somebody else writes to the outputs of the bus
+    stoppedInWrite, // command: whether it was carried out is not known
+};
+inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::stoppedInWrite) + 1;
+
+using RefusalArgument =
+    std::variant<std::int64_t, double, Word, Parameter, QString>; // a Word is shown as hex
+
+struct Refusal
+{
+    RefusalKind kind = RefusalKind::badInput;
+    RefusalId id = RefusalId::nothingToDo;
+    std::vector<RefusalArgument> arguments;
+
+    friend bool operator==(const Refusal &, const Refusal &) = default;
+};
+
+template <typename T>
+using Result = tl::expected<T, Refusal>;
+
+inline tl::unexpected<Refusal> refuse(RefusalKind kind, RefusalId id,
+                                      std::vector<RefusalArgument> arguments = {})
+{
+    return tl::unexpected(Refusal{kind, id, std::move(arguments)});
+}
+
+} // namespace codewheel

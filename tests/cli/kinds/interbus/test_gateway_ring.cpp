@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands on a ring behind a real Modbus server.
+#include "journal/ledger.h"
+#include "project/project_file.h"
+#include "tests/cli/kinds/interbus/gateway_peer.h"
+
+#include <QJsonArray>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+QString line(const char *text)
+{
+    return QString::fromLatin1(text);
+}
+
+TEST(CliGatewayRing, AMonitorShowsWordsAndFiguresAndWritesNothing)
+{
+    GatewayPeer peer;
+    const CliRun run = RingProject().run(line("monitor 2.0 --for 1"), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("000007D0"));
+    EXPECT_THAT(run.out, HasSubstr("Transactions: "));
+    EXPECT_THAT(run.out, HasSubstr("Answer time: "));
+    EXPECT_THAT(run.out, Not(HasSubstr("(0.0 a second)")));
+    EXPECT_EQ(peer.writes(), 0);
+}
+
+TEST(CliGatewayRing, FiguresAreForProgramsToo)
+{
+    GatewayPeer peer(line("--devices 1"));
+    const auto figures = RingProject(1)
+                             .run(line("monitor 1.0 --for 2 --json"), peer.link(line("status=0,interval=10")))
+                             .json()[u"figures"]
+                             .toObject();
+    EXPECT_GT(figures[u"transactions"].toInt(), 10);
+    EXPECT_GT(figures[u"exchanges"].toInt(), 5);
+    EXPECT_GT(figures[u"exchangesPerSecond"].toDouble(), 1.0);
+    EXPECT_EQ(figures[u"connections"].toInt(), 1);
+    EXPECT_EQ(figures[u"connectionsLost"].toInt(), 0);
+    EXPECT_GT(figures[u"answerTime"].toObject()[u"longest"].toInt(), 0);
+    EXPECT_EQ(figures[u"status"].toInt(), 0); // the high word of 1.0
+    EXPECT_EQ(figures[u"exceptions"].toObject(), QJsonObject());
+}
+
+TEST(CliGatewayRing, ReadingGoesToOperateAndBack)
+{
+    GatewayPeer peer;
+    const CliRun run = RingProject().run(line("read 3.0 --json"), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("4713")); // its serial number
+    EXPECT_GT(peer.writes(), 0);
+    EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
+}
+
+TEST(CliGatewayRing, WritingIsAskedForAndCountedWhereThoseOfRealEncodersAre)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    EXPECT_EQ(project.run(line("write 1.0 steps=1000"), peer.link()).exit, 2); // nobody to ask
+    EXPECT_EQ(peer.writes(), 0);
+    const CliRun written = project.run(line("write 1.0 steps=1000 --yes"), peer.link());
+    EXPECT_EQ(written.exit, 0) << written.err;
+    EXPECT_THAT(written.out, HasSubstr("read back"));
+    EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
+    const auto ledger = Ledger::open(DatabasePlace::file(project.path(line("ledger.sqlite"))));
+    ASSERT_TRUE(ledger);
+    ASSERT_EQ(ledger->accounts().size(), 1U);
+    EXPECT_EQ(ledger->accounts().front().count.writes, 1);
+}
+
+TEST(CliGatewayRing, LowWordFirstHoldsBothWays)
+{
+    GatewayPeer peer(line("--low-word-first"));
+    const CliRun run =
+        RingProject().run(line("preset 2.0 77 --in-position-mode --json"), peer.link(line("order=low")));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(run.json()[u"positionBefore"].toInt(), 2000);
+    EXPECT_EQ(run.json()[u"positionAfter"].toInt(), 77);
+}
+
+TEST(CliGatewayRing, TheFrabaPresetIsRefusedWithoutWriting)
+{
+    GatewayPeer peer;
+    const CliRun preset =
+        RingProject().run(line("preset 1.0 --fraba --in-position-mode --json"), peer.link());
+    EXPECT_EQ(preset.exit, 1);
+    EXPECT_EQ(errorKey(preset), "linkDoesNotBoundCycles");
+    const CliRun words = RingProject().run(line("words 1.0 60000000 --json"), peer.link());
+    EXPECT_EQ(words.exit, 1);
+    EXPECT_EQ(errorKey(words), "linkDoesNotBoundCycles");
+    EXPECT_EQ(peer.writes(), 0);
+}
+
+TEST(CliGatewayRing, WordsAreSentAndTraced)
+{
+    GatewayPeer peer;
+    const CliRun run = RingProject().run(line("words 2.0 20210000 00000000 --json"), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(rowsOf(run.json()), testing::Contains("20210000 A0001268"));
+    EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
+}
+
+TEST(CliGatewayRing, AnAlarmStopSaysThatItsZerosArrived)
+{
+    GatewayPeer peer;
+    const CliRun run = RingProject().run(line("master alarm-stop"), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("were read back as 00000000"));
+    EXPECT_GT(peer.writes(), 0);
+}
+
+TEST(CliGatewayRing, SomebodyElseWhoWritesIsNamed)
+{
+    GatewayPeer peer(line("--other-writer 3"));
+    const CliRun run = RingProject().run(line("write 1.0 steps=1000 --yes --json"), peer.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "outNotOurs");
+    EXPECT_THAT(run.err, HasSubstr("Somebody else writes to 2.0: OUT is 80000000 there"));
+    EXPECT_TRUE(peer.out().endsWith(line(" 80000000 00000000"))); // nobody has overwritten it
+}
+
+TEST(CliGatewayRing, OutThatCannotBeReadBackIsSaidOnce)
+{
+    GatewayPeer peer(line("--no-read-back"));
+    const CliRun run = RingProject().run(line("monitor 1.0 --for 1"), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    const auto first = run.err.find("cannot be read back");
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(run.err.find("cannot be read back", first + 1), std::string::npos);
+    EXPECT_THAT(run.out, HasSubstr("  -    000003E8  not known  Running, position 1000"));
+    const CliRun told = RingProject().run(line("monitor 1.0 --for 1 --json"), peer.link());
+    EXPECT_EQ(told.json()[u"samples"].toArray().first()[u"out"], QJsonValue());
+    EXPECT_EQ(peer.writes(), 0);
+}
+
+TEST(CliGatewayRing, ALinkThatIsLostIsExit1)
+{
+    GatewayPeer peer;
+    const QString link = peer.link();
+    EXPECT_EQ(RingProject().run(line("monitor 1.0 --for 1"), link).exit, 0);
+    peer.vanish();
+    EXPECT_EQ(errorKey(RingProject().run(line("monitor 1.0 --for 1 --json"), link)), "connectionRefused");
+}
+
+// The peer is gone once it has taken run: the values are in force, and nobody has seen it.
+TEST(CliGatewayRing, WhatWasSentAndNotAnsweredIsNotKnown)
+{
+    const RingProject project;
+    for (const char *word : {"80000000", "020000FF"}) {
+        GatewayPeer peer(line("--vanish-behind ") + line(word));
+        const CliRun run = project.run(line("write 1.0 steps=255 --yes --all"), peer.link());
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_THAT(run.out, HasSubstr("sent: it is not known whether the encoder has it"));
+        EXPECT_THAT(run.out, Not(HasSubstr("did not become active")));
+        EXPECT_THAT(run.out, HasSubstr(std::string("OUT may still hold ") + word));
+        EXPECT_THAT(run.out, testing::AnyOf(HasSubstr("EEPROM writes:   1"),
+                                            HasSubstr("EEPROM writes:   0, perhaps 1 more")));
+        EXPECT_THAT(run.err,
+                    HasSubstr("In which state the encoder is, is not known until it is seen again."));
+        EXPECT_THAT(run.err, Not(HasSubstr("The encoder was left in parameterization")));
+    }
+    GatewayPeer peer(line("--vanish-behind 80000000"));
+    const CliRun run = project.run(line("write 1.0 steps=255 --yes --all --json"), peer.link());
+    const QJsonObject doubt = run.json()[u"inDoubt"].toObject();
+    EXPECT_EQ(doubt[u"values"].toArray().size(), 1);
+    EXPECT_EQ(doubt[u"out"].toArray(), (QJsonArray{line("80000000"), line("020000FF")})) << "either of them";
+    EXPECT_FALSE(doubt[u"position"].toBool());
+    EXPECT_EQ(run.json()[u"leftIn"].toString(), line("unknown"));
+}
+
+TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
+{
+    GatewayPeer peer(line("--vanish-behind 20210001"));
+    EXPECT_THAT(RingProject().run(line("read 1.0 steps"), peer.link()).out,
+                HasSubstr("OUT may still hold 20210001"));
+    GatewayPeer other(line("--vanish-behind 20210001"));
+    const CliRun run = RingProject().run(line("read 1.0 steps --json"), other.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.json()[u"inDoubt"].toObject()[u"out"].toArray(), QJsonArray{line("20210001")});
+}
+
+TEST(CliGatewayRing, WrongUnitsAndShortImagesAreSaid)
+{
+    GatewayPeer peer(line("--unit 5 --registers 4"));
+    const RingProject project;
+    const QString quick = line(",time-out=300,retries=1");
+    const CliRun unit = project.run(line("monitor 1.0 --json"), peer.link() + quick);
+    EXPECT_EQ(unit.exit, 1);
+    EXPECT_THAT(errorKey(unit), testing::AnyOf("registersUnanswered", "registersRefused"));
+    const CliRun image = project.run(line("monitor 1.0 --json"), peer.link(line("unit=5")) + quick);
+    EXPECT_EQ(image.exit, 1);
+    EXPECT_EQ(errorKey(image), "registersRefused");
+    EXPECT_THAT(image.err, HasSubstr("Its image is shorter"));
+    EXPECT_EQ(RingProject(2).run(line("monitor 1.0 --for 1"), peer.link(line("unit=5"))).exit, 0);
+}
+
+TEST(CliGatewayRing, ASettingThatFitsNoImageIsBadInput)
+{
+    const CliRun run = RingProject().run(line("monitor 1.0 --json"),
+                                         line("modbus-tcp:127.0.0.1:1,in-area=holding")); // where OUT is
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_EQ(errorKey(run), "registerMapWrong");
+}
+
+TEST(CliGatewayRing, TheProjectLeadsToItsGateway)
+{
+    GatewayPeer peer;
+    const RingProject project(3, plannedLink(peer));
+    for (const char *link : {"project", "interbus:project", "interbus:project,interval=5"}) {
+        const CliRun run = project.run(line("monitor 3.0 --for 1"), line(link));
+        EXPECT_EQ(run.exit, 0) << link << run.err;
+        EXPECT_THAT(run.out, HasSubstr("00000BB8")) << link;
+    }
+    EXPECT_EQ(errorKey(project.run(line("monitor 3.0 --json"), line("interbus:project,unit=x"))),
+              "linkSettingWrong");
+    EXPECT_EQ(peer.writes(), 0);
+}
+
+TEST(CliGatewayRing, APlanWithoutAHostSaysSo)
+{
+    const RingProject project(1, {line("modbus-tcp"), {}});
+    const CliRun run = project.run(line("monitor 1.0 --json"), line("project"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "noGatewayInProject");
+}
+
+TEST(CliGatewayRing, ATransferWritesOnlyWhenItIsToldTo)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    auto wanted = loadProject(project.file());
+    ASSERT_TRUE(wanted);
+    wanted->devices[0].wanted = {{Parameter::steps, 500}};
+    wanted->devices[2].wanted = {{Parameter::steps, 700}};
+    ASSERT_TRUE(saveProject(*wanted, project.file()));
+    const QString transfer = QStringLiteral("transfer %1 --ledger %2 --link %3 %4")
+                                 .arg(project.file(), project.path(line("ledger.sqlite")), peer.link());
+    const CliRun dry = runLine(transfer.arg(line("--dry-run")));
+    EXPECT_EQ(dry.exit, 0) << dry.err;
+    EXPECT_THAT(dry.out, HasSubstr("500"));
+    EXPECT_EQ(peer.writes(), 0);
+    const CliRun done = runLine(transfer.arg(line("--yes")));
+    EXPECT_EQ(done.exit, 0) << done.err;
+    EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
+    EXPECT_THAT(project.run(line("read 3.0 steps"), peer.link()).out, HasSubstr("700"));
+}
+
+TEST(CliGatewayRing, WhatTheEncodersHaveIsStoredInTheProject)
+{
+    GatewayPeer peer(line("--devices 2"));
+    const RingProject project(2);
+    const CliRun run = runLine(QStringLiteral("store %1 --link %2").arg(project.file(), peer.link()));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("8192"));
+    const auto stored = loadProject(project.file());
+    ASSERT_TRUE(stored);
+    EXPECT_FALSE(stored->devices[1].stored.empty());
+}
+
+TEST(CliGatewayRing, IsRecordedInAThread)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    const CliRun run = project.run(
+        QStringLiteral("record 1.0 -o %1 --for 1 --json").arg(project.path(line("ring.cwrec"))), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(peer.writes(), 0);
+}
+
+TEST(CliGatewayRing, WorksOverASerialLine)
+{
+    GatewayPeer peer(line("--rtu --devices 1"));
+    const CliRun run = RingProject(1).run(line("read 1.0 serial-number --json"), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("4711"));
+    const CliRun taken = RingProject(1).run(line("monitor 1.0 --for 1 --json"), peer.link(line("unit=9")));
+    EXPECT_EQ(errorKey(taken), "registersUnanswered");
+}
+
+} // namespace
+} // namespace codewheel

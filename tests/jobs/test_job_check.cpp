@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
+#include "jobs/job_check.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+struct WideRange
+{
+    QStringView device;
+    Parameter parameter;
+    std::int64_t largest; // that fits the data field
+};
+
+// A range that slipped past the catalog: what does not fit the field would be cut off silently.
+TEST(JobCheck, RefusesWhatTheDataFieldCannotHoldWhateverTheDescriptionSays)
+{
+    const Catalog catalog = Catalog::builtIn();
+    for (const WideRange &row : {WideRange{u"fraba-ocd-ib", Parameter::steps, 33'554'431},
+                                 WideRange{u"tr-la66", Parameter::measuringLength, 16'777'215}}) {
+        DeviceDescription device = *catalog.find(row.device);
+        for (ParameterDescription &each : device.parameters) {
+            each.minimum = -1;
+            each.maximum = 1'099'511'627'776;
+        }
+        EXPECT_TRUE(checkValue(device, {row.parameter, row.largest}));
+        for (const std::int64_t value :
+             {std::int64_t{-1}, row.largest + 1, std::int64_t{1'099'511'627'776}}) {
+            const Result<void> checked = checkValue(device, {row.parameter, value});
+            ASSERT_FALSE(checked) << value;
+            EXPECT_EQ(checked.error(), (Refusal{RefusalKind::badInput,
+                                                RefusalId::valueOutOfRange,
+                                                {row.parameter, value, std::int64_t{0}, row.largest}}));
+        }
+    }
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/kinds/interbus/gateway/gateway_ring.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+
+class GatewayLinkTest : public testing::Test
+{
+protected:
+    void make(int devices, const GatewaySettings &settings = {})
+    {
+        link = std::make_unique<GatewayLink>(std::make_unique<RegisterBankPort>(bank), settings,
+                                             k3Ring(devices));
+        in.assign(static_cast<std::size_t>(devices), 0);
+        out = in;
+    }
+    void makeOpen(int devices, const GatewaySettings &settings = {})
+    {
+        make(devices, settings);
+        ASSERT_TRUE(link->open());
+    }
+    void setOut(int device, Word word)
+    {
+        bank->holding[2 * device] = static_cast<Register>(word >> 16);
+        bank->holding[2 * device + 1] = static_cast<Register>(word);
+    }
+
+    std::shared_ptr<RegisterBank> bank = std::make_shared<RegisterBank>();
+    std::unique_ptr<GatewayLink> link;
+    std::vector<Word> in;
+    std::vector<Word> out;
+};
+
+TEST_F(GatewayLinkTest, ConnectingAndWatchingWriteNothing)
+{
+    makeOpen(3);
+    ASSERT_TRUE(link->readBackOut());
+    for (int i = 0; i < 100; ++i)
+        ASSERT_TRUE(link->watch(out, in));
+    EXPECT_EQ(bank->writes, 0);
+}
+
+TEST_F(GatewayLinkTest, WatchShowsWhatSomebodyElseWrites)
+{
+    makeOpen(2);
+    setOut(1, 0x0200'00FF);
+    ASSERT_TRUE(link->watch(out, in));
+    ASSERT_TRUE(link->watch(out, in));
+    EXPECT_EQ(out, (std::vector<Word>{0, 0x0200'00FF}));
+}
+
+// Its OUT words take two writes.
+TEST_F(GatewayLinkTest, WhatAnInterruptedExchangeDidNotWriteIsNotSomebodyElses)
+{
+    makeOpen(70);
+    out.assign(70, 0x0200'00FF);
+    bank->onWrite = [this] {
+        if (bank->writes == 1)
+            link->interrupt();
+    };
+    const auto interrupted = link->exchange(out, in);
+    ASSERT_FALSE(interrupted);
+    EXPECT_EQ(interrupted.error().kind, RefusalKind::stopped);
+    EXPECT_TRUE(link->exchange(out, in));
+    EXPECT_EQ(link->readBackOut(), out);
+}
+
+TEST_F(GatewayLinkTest, AForeignWordIsNamedAndNotOverwritten)
+{
+    makeOpen(2);
+    out = {0x0200'00FF, 0};
+    ASSERT_TRUE(link->exchange(out, in));
+    setOut(1, 0x8000'0000);
+    const int writes = bank->writes;
+    const auto exchanged = link->exchange(out, in);
+    ASSERT_FALSE(exchanged);
+    EXPECT_EQ(exchanged.error(), (Refusal{RefusalKind::busy,
+                                          RefusalId::outNotOurs,
+                                          {QStringLiteral("2.0"), Word{0}, Word{0x8000'0000}}}));
+    EXPECT_EQ(bank->writes, writes);
+    EXPECT_EQ(link->readBackOut(), (std::vector<Word>{0x0200'00FF, 0x8000'0000}));
+}
+
+TEST_F(GatewayLinkTest, WhatIsOnTheGatewayWhenConnectingCountsAsOurs)
+{
+    setOut(0, 0x8000'0000);
+    makeOpen(1);
+    out = link->readBackOut().value();
+    EXPECT_EQ(out, std::vector<Word>{0x8000'0000});
+    EXPECT_TRUE(link->exchange(out, in));
+    setOut(0, 0);
+    EXPECT_FALSE(link->exchange(out, in));
+}
+
+TEST_F(GatewayLinkTest, ZerosGoOutWhateverIsThereAndAreReadBack)
+{
+    makeOpen(2);
+    ASSERT_TRUE(link->readBackOut());
+    setOut(1, 0x8000'0000);
+    EXPECT_EQ(link->sendZeros(in).value().areThere, std::optional(true));
+    EXPECT_EQ(link->readBackOut(), std::vector<Word>(2));
+    bank->onWrite = [this] { setOut(1, 0x8000'0000); };
+    const auto overwritten = link->sendZeros(in).value();
+    EXPECT_EQ(overwritten.areThere, std::optional(false));
+    EXPECT_EQ(overwritten.notZero, QStringLiteral("2.0 80000000 (register 2)"));
+}
+
+TEST_F(GatewayLinkTest, ZerosThatCannotBeReadBackAreNotSaidToHaveArrived)
+{
+    makeOpen(1, {.readsBack = false});
+    EXPECT_EQ(link->sendZeros(in).value().areThere, std::optional<bool>());
+    EXPECT_EQ(bank->writes, 1);
+}
+
+TEST_F(GatewayLinkTest, AGatewayThatDoesNotTellOutWorksWithoutIt)
+{
+    bank->holdingEnd = 0;
+    makeOpen(1);
+    const auto back = link->readBackOut();
+    ASSERT_FALSE(back);
+    EXPECT_EQ(back.error().id, RefusalId::outNotReadBack);
+    EXPECT_TRUE(link->watch(out, in));
+}
+
+// What could not be read back is not overwritten with zeros: somebody else may have set it.
+TEST_F(GatewayLinkTest, AnOutAreaThatIsShorterThanTheRingIsRefused)
+{
+    for (const int devices : {70, 50, 2}) { // two reads, one read, one register
+        bank->holdingEnd = 2 * devices - 1;
+        bank->writes = 0;
+        makeOpen(devices);
+        const auto back = link->readBackOut();
+        ASSERT_FALSE(back);
+        EXPECT_EQ(back.error().id, RefusalId::outAreaTooShort);
+        EXPECT_EQ(bank->writes, 0);
+    }
+}
+
+TEST_F(GatewayLinkTest, ABusyGatewayIsWaitedForUntilThePatienceEnds)
+{
+    for (const int code : {5, 6, 10, 11}) {
+        bank->busyCode = code;
+        bank->busyUntil = {};
+        makeOpen(1);
+        ASSERT_TRUE(link->readBackOut());
+        bank->busyUntil = link->now() + 1900ms;
+        EXPECT_TRUE(link->exchange(out, in)) << code;
+        EXPECT_GE(link->now(), bank->busyUntil);
+        const auto retries = link->figures()->retries;
+        EXPECT_LE(retries, 10U) << "not one after the other";
+        bank->busyUntil = link->now() + 1h;
+        const Instant begun = link->now();
+        const auto exchanged = link->exchange(out, in);
+        ASSERT_FALSE(exchanged);
+        EXPECT_EQ(exchanged.error().id, RefusalId::registersRefused);
+        EXPECT_GE(link->now() - begun, 2s);
+        EXPECT_LT(link->now() - begun, 2200ms);
+    }
+}
+
+TEST_F(GatewayLinkTest, AnImageThatIsTooShortIsNoticedWhenConnecting)
+{
+    bank->inputEnd = 5;
+    make(3);
+    const auto opened = link->open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().id, RefusalId::registersRefused);
+}
+
+TEST_F(GatewayLinkTest, WithoutDevicesThereIsNothingToExchange)
+{
+    make(0);
+    const auto opened = link->open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().id, RefusalId::gatewayHasNoDevices);
+}
+
+TEST_F(GatewayLinkTest, AWordThatNeverAgreesIsNotUpToDate)
+{
+    makeOpen(1);
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(link->watch(out, in));
+    EXPECT_TRUE(link->isUpToDate(0));
+    struct Restless final : RegisterBankPort
+    {
+        using RegisterBankPort::RegisterBankPort;
+        Done read(RegisterArea area, int first, std::span<Register> to) override
+        {
+            bank().input[0] = static_cast<Register>(0xC000 + ++count % 100);
+            return RegisterBankPort::read(area, first, to);
+        }
+        int count = 0;
+    };
+    GatewayLink restless(std::make_unique<Restless>(bank), {}, k3Ring(1));
+    ASSERT_TRUE(restless.open());
+    for (int i = 0; i < 200; ++i)
+        ASSERT_TRUE(restless.watch(out, in));
+    EXPECT_FALSE(restless.isUpToDate(0));
+    EXPECT_GE(restless.figures()->tornWords, 9u);
+}
+
+TEST_F(GatewayLinkTest, ExchangesAreAnIntervalApart)
+{
+    makeOpen(1, {.pollInterval = std::chrono::milliseconds(50)});
+    const Instant begun = link->now();
+    ASSERT_TRUE(link->watch(out, in));
+    int turns = 0;
+    for (; !link->isDue(); ++turns)
+        link->wait(link->now() + std::chrono::milliseconds(10));
+    EXPECT_GE(turns, 4) << "turns are shorter";
+    EXPECT_GE(link->now() - begun, std::chrono::milliseconds(50));
+    EXPECT_LE(link->now() - begun, std::chrono::milliseconds(51));
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Why there is no data of a ring: what each cause makes differ first, and what is said about it.
+#include "bus/data_check.h"
+#include "bus/word_channel.h"
+#include "catalog/catalog.h"
+#include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/simulator/training_bus.h"
+#include "tests/support/places.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+class RingChecks : public testing::Test
+{
+protected:
+    // What is known of its encoders decides whether their positions are.
+    RingChecks()
+    {
+        EXPECT_TRUE(bus.open(RingSession::Start::operating));
+        for (const TrainingParticipant &participant : trainingPlan(catalog))
+            for (const auto *known : {&participant.known, &participant.knownInWindow})
+                for (const ParameterValue &value : *known)
+                    bus.encoder(participant.number)->tell(value.parameter, value.value);
+    }
+
+    void befall(TrainingFault fault, Place place)
+    {
+        training.controls->setFault(fault, place.node, 1);
+        frames();
+    }
+    void write(Place place, Word word)
+    {
+        bus.channel(place)->stage(word);
+        EXPECT_TRUE(bus.channel(place)->write());
+        frames();
+    }
+    void frames()
+    {
+        for (int i = 0; i < 25; ++i)
+            bus.advance(33);
+    }
+    DataChecks of(Place place) const { return bus.dataChecks(place.node, planned); }
+    void expectFirst(Place place, DataCheck::Id id, const char *remedy, DataCheck::Action action) const
+    {
+        const DataChecks checks = of(place);
+        const DataCheck *first = firstDifference(checks);
+        ASSERT_NE(first, nullptr);
+        EXPECT_EQ(first->id, id) << first->what.toStdString();
+        EXPECT_TRUE(first->remedy.startsWith(QLatin1String(remedy))) << first->remedy.toStdString();
+        EXPECT_EQ(first->action, action);
+    }
+
+    const Catalog catalog = Catalog::builtIn();
+    TrainingBus training = makeTrainingBus(catalog);
+    RingSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2))};
+    std::vector<Participant> planned{};
+};
+
+TEST_F(RingChecks, WhereDataComesAllIsAsExpectedUpToThePosition)
+{
+    frames();
+    const DataChecks checks = of("2.0"_ring);
+    EXPECT_EQ(firstDifference(checks), nullptr);
+    EXPECT_TRUE(std::ranges::all_of(checks, [](const DataCheck &check) {
+        return check.outcome == DataCheck::Outcome::asExpected && check.remedy.isEmpty();
+    }));
+    ASSERT_NE(findCheck(checks, DataCheck::Id::position), nullptr);
+    EXPECT_FALSE(findCheck(checks, DataCheck::Id::position)->came.isEmpty());
+}
+
+// A ring that stands still behind a gateway shows the same for ever.
+TEST_F(RingChecks, AWordThatDoesNotChangeSaysSinceWhen)
+{
+    const auto came = [this](Place place) {
+        const DataChecks checks = of(place);
+        const DataCheck *check = findCheck(checks, DataCheck::Id::upToDate);
+        return check != nullptr ? check->came : QString();
+    };
+    frames();
+    EXPECT_EQ(came("1.0"_ring), QStringLiteral("0 s ago"));
+    bus.advance(11s);
+    EXPECT_TRUE(came("1.0"_ring).startsWith(QStringLiteral("0 s ago, the same since ")))
+        << came("1.0"_ring).toStdString();
+    EXPECT_EQ(came("2.0"_ring), QStringLiteral("0 s ago")) << "its shaft turns";
+    const auto stood = bus.encoder("1.0"_ring)->unchangedSince();
+    bus.encoder("1.0"_ring)->tell(Parameter::startUpMode, 1);
+    frames();
+    EXPECT_EQ(bus.encoder("1.0"_ring)->unchangedSince(), stood) << "the meaning was told, the word stands";
+    EXPECT_EQ(bus.encoder("2.0"_ring)->unchangedSince(), bus.encoder("2.0"_ring)->latest().at);
+    training.controls->turnBy("1.0"_ring.node, 100);
+    frames();
+    EXPECT_EQ(came("1.0"_ring), QStringLiteral("0 s ago"));
+    const auto before = bus.encoder("1.0"_ring)->unchangedSince();
+    bus.setRunning(false);
+    frames();
+    EXPECT_FALSE(bus.encoder("1.0"_ring)->unchangedSince()) << "what came meanwhile was not seen";
+    bus.setRunning(true);
+    frames();
+    EXPECT_GT(bus.encoder("1.0"_ring)->unchangedSince(), before);
+}
+
+TEST_F(RingChecks, ThatNothingCanBeWrittenInWatchIsOnlyARemark)
+{
+    bus.setOperate(false);
+    frames();
+    const DataChecks checks = of("2.0"_ring);
+    EXPECT_EQ(firstDifference(checks), nullptr);
+    const DataCheck *writing = findCheck(checks, DataCheck::Id::writing);
+    ASSERT_NE(writing, nullptr);
+    EXPECT_EQ(writing->outcome, DataCheck::Outcome::remark);
+    EXPECT_EQ(writing->action, DataCheck::Action::operate);
+}
+
+TEST_F(RingChecks, ABusThatIsNotConnectedSaysSoFirst)
+{
+    bus.close();
+    for (const Place place : {"2.0"_ring, Place{firstRing, {}}}) {
+        expectFirst(place, DataCheck::Id::link, "The bus is not connected.", DataCheck::Action::connectBus);
+        EXPECT_EQ(of(place).size(), 1U);
+    }
+}
+
+TEST_F(RingChecks, WhoStoppedTheRingIsSaid)
+{
+    frames();
+    bus.setRunning(false);
+    frames();
+    expectFirst("2.0"_ring, DataCheck::Id::running, "The ring was stopped from here.",
+                DataCheck::Action::start);
+    bus.setRunning(true);
+    frames();
+    EXPECT_EQ(firstDifference(of("2.0"_ring)), nullptr);
+    bus.alarmStop();
+    frames();
+    expectFirst("2.0"_ring, DataCheck::Id::running, "ALARM STOP has stopped the ring.",
+                DataCheck::Action::start);
+}
+
+TEST_F(RingChecks, AWireBreakIsToldWithItsPlaceAndWhatIsBehindItIsNotKnown)
+{
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    expectFirst("2.0"_ring, DataCheck::Id::running, "The cable between 3.0 and 4.0 is interrupted",
+                DataCheck::Action::start);
+    const DataChecks checks = of("2.0"_ring);
+    EXPECT_TRUE(firstDifference(checks)->came.startsWith(QStringLiteral("BUS FAIL at 4.0")))
+        << firstDifference(checks)->came.toStdString();
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::position)->outcome, DataCheck::Outcome::notKnown);
+    EXPECT_TRUE(findCheck(checks, DataCheck::Id::position)->came.isEmpty());
+}
+
+TEST_F(RingChecks, ADeviceThatIsSwitchedOffIsNotReached)
+{
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    bus.switchSegment(4, false);
+    frames();
+    bus.setRunning(true);
+    frames();
+    EXPECT_EQ(firstDifference(of("2.0"_ring)), nullptr);
+    expectFirst("4.0"_ring, DataCheck::Id::reached, "4.0 is not in the ring", DataCheck::Action::none);
+}
+
+TEST_F(RingChecks, AnEncoderWithoutSupplyIsARemarkSinceItMayBeAtZero)
+{
+    frames();
+    befall(TrainingFault::powerOff, "2.0"_ring);
+    const DataChecks checks = of("2.0"_ring);
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::state)->outcome, DataCheck::Outcome::remark);
+    EXPECT_TRUE(findCheck(checks, DataCheck::Id::state)
+                    ->remedy.startsWith(QStringLiteral("IN of 2.0 fell to 00000000")));
+}
+
+TEST_F(RingChecks, AnErrorIsToldWithItsNumber)
+{
+    frames();
+    befall(TrainingFault::codeDiscFault, "2.0"_ring);
+    expectFirst("2.0"_ring, DataCheck::Id::state, "2.0: Error 15: ", DataCheck::Action::monitor);
+    EXPECT_TRUE(firstDifference(of("2.0"_ring))->came.startsWith(QStringLiteral("error 15 (IN 9E000000)")));
+    expectFirst({firstRing, {}}, DataCheck::Id::devices, "2.0: Error 15: ", DataCheck::Action::none);
+}
+
+TEST_F(RingChecks, ParameterizationIsTold)
+{
+    frames();
+    write("2.0"_ring, 0x0200'00FF);
+    expectFirst("2.0"_ring, DataCheck::Id::state, "The encoder is in parameterization",
+                DataCheck::Action::monitor);
+}
+
+TEST_F(RingChecks, AReadOutValueIsNotTakenForAPosition)
+{
+    frames();
+    write("1.0"_ring, 0x2021'0001);
+    expectFirst("1.0"_ring, DataCheck::Id::state, "The encoder tests itself, or shows a value",
+                DataCheck::Action::monitor);
+}
+
+TEST_F(RingChecks, AFaultOfThePeripheryIsARemarkOfItsDeviceOnly)
+{
+    frames();
+    befall(TrainingFault::peripheralFault, "3.0"_ring);
+    const DataChecks checks = of("3.0"_ring);
+    EXPECT_EQ(firstDifference(checks), nullptr) << "the ring runs on: its data comes all the same";
+    const DataCheck &master = *findCheck(checks, DataCheck::Id::master);
+    EXPECT_EQ(master.outcome, DataCheck::Outcome::remark);
+    EXPECT_TRUE(master.remedy.startsWith(QStringLiteral("3.0 reports a fault of its periphery")));
+    EXPECT_EQ(findCheck(of("2.0"_ring), DataCheck::Id::master)->outcome, DataCheck::Outcome::asExpected);
+}
+
+TEST_F(RingChecks, AnotherDeviceThanPlannedIsTold)
+{
+    frames();
+    planned = bus.structure();
+    EXPECT_EQ(firstDifference(of("2.0"_ring)), nullptr);
+    const auto at = std::ranges::find(planned, "2.0"_ring.node, &Participant::number);
+    at->idCode = 0x33;
+    at->deviceCode = 0x0233;
+    at->deviceKey.clear();
+    expectFirst("2.0"_ring, DataCheck::Id::kind, "2.0: configured is ", DataCheck::Action::compare);
+    EXPECT_TRUE(findCheck(of("2.0"_ring), DataCheck::Id::kind)->expected.endsWith(QStringLiteral("33h")));
+}
+
+TEST_F(RingChecks, ADeviceThatIsOnlyPlannedIsNotThere)
+{
+    frames();
+    expectFirst("99.0"_ring, DataCheck::Id::reached, "99.0 is not in the ring", DataCheck::Action::compare);
+}
+
+} // namespace
+} // namespace codewheel

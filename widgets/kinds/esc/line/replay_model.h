@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/esc/line/line_replay.h"
+#include "kinds/esc/protocol/esc_explain.h"
+#include "widgets/models/table_model_base.h"
+
+namespace codewheel {
+
+struct ReplayRow
+{
+    ReplayStep step;
+    std::optional<LineReplay::Verdict> verdict; // nothing: not sent yet
+    QByteArray now;                             // the answer of today
+};
+
+// The requests of a recorded session that are sent again: the answers then and now.
+class ReplayModel : public TableModelBase<ReplayRow>
+{
+    Q_OBJECT
+
+public:
+    enum Column { meaning, request, then, now, result };
+
+    using TableModelBase::TableModelBase;
+
+    void setSteps(const std::vector<ReplayStep> &steps);
+    void setExplainOptions(const esc::ExplainOptions &options) { m_options = options; }
+    void setAnswer(int row, LineReplay::Verdict verdict, const QByteArray &answer);
+    int count(LineReplay::Verdict verdict) const;
+
+protected:
+    int columns() const override { return result + 1; }
+    QVariant headerCell(int column, int role) const override;
+    QVariant cell(const ReplayRow &row, int column, int role) const override;
+
+private:
+    QString text(const ReplayRow &row, int column) const;
+
+    esc::ExplainOptions m_options;
+};
+
+} // namespace codewheel

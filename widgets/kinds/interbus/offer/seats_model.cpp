@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/kinds/interbus/offer/seats_model.h"
+
+#include "vocabulary/hex.h"
+#include "widgets/kinds/interbus/offer/served_text.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/icons.h"
+#include "widgets/look/roles.h"
+
+namespace codewheel {
+namespace {
+
+QString wordText(std::optional<Word> word)
+{
+    return word ? hexWord(*word) : QStringLiteral("\u2013");
+}
+
+QString seatText(const Seat &seat, int column)
+{
+    switch (column) {
+    case SeatsModel::unit:
+        return QString::number(seat.unit);
+    case SeatsModel::clients:
+        return QString::number(seat.clients);
+    case SeatsModel::ring:
+        return seat.state;
+    case SeatsModel::in:
+        return wordText(seat.in);
+    case SeatsModel::out:
+        return wordText(seat.out);
+    case SeatsModel::faults:
+        return seat.faults;
+    default:
+        return ServedText::written(seat.written);
+    }
+}
+
+} // namespace
+
+void SeatsModel::show(const std::vector<Seat> &seats)
+{
+    if (seats.size() != rows().size()) {
+        setRows(seats);
+        return;
+    }
+    for (std::size_t i = 0; i < seats.size(); ++i)
+        if (rows()[i] != seats[i])
+            replace(static_cast<int>(i), seats[i]);
+}
+
+QVariant SeatsModel::headerCell(int column, int role) const
+{
+    static constexpr const char *titles[] = {
+        QT_TR_NOOP("Seat"),         QT_TR_NOOP("Clients"), QT_TR_NOOP("Ring"), QT_TR_NOOP("Faults"),
+        QT_TR_NOOP("Written last"), QT_TR_NOOP("IN"),      QT_TR_NOOP("OUT")};
+    static constexpr const char *tips[] = {
+        QT_TR_NOOP("Its number is the Modbus unit"),
+        QT_TR_NOOP("How many clients asked this unit last"),
+        QT_TR_NOOP("State of its ring"),
+        QT_TR_NOOP("What the trainer or a fault plan has caused in its ring, and is not over"),
+        QT_TR_NOOP(
+            "Device, OUT word, and when it was on the bus, whoever wrote it; not what stood there already"),
+        QT_TR_NOOP("IN word of the device that is chosen above"),
+        QT_TR_NOOP("OUT word of the device that is chosen above")};
+    if (role == Qt::TextAlignmentRole)
+        return QVariant((column <= clients ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    return role == Qt::DisplayRole   ? tr(titles[column])
+           : role == Qt::ToolTipRole ? tr(tips[column])
+                                     : QVariant();
+}
+
+QVariant SeatsModel::cell(const Seat &seat, int column, int role) const
+{
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::ToolTipRole:
+        return seatText(seat, column);
+    case Qt::DecorationRole:
+        return column == ring ? QVariant(lineIcon(roleIcon(seat.role), seat.role)) : QVariant();
+    case Qt::TextAlignmentRole:
+        return headerCell(column, role);
+    case Qt::FontRole:
+        return column == ring || column == faults ? QVariant() : QVariant(numberFont());
+    default:
+        return {};
+    }
+}
+
+} // namespace codewheel

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/kinds/interbus/offer/served_clients_model.h"
+
+#include "vocabulary/sentence.h"
+#include "widgets/kinds/interbus/offer/served_text.h"
+#include "widgets/look/fonts.h"
+
+namespace codewheel {
+namespace {
+
+bool isNumber(int column)
+{
+    return column == ServedClientsModel::unit ||
+           (column >= ServedClientsModel::requests && column <= ServedClientsModel::refused);
+}
+
+} // namespace
+
+// Both are in the order of their numbers.
+void ServedClientsModel::show(const std::vector<ServedClient> &clients)
+{
+    for (int row = rowCount() - 1; row >= 0; --row)
+        if (std::ranges::find(clients, rowAt(row).id, &ServedClient::id) == clients.end())
+            removeAt(row);
+    const std::size_t before = rows().size();
+    for (std::size_t i = 0; i < before; ++i)
+        if (rows()[i] != clients[i])
+            replace(static_cast<int>(i), clients[i]);
+    append({clients.begin() + static_cast<std::ptrdiff_t>(before), clients.end()});
+}
+
+QString ServedClientsModel::text(const ServedClient &client, int column)
+{
+    switch (column) {
+    case address:
+        return client.address;
+    case since:
+        return ServedText::time(client.since);
+    case unit:
+        return client.unit ? QString::number(*client.unit) : QStringLiteral("\u2013");
+    case requests:
+        return ServedText::count(client.requests);
+    case writes:
+        return ServedText::count(client.writes);
+    case refused:
+        return ServedText::count(client.refused);
+    default:
+        return ServedText::written(client.written);
+    }
+}
+
+QVariant ServedClientsModel::headerCell(int column, int role) const
+{
+    static constexpr const char *titles[] = {
+        QT_TR_NOOP("Client"), QT_TR_NOOP("Unit"),    QT_TR_NOOP("Wrote last"), QT_TR_NOOP("Requests"),
+        QT_TR_NOOP("Writes"), QT_TR_NOOP("Refused"), QT_TR_NOOP("Since")};
+    static constexpr const char *tips[] = {QT_TR_NOOP("Address and port of the client"),
+                                           QT_TR_NOOP("The unit of its last request; with seats, its seat"),
+                                           QT_TR_NOOP("Device, OUT word, and when it was on the bus"),
+                                           QT_TR_NOOP("Requests so far"),
+                                           QT_TR_NOOP("Requests that wrote something, and were carried out"),
+                                           QT_TR_NOOP("Requests that were answered with an exception"),
+                                           QT_TR_NOOP("When it connected")};
+    if (role == Qt::TextAlignmentRole)
+        return QVariant((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    return role == Qt::DisplayRole   ? tr(titles[column])
+           : role == Qt::ToolTipRole ? tr(tips[column])
+                                     : QVariant();
+}
+
+QVariant ServedClientsModel::cell(const ServedClient &client, int column, int role) const
+{
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::ToolTipRole:
+        return text(client, column);
+    case Qt::TextAlignmentRole:
+        return headerCell(column, role);
+    case Qt::FontRole:
+        return numberFont();
+    default:
+        return {};
+    }
+}
+
+} // namespace codewheel

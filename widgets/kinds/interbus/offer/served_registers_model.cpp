@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/kinds/interbus/offer/served_registers_model.h"
+
+#include "widgets/kinds/interbus/gateway/word_readings_model.h"
+#include "widgets/look/fonts.h"
+
+namespace codewheel {
+namespace {
+
+QString servedText(const ServedDevice &device, int column)
+{
+    switch (column) {
+    case ServedRegistersModel::place:
+        return device.registers.place.toString();
+    case ServedRegistersModel::in:
+        return registerRange(device.registers.in);
+    case ServedRegistersModel::inHolding:
+        return registerRange(device.registers.inHolding);
+    case ServedRegistersModel::out:
+        return registerRange(device.registers.out);
+    default:
+        return device.name;
+    }
+}
+
+} // namespace
+
+void ServedRegistersModel::show(std::vector<ServedDevice> devices)
+{
+    if (devices != rows())
+        setRows(std::move(devices));
+}
+
+QVariant ServedRegistersModel::headerCell(int column, int role) const
+{
+    static constexpr const char *titles[] = {QT_TR_NOOP("Place"), QT_TR_NOOP("IN, input"),
+                                             QT_TR_NOOP("IN, holding"), QT_TR_NOOP("OUT, holding"),
+                                             QT_TR_NOOP("Device")};
+    static constexpr const char *tips[] = {
+        QT_TR_NOOP("Number of the device in the ring"),
+        QT_TR_NOOP("Input registers of its IN word, counted from 0, high word first (function 4)"),
+        QT_TR_NOOP("Holding registers that show its IN word too (functions 3 and 23)"),
+        QT_TR_NOOP("Holding registers of its OUT word (functions 3, 6, 16, 22, 23)"),
+        QT_TR_NOOP("What it is")};
+    return role == Qt::DisplayRole   ? tr(titles[column])
+           : role == Qt::ToolTipRole ? tr(tips[column])
+                                     : QVariant();
+}
+
+QVariant ServedRegistersModel::cell(const ServedDevice &device, int column, int role) const
+{
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::ToolTipRole:
+        return servedText(device, column);
+    case Qt::FontRole:
+        return column == name ? QVariant() : QVariant(numberFont());
+    default:
+        return {};
+    }
+}
+
+} // namespace codewheel

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/interbus/gateway/served_table.h"
+#include "widgets/models/table_model_base.h"
+
+namespace codewheel {
+
+// A device that is offered, and the registers of its words.
+struct ServedDevice
+{
+    ServedRegisters registers;
+    QString name;
+
+    friend bool operator==(const ServedDevice &, const ServedDevice &) = default;
+};
+
+// The register map of an offered ring, for those who write a program for it.
+class ServedRegistersModel : public TableModelBase<ServedDevice>
+{
+    Q_OBJECT
+
+public:
+    enum Column : std::uint8_t { place, in, inHolding, out, name, columnCount_ };
+
+    using TableModelBase::TableModelBase;
+
+    void show(std::vector<ServedDevice> devices);
+
+protected:
+    int columns() const override { return columnCount_; }
+    QVariant headerCell(int column, int role) const override;
+    QVariant cell(const ServedDevice &device, int column, int role) const override;
+};
+
+} // namespace codewheel
