@@ -3,9 +3,9 @@
 
 #include "app/screenshots/accessible_tree.h"
 #include "app/screenshots/finder_picture.h"
-#include "app/screenshots/gateway_pictures.h"
-#include "app/screenshots/line_pictures.h"
-#include "app/screenshots/offer_picture.h"
+#include "app/screenshots/kinds/esc/line_pictures.h"
+#include "app/screenshots/kinds/interbus/gateway_pictures.h"
+#include "app/screenshots/kinds/interbus/offer_picture.h"
 #include "app/screenshots/project_pictures.h"
 #include "app/screenshots/recording_pictures.h"
 #include "app/screenshots/report_picture.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "training_session.h"
+#include "kinds/interbus/training_session.h"
 
 #include <QJsonObject>
 #include <QString>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/kinds/esc/serve_line.h"
 
+#include "cli/bus/pseudo_terminal.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
-#include "cli/kinds/esc/pseudo_terminal.h"
 #include "cli/kinds/esc/served_line.h"
 #include "kinds/esc/simulator/simulated_line.h"
 

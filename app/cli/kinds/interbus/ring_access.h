@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/bus/bus_access.h"
-#include "training_session.h"
+#include "kinds/interbus/training_session.h"
 
 namespace codewheel {
 

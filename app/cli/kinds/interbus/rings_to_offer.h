@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/call/subcommand.h"
-#include "offered_rings.h"
+#include "kinds/interbus/offered_rings.h"
 
 namespace codewheel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/training_session.h"
+#include "app/kinds/interbus/training_session.h"
 #include "app/window/buses/bus_at_work.h"
 #include "journal/ledger.h"
 #include "kinds/interbus/gateway/gateway_link.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/offered_rings.h"
+#include "app/kinds/interbus/offered_rings.h"
 #include "kinds/interbus/gateway/served_news.h"
 #include "kinds/interbus/links/modbus_tcp_server.h"
 #include "kinds/interbus/simulator/fault_plan_news.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/offer_picture.h"
+#include "app/screenshots/kinds/interbus/offer_picture.h"
 
 #include "app/screenshots/scene.h"
 #include "app/window/buses/plant.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/esc/pseudo_terminal.h"
+#include "cli/bus/pseudo_terminal.h"
 
 #include "cli/call/texts.h"
 

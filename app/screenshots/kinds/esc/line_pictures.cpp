@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/line_pictures.h"
+#include "app/screenshots/kinds/esc/line_pictures.h"
 
 #include "app/screenshots/scene.h"
 #include "catalog/device_description.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/kinds/esc/pseudo_terminal.h"
+#include "cli/bus/pseudo_terminal.h"
 #include "links/wake_flag.h"
 #include "serial/byte_link.h"
 
