@@ -2,6 +2,7 @@
 #include "app/screenshots/accessible_tree.h"
 
 #include <QAccessible>
+#include <QMainWindow>
 #include <QMetaEnum>
 #include <QStringList>
 #include <QWidget>
@@ -50,22 +51,30 @@ QString lineOf(const QAccessibleInterface &element)
     return line;
 }
 
-void addTo(QString &tree, const QAccessibleInterface *element, int depth)
+// The tabs of panels come last, sorted: a window keeps them in no particular order.
+QString treeOf(const QAccessibleInterface *element, int depth)
 {
     if (element == nullptr || element->state().invisible)
-        return;
-    tree += QString(2 * depth, u' ') + lineOf(*element) + u'\n';
-    for (int i = 0; i < std::min(element->childCount(), mostChildren); ++i)
-        addTo(tree, element->child(i), depth + 1);
+        return {};
+    QString tree = QString(2 * depth, u' ') + lineOf(*element) + u'\n';
+    const bool hasPanels = qobject_cast<const QMainWindow *>(element->object()) != nullptr;
+    QStringList tabs;
+    for (int i = 0; i < std::min(element->childCount(), mostChildren); ++i) {
+        const QAccessibleInterface *child = element->child(i);
+        if (hasPanels && child != nullptr && child->role() == QAccessible::PageTabList)
+            tabs << treeOf(child, depth + 1);
+        else
+            tree += treeOf(child, depth + 1);
+    }
+    tabs.sort();
+    return tree + tabs.join(QString());
 }
 
 } // namespace
 
 QString accessibleTree(QWidget &widget)
 {
-    QString tree;
-    addTo(tree, QAccessible::queryAccessibleInterface(&widget), 0);
-    return tree;
+    return treeOf(QAccessible::queryAccessibleInterface(&widget), 0);
 }
 
 } // namespace codewheel

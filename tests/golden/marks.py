@@ -13,6 +13,7 @@ PATTERNS = (
     (r"\b\d{1,2}/\d{1,2}/\d{2,4}\b", "<date>"),
     (r"\b\d{1,2}:\d\d:\d\d([.,]\d+)?\b", "<time>"),
     (r"\b[0-2]?\d:[0-5]\d\b", "<time>"),
+    (r"/tmp/codewheel-screenshots-\w+", "<folder>"),
     (r"\b[0-9a-f]{32}\b", "<id>"),
     (r"\b[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\b", "<id>"),
 )
