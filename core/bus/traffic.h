@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/instant.h"
 #include "vocabulary/place.h"
 #include "vocabulary/traffic_kind.h"
+#include "vocabulary/word.h"
 
 #include <QByteArray>
 #include <QDateTime>

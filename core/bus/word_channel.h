@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/freshness.h"
 #include "vocabulary/place.h"
 #include "vocabulary/refusal.h"
+#include "vocabulary/word.h"
 
 #include <QDateTime>
 #include <QObject>

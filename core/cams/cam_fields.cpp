@@ -2,6 +2,7 @@
 #include "cams/cam_fields.h"
 
 #include "cams/cam_states.h"
+#include "kinds/interbus/words/k3_word.h"
 
 namespace codewheel {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/cam_program.h"
+#include "vocabulary/word.h"
 
 #include <bitset>
 #include <optional>

@@ -5,6 +5,7 @@
 #include "cams/check_cams.h"
 #include "catalog/json_writer.h"
 #include "catalog/strict_json.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/sentence.h"
 
 #include <QStringList>

@@ -5,6 +5,7 @@
 #include "catalog/ordering_key_reader.h"
 #include "catalog/protocol_rules.h"
 #include "catalog/tables_reader.h"
+#include "kinds/interbus/words/k3_word.h"
 
 #include <algorithm>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/explain_exchange.h"
 
+#include "kinds/interbus/words/k3_word.h"
+
 #include <QCoreApplication>
 
 namespace codewheel {

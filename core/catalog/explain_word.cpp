@@ -3,6 +3,7 @@
 
 #include "catalog/meaning_parts.h"
 #include "catalog/position_format.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/la66_explain.h"
 
 #include <QCoreApplication>

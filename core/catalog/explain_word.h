@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/meaning_text.h"
 
 namespace codewheel {

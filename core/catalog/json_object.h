@@ -3,7 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "catalog/local_text.h"
-#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/word.h"
 
 #include <QCoreApplication>
 

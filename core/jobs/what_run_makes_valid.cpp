@@ -2,6 +2,7 @@
 #include "jobs/what_run_makes_valid.h"
 
 #include "catalog/device_description.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"

@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger_keeper.h"
+#include "kinds/interbus/words/k3_word.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,6 +4,7 @@
 #include "bus/encoder_bus.h"
 #include "bus/word_channel.h"
 #include "jobs/values_to_write.h"
+#include "kinds/interbus/words/k3_word.h"
 
 #include <utility>
 

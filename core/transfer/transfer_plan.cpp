@@ -7,6 +7,7 @@
 #include "catalog/hex_code.h"
 #include "jobs/values_to_write.h"
 #include "journal/eeprom_cost.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "transfer/new_encoder.h"
 
 #include <algorithm>

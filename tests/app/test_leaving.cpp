@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions asked before the bus is stopped and the window is closed.
+#include "kinds/interbus/words/k3_word.h"
 #include "language.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"

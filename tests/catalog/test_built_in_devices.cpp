@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "kinds/interbus/words/k3_word.h"
 
 #include <QDir>
 

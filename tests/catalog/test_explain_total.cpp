@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "catalog/explain_word.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "tests/support/word_source.h"
 
 #include <QRegularExpression>

@@ -3,6 +3,7 @@
 
 #include "catalog/explain_word.h"
 #include "catalog/position_format.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"

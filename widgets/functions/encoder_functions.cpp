@@ -2,6 +2,7 @@
 #include "widgets/functions/encoder_functions.h"
 
 #include "catalog/device_description.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/position_mode.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"

@@ -2,6 +2,7 @@
 #include "widgets/job/cancel_question.h"
 
 #include "journal/eeprom_cost.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/job/known_text.h"

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "jobs/values_to_write.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/event.h"
 
 namespace codewheel {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/number_fields.h"
 
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/word.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"

@@ -2,6 +2,7 @@
 #include "widgets/monitor/word_form.h"
 
 #include "catalog/device_description.h"
+#include "kinds/interbus/words/k3_word.h"
 
 namespace codewheel {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/word.h"
 #include "widgets/help/key_help.h"
 #include "widgets/monitor/bit_cell.h"
 #include "widgets/monitor/change_marks.h"

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "jobs/position_scale.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"
 #include "widgets/dial/state_note.h"
 #include "widgets/look/describe.h"

@@ -21,7 +21,7 @@ QDateTime LineEncoderSession::dateTime(Instant at) const
 
 Result<std::vector<Step>> LineEncoderSession::planned(const std::vector<Job> &jobs) const
 {
-    return stepsForJobs(*this, jobs, k3::normalRunning);
+    return stepsForJobs(*this, jobs, Word{});
 }
 
 int LineEncoderSession::fractionBits() const

@@ -3,8 +3,8 @@
 
 #include "kinds/interbus/gateway/gateway_settings.h"
 #include "kinds/interbus/ring/participant.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/refusal.h"
+#include "vocabulary/word.h"
 
 #include <vector>
 

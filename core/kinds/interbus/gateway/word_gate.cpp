@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/word_gate.h"
 
+#include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/la66_word.h"
 
 #include <utility>

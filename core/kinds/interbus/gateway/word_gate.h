@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/profile.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/instant.h"
+#include "vocabulary/word.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "kinds/interbus/gateway/register_port.h"
-#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/word.h"
 
 #include <optional>
 #include <span>

@@ -5,6 +5,7 @@
 #include "jobs/what_run_makes_valid.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/word_doubts.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/device_error_name.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"

@@ -6,6 +6,7 @@
 #include "kinds/interbus/ring/ring_runner.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/send_permission.h"
+#include "kinds/interbus/words/k3_word.h"
 
 #include <algorithm>
 

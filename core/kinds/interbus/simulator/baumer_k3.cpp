@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/baumer_k3.h"
 
+#include "kinds/interbus/words/k3_word.h"
+
 namespace codewheel {
 
 BaumerK3::BaumerK3(PhysicalResolution resolution, std::int64_t raw, EncoderTiming timing)

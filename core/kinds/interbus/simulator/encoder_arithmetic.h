@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/simulator/parameter_set.h"
+#include "kinds/interbus/words/k3_word.h"
 
 namespace codewheel {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/fraba_cams.h"
 
+#include "kinds/interbus/words/k3_word.h"
+
 namespace codewheel {
 
 namespace {

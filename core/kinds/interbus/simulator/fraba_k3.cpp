@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/fraba_k3.h"
 
+#include "kinds/interbus/words/k3_word.h"
+
 #include <cmath>
 
 namespace codewheel {

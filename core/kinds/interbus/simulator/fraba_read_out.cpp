@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/fraba_k3.h"
+#include "kinds/interbus/words/k3_word.h"
 
 // Read-out of a FRABA encoder (FRABA manual 10.2): 2021000nh is answered by A0000000h + value, a code that no
 // table has by A4000000h + n. In cam mode 2020xxxxh reads the cams (10.5).

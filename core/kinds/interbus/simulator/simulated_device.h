@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/simulator/training_controls.h"
-#include "kinds/interbus/words/k3_word.h"
+#include "vocabulary/word.h"
 
 #include <chrono>
 #include <optional>

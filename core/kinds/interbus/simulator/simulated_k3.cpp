@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/simulated_k3.h"
 
+#include "kinds/interbus/words/k3_word.h"
+
 namespace codewheel {
 
 SimulatedK3::SimulatedK3(TurningShaft shaft, ParameterSet factory, EncoderTiming timing)

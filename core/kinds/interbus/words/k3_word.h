@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include "vocabulary/word.h"
 
 // The 32-bit process-data words of an ENCOM profile 71 encoder (K3).
 //
@@ -11,12 +11,6 @@
 //
 // Source: FRABA manual 5.2 and 10.1-10.4, Baumer manual 2.2 and 2.3.
 namespace codewheel {
-
-// A process-data word, D31 the most significant bit.
-using Word = std::uint32_t;
-
-// Seen from the bus master: OUT = master to encoder, IN = encoder to master.
-enum class WordDirection { in, out };
 
 namespace k3 {
 

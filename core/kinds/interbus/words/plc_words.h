@@ -2,9 +2,9 @@
 #pragma once
 
 #include "catalog/device_description.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/known.h"
 #include "vocabulary/refusal.h"
+#include "vocabulary/word.h"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/words/position_word.h"
 
+#include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/position_code.h"
 
 namespace codewheel::position_word {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 24 hours of faults on the way to a gateway, in virtual time.
 #include "journal/ledger_keeper.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "tests/kinds/interbus/gateway/checked_link.h"
 #include "tests/support/gateway_session.h"
 

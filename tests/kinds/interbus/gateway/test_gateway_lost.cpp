@@ -3,6 +3,7 @@
 // answer. What account and state say then is held against what the simulated encoder has done.
 #include "bus/bus_outline.h"
 #include "journal/ledger_keeper.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "tests/support/gateway_session.h"
 #include "tests/support/passing_port.h"
 

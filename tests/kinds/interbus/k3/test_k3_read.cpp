@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/k3_word.h"
 #include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/words/cyclic_driver.h"
+#include "kinds/interbus/words/k3_word.h"
 
 #include <deque>
 

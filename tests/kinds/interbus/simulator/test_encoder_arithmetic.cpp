@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "handshake_rows.h"
 #include "kinds/interbus/simulator/encoder_arithmetic.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/position_code.h"
 
 #include <gtest/gtest.h>
