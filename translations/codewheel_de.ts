@@ -766,6 +766,87 @@
     </message>
 </context>
 <context>
+    <name>EscLineRate</name>
+    <message>
+        <source>%1 (at %2 Bd)</source>
+        <translation>%1 (mit %2 Bd)</translation>
+    </message>
+    <message>
+        <source>Connected again at %1 Bd these encoders will not answer: %2.</source>
+        <translation>Nach dem Neuverbinden mit %1 Bd antworten diese Geber nicht: %2.</translation>
+    </message>
+    <message>
+        <source>Give all encoders of the line the same baud rate.</source>
+        <translation>Alle Geber der Leitung auf dieselbe Baudrate einstellen.</translation>
+    </message>
+</context>
+<context>
+    <name>EscLineRecordFile</name>
+    <message>
+        <source>This is not a session of a serial line: &quot;format&quot; is not &quot;%1&quot;.</source>
+        <translation>Das ist keine Aufzeichnung einer seriellen Leitung: „format“ ist nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>Only version %1 of the format can be read.</source>
+        <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
+    </message>
+    <message>
+        <source>A date and time is expected here, as in 2026-11-21T12:00:00.000+01:00.</source>
+        <translation>Hier werden Datum und Uhrzeit erwartet, etwa 2026-11-21T12:00:00.000+01:00.</translation>
+    </message>
+    <message>
+        <source>Bytes are expected here, as in &quot;1B 30 35 50 0D 0A&quot;.</source>
+        <translation>Hier werden Bytes erwartet, etwa &quot;1B 30 35 50 0D 0A&quot;.</translation>
+    </message>
+    <message>
+        <source>A row has %1 bytes at most.</source>
+        <translation>Eine Zeile hat höchstens %1 Bytes.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, line %2, %3: %4</source>
+        <translation>%1, Zeile %2, %3: %4</translation>
+    </message>
+</context>
+<context>
+    <name>EscLineRecordFiles</name>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+</context>
+<context>
+    <name>EscLineRowText</name>
+    <message>
+        <source>no request of this protocol</source>
+        <translation>keine Anfrage dieses Protokolls</translation>
+    </message>
+    <message>
+        <source>no well-formed answer</source>
+        <translation>keine gültige Antwort</translation>
+    </message>
+    <message>
+        <source>what was sent, echoed by the adapter: dropped</source>
+        <translation>vom Adapter zurückgegebenes Gesendetes: verworfen</translation>
+    </message>
+    <message>
+        <source>no well-formed answer to &quot;%1&quot;: dropped</source>
+        <translation>keine gültige Antwort auf „%1“: verworfen</translation>
+    </message>
+    <message>
+        <source>nobody asked for it: dropped</source>
+        <translation>ohne Anfrage eingegangen: verworfen</translation>
+    </message>
+    <message>
+        <source>came after its time-out: dropped</source>
+        <translation>nach der Zeitüberschreitung eingegangen: verworfen</translation>
+    </message>
+</context>
+<context>
     <name>EscPlan</name>
     <message>
         <source>%1, which goes with a measuring range of %2</source>
@@ -1110,87 +1191,6 @@
     <message>
         <source>off</source>
         <translation>aus</translation>
-    </message>
-</context>
-<context>
-    <name>LineRate</name>
-    <message>
-        <source>%1 (at %2 Bd)</source>
-        <translation>%1 (mit %2 Bd)</translation>
-    </message>
-    <message>
-        <source>Connected again at %1 Bd these encoders will not answer: %2.</source>
-        <translation>Nach dem Neuverbinden mit %1 Bd antworten diese Geber nicht: %2.</translation>
-    </message>
-    <message>
-        <source>Give all encoders of the line the same baud rate.</source>
-        <translation>Alle Geber der Leitung auf dieselbe Baudrate einstellen.</translation>
-    </message>
-</context>
-<context>
-    <name>LineRecordFile</name>
-    <message>
-        <source>This is not a session of a serial line: &quot;format&quot; is not &quot;%1&quot;.</source>
-        <translation>Das ist keine Aufzeichnung einer seriellen Leitung: „format“ ist nicht „%1“.</translation>
-    </message>
-    <message>
-        <source>Only version %1 of the format can be read.</source>
-        <translation>Nur Version %1 des Formats lässt sich lesen.</translation>
-    </message>
-    <message>
-        <source>A date and time is expected here, as in 2026-11-21T12:00:00.000+01:00.</source>
-        <translation>Hier werden Datum und Uhrzeit erwartet, etwa 2026-11-21T12:00:00.000+01:00.</translation>
-    </message>
-    <message>
-        <source>Bytes are expected here, as in &quot;1B 30 35 50 0D 0A&quot;.</source>
-        <translation>Hier werden Bytes erwartet, etwa &quot;1B 30 35 50 0D 0A&quot;.</translation>
-    </message>
-    <message>
-        <source>A row has %1 bytes at most.</source>
-        <translation>Eine Zeile hat höchstens %1 Bytes.</translation>
-    </message>
-    <message>
-        <source>%1, line %2: %3</source>
-        <translation>%1, Zeile %2: %3</translation>
-    </message>
-    <message>
-        <source>%1, line %2, %3: %4</source>
-        <translation>%1, Zeile %2, %3: %4</translation>
-    </message>
-</context>
-<context>
-    <name>LineRecordFiles</name>
-    <message>
-        <source>%1 was not saved: %2</source>
-        <comment>file, reason</comment>
-        <translation>%1 wurde nicht gespeichert: %2</translation>
-    </message>
-</context>
-<context>
-    <name>LineRowText</name>
-    <message>
-        <source>no request of this protocol</source>
-        <translation>keine Anfrage dieses Protokolls</translation>
-    </message>
-    <message>
-        <source>no well-formed answer</source>
-        <translation>keine gültige Antwort</translation>
-    </message>
-    <message>
-        <source>what was sent, echoed by the adapter: dropped</source>
-        <translation>vom Adapter zurückgegebenes Gesendetes: verworfen</translation>
-    </message>
-    <message>
-        <source>no well-formed answer to &quot;%1&quot;: dropped</source>
-        <translation>keine gültige Antwort auf „%1“: verworfen</translation>
-    </message>
-    <message>
-        <source>nobody asked for it: dropped</source>
-        <translation>ohne Anfrage eingegangen: verworfen</translation>
-    </message>
-    <message>
-        <source>came after its time-out: dropped</source>
-        <translation>nach der Zeitüberschreitung eingegangen: verworfen</translation>
     </message>
 </context>
 <context>
@@ -3343,7 +3343,7 @@
     </message>
 </context>
 <context>
-    <name>SimulatedLine</name>
+    <name>SimulatedEscLine</name>
     <message>
         <source>training line</source>
         <translation>Übungsleitung</translation>
@@ -9554,6 +9554,1486 @@ ist. Braucht keinen Bus.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::EscEncoderBox</name>
+    <message>
+        <source>Raw position</source>
+        <translation>Rohposition</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Supply of the encoder; it keeps what was written</source>
+        <translation>Versorgung des Gebers; was geschrieben wurde, bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>It receives and acts, but does not answer</source>
+        <translation>Er empfängt und handelt, antwortet aber nicht</translation>
+    </message>
+    <message>
+        <source>Battery nearly flat</source>
+        <translation>Batterie fast leer</translation>
+    </message>
+    <message>
+        <source>Warning: soon to be changed</source>
+        <translation>Warnung: bald tauschen</translation>
+    </message>
+    <message>
+        <source>Battery flat</source>
+        <translation>Batterie leer</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Too hot</source>
+        <translation>Zu heiß</translation>
+    </message>
+    <message>
+        <source>Alarm: temperature exceeded</source>
+        <translation>Alarm: Temperatur überschritten</translation>
+    </message>
+    <message>
+        <source>Light control at its end</source>
+        <translation>Lichtregelung am Ende</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>VR at +UB</source>
+        <translation>VR an +UB</translation>
+    </message>
+    <message>
+        <source>The input makes the values fall</source>
+        <translation>Der Eingang lässt die Werte fallen</translation>
+    </message>
+    <message>
+        <source>ST open</source>
+        <translation>ST offen</translation>
+    </message>
+    <message>
+        <source>RS-422: without +UB at ST no command works</source>
+        <translation>RS-422: Ohne +UB an ST wirkt kein Befehl</translation>
+    </message>
+    <message>
+        <source>Speed in revolutions per minute</source>
+        <translation>Drehzahl in Umdrehungen pro Minute</translation>
+    </message>
+    <message>
+        <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
+        <translation>Umdrehungen pro Minute; positiv ist rechtsherum, mit Blick auf die Welle</translation>
+    </message>
+    <message>
+        <source>Stop the shaft</source>
+        <translation>Welle anhalten</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>Drehzahl, U/min</translation>
+    </message>
+    <message>
+        <source>Speed %1 rpm.</source>
+        <translation>Drehzahl %1 U/min.</translation>
+    </message>
+    <message>
+        <source>%1: yes.</source>
+        <translation>%1: ja.</translation>
+    </message>
+    <message>
+        <source>%1: no.</source>
+        <translation>%1: nein.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineActions</name>
+    <message>
+        <source>Serial &amp;line</source>
+        <translation>Serielle &amp;Leitung</translation>
+    </message>
+    <message>
+        <source>Asks one address after the other; nothing is written</source>
+        <translation>Fragt eine Adresse nach der anderen; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Terminal</source>
+        <translation>&amp;Terminal</translation>
+    </message>
+    <message>
+        <source>Line st&amp;atistics</source>
+        <translation>Stat&amp;istik der Leitung</translation>
+    </message>
+    <message>
+        <source>Port, state, answers and time-outs of the line</source>
+        <translation>Anschluss, Zustand, Antworten und Zeitüberschreitungen der Leitung</translation>
+    </message>
+    <message>
+        <source>T&amp;raining line</source>
+        <translation>Ü&amp;bungsleitung</translation>
+    </message>
+    <message>
+        <source>Three simulated encoders, in place of a port</source>
+        <translation>Drei simulierte Geber anstelle eines Anschlusses</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect the line</source>
+        <translation>Leitung t&amp;rennen</translation>
+    </message>
+    <message>
+        <source>Closes the serial line</source>
+        <translation>Schließt die serielle Leitung</translation>
+    </message>
+    <message>
+        <source>&amp;Swap warning bytes</source>
+        <translation>Warnungs&amp;bytes tauschen</translation>
+    </message>
+    <message>
+        <source>Remove from the serial &amp;line</source>
+        <translation>Aus der seriellen &amp;Leitung nehmen</translation>
+    </message>
+    <message>
+        <source>For encoders on the serial line</source>
+        <translation>Für Geber an der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>For an encoder that sends the low byte of its warnings first; nothing is sent</source>
+        <translation>Für einen Geber, der das niederwertige Byte seiner Warnungen zuerst sendet; gesendet wird nichts</translation>
+    </message>
+    <message>
+        <source>The encoder is not asked any more; what it has stays as it is</source>
+        <translation>Der Geber wird nicht mehr abgefragt; sein Stand bleibt unverändert</translation>
+    </message>
+    <message>
+        <source>&amp;Search for encoders…</source>
+        <translation>Geber &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Shows the traffic on the line, and sends what you type</source>
+        <translation>Zeigt, was über die Leitung geht, und sendet Eingetipptes</translation>
+    </message>
+    <message>
+        <source>&amp;Connection…</source>
+        <translation>&amp;Verbindung…</translation>
+    </message>
+    <message>
+        <source>How the line is connected: port and settings. Nothing is written</source>
+        <translation>Wie die Leitung verbunden wird: Anschluss und Einstellungen. Es wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>serial port, adapter, baud rate</source>
+        <translation>serieller Anschluss, Adapter, Baudrate</translation>
+    </message>
+    <message>
+        <source>Start a&amp;fresh</source>
+        <translation>Neu b&amp;eginnen</translation>
+    </message>
+    <message>
+        <source>reset, factory settings, no faults</source>
+        <translation>zurücksetzen, Werkseinstellungen, keine Störungen, Reset</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineCheck</name>
+    <message>
+        <source>Serial port</source>
+        <translation>Serieller Anschluss</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Silence before asking</source>
+        <translation>Stille vor dem Fragen</translation>
+    </message>
+    <message>
+        <source>Any encoder</source>
+        <translation>Irgendein Geber</translation>
+    </message>
+    <message>
+        <source>Encoder %1</source>
+        <translation>Geber %1</translation>
+    </message>
+    <message>
+        <source>Not tested: the test was ended.</source>
+        <translation>Nicht geprüft: Der Test wurde beendet.</translation>
+    </message>
+    <message>
+        <source>Not tested, because of what failed before.</source>
+        <translation>Nicht geprüft, weil etwas davor fehlgeschlagen ist.</translation>
+    </message>
+    <message>
+        <source>The port %1 is there.</source>
+        <translation>Der Anschluss %1 ist da.</translation>
+    </message>
+    <message>
+        <source>Opened at %1 Bd.</source>
+        <translation>Mit %1 Bd geöffnet.</translation>
+    </message>
+    <message>
+        <source>The adapter does not grant low latency: it may collect bytes for up to 16 ms, which halves the rate of positions.</source>
+        <translation>Der Adapter gewährt keine kurze Latenz: Er kann Bytes bis zu 16 ms lang sammeln, was die Rate der Positionen halbiert.</translation>
+    </message>
+    <message>
+        <source>Nothing came within %1 ms.</source>
+        <translation>Innerhalb von %1 ms kam nichts.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</source>
+        <translation>
+            <numerusform>%n Byte kam, bevor etwas gefragt wurde: An dieser Leitung arbeitet ein anderer Master, oder etwas sendet von selbst. Nichts wurde gesendet.</numerusform>
+            <numerusform>%n Bytes kamen, bevor etwas gefragt wurde: An dieser Leitung arbeitet ein anderer Master, oder etwas sendet von selbst. Nichts wurde gesendet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</source>
+        <translation>
+            <numerusform>%n Byte kam, aber keine Antwort eines Gebers. Prüfen Sie Baudrate und Format, und ob zwei Geber zugleich antworten.</numerusform>
+            <numerusform>%n Bytes kamen, aber keine Antwort eines Gebers. Prüfen Sie Baudrate und Format, und ob zwei Geber zugleich antworten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only the request came back: the adapter hears itself, and no encoder answers. Check address, wires and supply.</source>
+        <translation>Nur die Anfrage kam zurück: Der Adapter hört sich selbst, und kein Geber antwortet. Prüfen Sie Adresse, Adern und Versorgung.</translation>
+    </message>
+    <message>
+        <source>Nothing came. Check address, baud rate, wires (A and B may be swapped) and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
+        <translation>Nichts kam. Prüfen Sie Adresse, Baudrate, Adern (A und B können vertauscht sein) und Versorgung; ein RS-422-Geber braucht außerdem ST (Pin 7) an +UB.</translation>
+    </message>
+    <message>
+        <source>It answers, but not with a position: %1.</source>
+        <translation>Er antwortet, aber nicht mit einer Position: %1.</translation>
+    </message>
+    <message>
+        <source>It answers after %1 ms: position %2 (%3h).</source>
+        <translation>Er antwortet nach %1 ms: Position %2 (%3h).</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineChecks</name>
+    <message>
+        <source>Asking for positions</source>
+        <translation>Abfrage der Positionen</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>Nobody asks for positions: that was stopped. Start it.</source>
+        <translation>Niemand fragt Positionen ab: das wurde angehalten. Starten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>none for %n requests</source>
+        <translation>
+            <numerusform>keine auf %n Anfrage</numerusform>
+            <numerusform>keine auf %n Anfragen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>some after each request</source>
+        <translation>einige nach jeder Anfrage</translation>
+    </message>
+    <message>
+        <source>they come</source>
+        <translation>kommen an</translation>
+    </message>
+    <message>
+        <source>Rate and format</source>
+        <translation>Baudrate und Format</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes that are no answer</source>
+        <translation>
+            <numerusform>%n Byte, das keine Antwort ist</numerusform>
+            <numerusform>%n Bytes, die keine Antwort sind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the bytes make sense</source>
+        <translation>lesbar</translation>
+    </message>
+    <message>
+        <source>More than the echo</source>
+        <translation>Nicht nur Echo</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>antwortet</translation>
+    </message>
+    <message>
+        <source>only the request came back</source>
+        <translation>nur das Echo der Anfrage</translation>
+    </message>
+    <message>
+        <source>Answer of the encoder</source>
+        <translation>Antwort des Gebers</translation>
+    </message>
+    <message>
+        <source>to each request</source>
+        <translation>auf jede Anfrage</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>after %1 ms</source>
+        <translation>nach %1 ms</translation>
+    </message>
+    <message>
+        <source>Alarms and warnings</source>
+        <translation>Alarme und Warnungen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineFaults</name>
+    <message>
+        <source>Have its battery replaced, and check the position.</source>
+        <translation>Batterie ersetzen lassen und die Position prüfen.</translation>
+    </message>
+    <message>
+        <source>Switch it off and on; if the alarm comes back, replace the encoder.</source>
+        <translation>Aus- und einschalten; kommt der Alarm wieder, den Geber ersetzen.</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>No encoder answers on %1 at %2 Bd. Check the wires (A and B may be swapped), the supply of the encoders, and the baud rate.</source>
+        <translation>Kein Geber antwortet an %1 mit %2 Bd. Adern (A und B können vertauscht sein), Versorgung der Geber und Baudrate prüfen.</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>%1 warns: %2. See to it before it becomes an alarm.</source>
+        <translation>%1 warnt: %2. Beheben, bevor ein Alarm daraus wird.</translation>
+    </message>
+    <message>
+        <source>Let it cool down, and find out what heats it.</source>
+        <translation>Abkühlen lassen und nachsehen, was ihn erwärmt.</translation>
+    </message>
+    <message>
+        <source>%1 reports an alarm: %2. %3</source>
+        <translation>%1 meldet einen Alarm: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineFaultsBox</name>
+    <message>
+        <source>Lost bytes</source>
+        <translation>Verlorene Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; they never arrive</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen nie an</translation>
+    </message>
+    <message>
+        <source>Lost bytes: %1 of 1000.</source>
+        <translation>Verlorene Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Wrong bytes</source>
+        <translation>Falsche Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; one bit is another</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; ein Bit ist gekippt</translation>
+    </message>
+    <message>
+        <source>Wrong bytes: %1 of 1000.</source>
+        <translation>Falsche Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Doubled bytes</source>
+        <translation>Doppelte Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; they arrive twice</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen zweimal an</translation>
+    </message>
+    <message>
+        <source>Doubled bytes: %1 of 1000.</source>
+        <translation>Doppelte Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Delayed bytes</source>
+        <translation>Verzögerte Bytes</translation>
+    </message>
+    <message>
+        <source>Of 1000 bytes, both ways; they and all behind them come later</source>
+        <translation>Von 1000 Bytes, in beiden Richtungen; sie und alle dahinter kommen später</translation>
+    </message>
+    <message>
+        <source>Delayed bytes: %1 of 1000.</source>
+        <translation>Verzögerte Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Echo</source>
+        <translation>Echo</translation>
+    </message>
+    <message>
+        <source>The adapter hears what it sends: half duplex, as RS-485 may do</source>
+        <translation>Der Adapter hört, was er sendet: halbduplex, wie es bei RS-485 sein kann</translation>
+    </message>
+    <message>
+        <source>All encoders silent</source>
+        <translation>Alle Geber stumm</translation>
+    </message>
+    <message>
+        <source>They receive and act, but do not answer</source>
+        <translation>Sie empfangen und handeln, antworten aber nicht</translation>
+    </message>
+    <message>
+        <source>Adapter unplugged</source>
+        <translation>Adapter abgezogen</translation>
+    </message>
+    <message>
+        <source>The port is gone until it is plugged in again</source>
+        <translation>Der Anschluss ist weg, bis er wieder eingesteckt ist</translation>
+    </message>
+    <message>
+        <source>%1, of 1000</source>
+        <translation>%1, von 1000</translation>
+    </message>
+    <message>
+        <source>Delay in ms</source>
+        <translation>Verzögerung in ms</translation>
+    </message>
+    <message>
+        <source>How much later a delayed byte comes, in ms</source>
+        <translation>Wie viel später ein verzögertes Byte kommt, in ms</translation>
+    </message>
+    <message>
+        <source>Delay, ms</source>
+        <translation>Verzögerung, ms</translation>
+    </message>
+    <message>
+        <source>Echo on.</source>
+        <translation>Echo ein.</translation>
+    </message>
+    <message>
+        <source>Echo off.</source>
+        <translation>Echo aus.</translation>
+    </message>
+    <message>
+        <source>All encoders silent.</source>
+        <translation>Alle Geber stumm.</translation>
+    </message>
+    <message>
+        <source>All encoders answer.</source>
+        <translation>Alle Geber antworten.</translation>
+    </message>
+    <message>
+        <source>Adapter unplugged.</source>
+        <translation>Adapter abgezogen.</translation>
+    </message>
+    <message>
+        <source>Adapter plugged in.</source>
+        <translation>Adapter eingesteckt.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineFiguresModel</name>
+    <message>
+        <source>Line</source>
+        <translation>Leitung</translation>
+    </message>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Time-outs</source>
+        <translation>Zeitüberschreitungen</translation>
+    </message>
+    <message>
+        <source>Retries</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Unanswered</source>
+        <translation>Unbeantwortet</translation>
+    </message>
+    <message>
+        <source>Garbage bytes</source>
+        <translation>Störbytes</translation>
+    </message>
+    <message>
+        <source>Late bytes</source>
+        <translation>Verspätete Bytes</translation>
+    </message>
+    <message>
+        <source>Answer time, shortest, ms</source>
+        <translation>Antwortzeit, kürzeste, ms</translation>
+    </message>
+    <message>
+        <source>Answer time, median, ms</source>
+        <translation>Antwortzeit, Median, ms</translation>
+    </message>
+    <message>
+        <source>Answer time, longest, ms</source>
+        <translation>Antwortzeit, längste, ms</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineKeeper</name>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Fraction bits of the scaling factor</source>
+        <translation>Nachkommabits des Skalierungsfaktors</translation>
+    </message>
+    <message>
+        <source>Baud rate of the serial line</source>
+        <translation>Baudrate der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>Encoders of the serial line</source>
+        <translation>Geber der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Address of %1 to %2</source>
+        <translation>Adresse von %1 auf %2</translation>
+    </message>
+    <message>
+        <source>Warning bytes of %1</source>
+        <translation>Warnungsbytes von %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineKind</name>
+    <message>
+        <source>Serial line (ESC)</source>
+        <translation>Serielle Leitung (ESC)</translation>
+    </message>
+    <message>
+        <source>%1 Bd</source>
+        <translation>%1 Bd</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <comment>name of a new bus</comment>
+        <translation>Leitung</translation>
+    </message>
+    <message>
+        <source>training line (simulated)</source>
+        <translation>Übungsleitung (simuliert)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineOutline</name>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Serial line (%1)</source>
+        <translation>Serielle Leitung (%1)</translation>
+    </message>
+    <message>
+        <source>%1  %2
+Address %3
+State: %4</source>
+        <translation>%1  %2
+Adresse %3
+Zustand: %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd
+State: %3
+Answers: %4, time-outs: %5</source>
+        <translation>%1, %2 Bd
+Zustand: %3
+Antworten: %4, Zeitüberschreitungen: %5</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>sucht</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
+    </message>
+    <message>
+        <source>jobs end, and nothing that waits is sent; positions are still read</source>
+        <translation>Aufträge enden, und nichts Wartendes wird gesendet; Positionen werden weiter gelesen</translation>
+    </message>
+    <message>
+        <source>offline</source>
+        <translation>offline</translation>
+    </message>
+    <message>
+        <source>no port</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abgetrennt</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <comment>it is running</comment>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <comment>position</comment>
+        <translation>fraglich</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLinePanel</name>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>The serial port of this line</source>
+        <translation>Der serielle Anschluss dieser Leitung</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Bits per second; data bits, parity, stop bits</source>
+        <translation>Bits pro Sekunde; Datenbits, Parität, Stoppbits</translation>
+    </message>
+    <message>
+        <source>Polling</source>
+        <translation>Abfrage</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>In Watch only reads are sent</source>
+        <translation>In Beobachten wird nur gelesen</translation>
+    </message>
+    <message>
+        <source>Figures of the line and its encoders</source>
+        <translation>Statistik der Leitung und ihrer Geber</translation>
+    </message>
+    <message>
+        <source>Since the line was opened. Times are from the end of a request to the end of its answer; the median is that of the newest 1000.</source>
+        <translation>Seit dem Öffnen der Leitung. Die Zeiten gehen vom Ende einer Anfrage bis zum Ende ihrer Antwort; der Median gilt für die neuesten 1000.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>The port is gone; it is looked for each second</source>
+        <translation>Der Anschluss ist weg; er wird jede Sekunde gesucht</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>%1 Bd, %2</source>
+        <translation>%1 Bd, %2</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>Operate: allowed</source>
+        <translation>Bedienen: erlaubt</translation>
+    </message>
+    <message>
+        <source>Watch: only reads are sent</source>
+        <translation>Beobachten: Es wird nur gelesen</translation>
+    </message>
+    <message>
+        <source>%1 rows of the terminal were lost: the window was busy for too long.</source>
+        <translation>%1 Zeilen des Terminals gingen verloren: Das Fenster war zu lange beschäftigt.</translation>
+    </message>
+    <message>
+        <source>granted</source>
+        <comment>low latency, by the adapter</comment>
+        <translation>gewährt</translation>
+    </message>
+    <message>
+        <source>refused by the adapter: answers may come up to 16 ms later</source>
+        <translation>vom Adapter abgelehnt: Antworten können bis zu 16 ms später kommen</translation>
+    </message>
+    <message>
+        <source>not asked for</source>
+        <comment>low latency</comment>
+        <translation>nicht verlangt</translation>
+    </message>
+    <message>
+        <source>Low latency</source>
+        <translation>Kurze Latenz</translation>
+    </message>
+    <message>
+        <source>Whether the adapter hands over bytes at once. Where it does not, time-outs are longer, and positions come more slowly</source>
+        <translation>Ob der Adapter Bytes sofort weitergibt. Tut er es nicht, gelten längere Zeitgrenzen, und Positionen kommen langsamer</translation>
+    </message>
+    <message>
+        <source>Another adapter is plugged in</source>
+        <translation>Ein anderer Adapter ist eingesteckt</translation>
+    </message>
+    <message>
+        <source>Whether the encoders are asked in turn</source>
+        <translation>Ob die Geber reihum abgefragt werden</translation>
+    </message>
+    <message>
+        <source>no adapter to ask</source>
+        <translation>kein Adapter da</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLinePlanRules</name>
+    <message>
+        <source>Address %1</source>
+        <translation>Adresse %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineRecordView</name>
+    <message>
+        <source>Rows of the saved session</source>
+        <translation>Zeilen der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Requests sent again</source>
+        <translation>Noch einmal gesendete Anfragen</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>&amp;Wiedergeben</translation>
+    </message>
+    <message>
+        <source>Sends the requests of this session again, and compares the answers (Alt+R)</source>
+        <translation>Sendet die Anfragen dieser Aufzeichnung noch einmal und vergleicht die Antworten (Alt+W)</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Sends no more of them (Alt+L)</source>
+        <translation>Sendet keine weiteren (Alt+B)</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k to the line</source>
+        <translation>&amp;Zurück zur Leitung</translation>
+    </message>
+    <message>
+        <source>Closes this session (Alt+K)</source>
+        <translation>Schließt diese Aufzeichnung (Alt+Z)</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 Bd, %4; %5 rows</source>
+        <comment>file, port, baud rate, date and time, count</comment>
+        <translation>%1: %2, %3 Bd, %4; %5 Zeilen</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more, listed below</source>
+        <translation>
+            <numerusform>und %n weitere, unten aufgeführt</numerusform>
+            <numerusform>und %n weitere, unten aufgeführt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of the %2 requests write to encoders: %3.</source>
+        <translation>Davon schreiben in Geber: %1 von %2 Anfragen: %3.</translation>
+    </message>
+    <message>
+        <source>Send re&amp;ads only</source>
+        <translation>&amp;Nur Lesendes senden</translation>
+    </message>
+    <message>
+        <source>Send &amp;writes too</source>
+        <translation>Auch &amp;Schreibendes senden</translation>
+    </message>
+    <message>
+        <source>The program only watches: they are left out. Switch to Operate to send them.</source>
+        <translation>Das Programm beobachtet nur: Sie werden ausgelassen. Zum Senden auf Bedienen schalten.</translation>
+    </message>
+    <message>
+        <source>Sent: %1 of %2. The answer was the same: %3, another: %4, none came: %5.</source>
+        <translation>Gesendet: %1 von %2. Die Antwort war gleich: %3, anders: %4, blieb aus: %5.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The serial line is gone.</source>
+        <translation>Die serielle Leitung ist weg.</translation>
+    </message>
+    <message>
+        <source>The program only watches now: the next request writes.</source>
+        <translation>Das Programm beobachtet jetzt nur: Die nächste Anfrage schreibt.</translation>
+    </message>
+    <message>
+        <source>The serial line is not open. Connect it first.</source>
+        <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
+    </message>
+    <message>
+        <source>This session contains no request to send, except automatic ones: clear &quot;Hide automatic requests&quot; to send those again.</source>
+        <translation>Diese Aufzeichnung enthält außer automatischen Anfragen keine Anfrage zum Senden: „Automatische Anfragen ausblenden“ abwählen, um diese zu senden.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineRowOptions</name>
+    <message>
+        <source>Shows the bytes as text, control characters as pictures</source>
+        <translation>Zeigt die Bytes als Text, Steuerzeichen als Symbole</translation>
+    </message>
+    <message>
+        <source>Shows the bytes as hexadecimal numbers</source>
+        <translation>Zeigt die Bytes als Hexzahlen</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Hex</source>
+        <translation>Hex</translation>
+    </message>
+    <message>
+        <source>Hide automatic requests</source>
+        <translation>Automatische Anfragen ausblenden</translation>
+    </message>
+    <message>
+        <source>Leaves out what the program asks by itself (position, warnings, alarms, serial number, version, device code) and the answers. They are kept, and shown again when this is cleared.</source>
+        <translation>Blendet aus, was das Programm von selbst fragt (Position, Warnungen, Alarme, Seriennummer, Version, Gerätecode), samt den Antworten. Sie bleiben erhalten und erscheinen wieder, wenn dies ausgeschaltet wird.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineSearch</name>
+    <message>
+        <source>Two hexadecimal digits, 01 to 1F</source>
+        <translation>Zwei Hexziffern, 01 bis 1F</translation>
+    </message>
+    <message>
+        <source>First address</source>
+        <translation>Erste Adresse</translation>
+    </message>
+    <message>
+        <source>Last address</source>
+        <translation>Letzte Adresse</translation>
+    </message>
+    <message>
+        <source>Ask at the &amp;master address 00 first</source>
+        <translation>Zuerst die Masteradresse 00 ab&amp;fragen</translation>
+    </message>
+    <message>
+        <source>No search yet</source>
+        <translation>Noch keine Suche</translation>
+    </message>
+    <message>
+        <source>Each address is asked for its serial number. Nothing is written.</source>
+        <translation>Von jeder Adresse wird die Seriennummer abgefragt. Nichts wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>Search for encoders</source>
+        <translation>Geber suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>Überneh&amp;men</translation>
+    </message>
+    <message>
+        <source>Adds the ticked encoders to the bus structure</source>
+        <translation>Nimmt die angehakten Geber in den Busaufbau auf</translation>
+    </message>
+    <message>
+        <source>t&amp;o</source>
+        <translation>b&amp;is</translation>
+    </message>
+    <message>
+        <source>&amp;Addresses</source>
+        <translation>Adresse&amp;n</translation>
+    </message>
+    <message>
+        <source>%1 Bd</source>
+        <translation>%1 Bd</translation>
+    </message>
+    <message>
+        <source>All three baud rates</source>
+        <translation>Alle drei Baudraten</translation>
+    </message>
+    <message>
+        <source>Baud rates of the search</source>
+        <translation>Baudraten der Suche</translation>
+    </message>
+    <message>
+        <source>An encoder answers at its own baud rate alone; 19200 is that of the factory</source>
+        <translation>Ein Geber antwortet nur mit seiner eigenen Baudrate; ab Werk sind es 19200</translation>
+    </message>
+    <message>
+        <source>Baud &amp;rate</source>
+        <translation>Baud&amp;rate</translation>
+    </message>
+    <message>
+        <source>Any encoder answers there: only where a single one is on the line, since several would answer at once</source>
+        <translation>Dort antwortet jeder Geber: nur verwenden, wenn ein einziger an der Leitung ist, denn mehrere antworten zugleich</translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>S&amp;uchen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Ends the search</source>
+        <translation>Beendet die Suche</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>Fortschritt der Suche</translation>
+    </message>
+    <message>
+        <source>Encoders found</source>
+        <translation>Gefundene Geber</translation>
+    </message>
+    <message>
+        <source>Space chooses an encoder</source>
+        <translation>Die Leertaste wählt einen Geber</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>Sucht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 asked</source>
+        <translation>%1 von %2 abgefragt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Requests sent: %n.</source>
+        <translation>
+            <numerusform>Gesendete Anfragen: %n.</numerusform>
+            <numerusform>Gesendete Anfragen: %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Encoders found: %n.</source>
+        <translation>
+            <numerusform>Gefundene Geber: %n.</numerusform>
+            <numerusform>Gefundene Geber: %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The search was cancelled.</source>
+        <translation>Suche abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled</source>
+        <translation>Die Suche wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>No encoder has answered</source>
+        <translation>Kein Geber hat geantwortet</translation>
+    </message>
+    <message>
+        <source>Check: the address and the baud rate (search all three); the wiring, both pairs the right way round, termination; the supply of the encoder; with RS-422 that the input ST (pin 7) is tied to +UB, without it no command works.</source>
+        <translation>Prüfen: Adresse und Baudrate (alle drei absuchen); Verdrahtung (beide Paare richtig herum) und Abschluss; Versorgung des Gebers; bei RS-422, dass der Eingang ST (Pin 7) an +UB liegt: Ohne das wirkt kein Befehl.</translation>
+    </message>
+    <message>
+        <source>Asks one address after the other (Alt+S)</source>
+        <translation>Fragt eine Adresse nach der anderen (Alt+U)</translation>
+    </message>
+    <message>
+        <source>The serial line is not open. Connect it first.</source>
+        <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
+    </message>
+    <message>
+        <source>Kind of encoder</source>
+        <translation>Art des Gebers</translation>
+    </message>
+    <message>
+        <source>The kind that the ticked encoders are taken over as: they do not report whether they have RS-422 or RS-485</source>
+        <translation>Als welche Geber die angehakten übernommen werden: Sie melden nicht, ob sie RS-422 oder RS-485 haben</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>Ar&amp;t</translation>
+    </message>
+    <message>
+        <source>Not taken over: %1. The line runs at %2 Bd. Choose the other baud rate in the settings of the line, and connect it again.</source>
+        <translation>Nicht übernommen: %1. Die Leitung arbeitet mit %2 Bd. In den Einstellungen der Leitung die andere Baudrate wählen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Bd</source>
+        <translation>%1 mit %2 Bd</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address. Give two hexadecimal digits, 01 to 1F.</source>
+        <translation>„%1“ ist keine Adresse. Zwei Hexziffern angeben, 01 bis 1F.</translation>
+    </message>
+    <message>
+        <source>Asks encoders for their serial numbers. Nothing is written.</source>
+        <translation>Fragt Geber nach ihrer Seriennummer. Geschrieben wird nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineSettingsForm</name>
+    <message>
+        <source> ms</source>
+        <comment>unit of a time</comment>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Settings of the serial line</source>
+        <translation>Einstellungen der seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>An&amp;schluss</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ud rate</source>
+        <translation>Ba&amp;udrate</translation>
+    </message>
+    <message>
+        <source>19200, 9600 or 4800; any other may be typed. 19200 is that of the factory</source>
+        <translation>19200, 9600 oder 4800; jede andere lässt sich eintippen. Ab Werk sind es 19200</translation>
+    </message>
+    <message>
+        <source>Dat&amp;a bits</source>
+        <translation>Date&amp;nbits</translation>
+    </message>
+    <message>
+        <source>8 for these encoders</source>
+        <translation>8 bei diesen Gebern</translation>
+    </message>
+    <message>
+        <source>Parit&amp;y</source>
+        <translation>&amp;Parität</translation>
+    </message>
+    <message>
+        <source>None for these encoders</source>
+        <translation>Keine bei diesen Gebern</translation>
+    </message>
+    <message>
+        <source>&amp;Stop bits</source>
+        <translation>Stoppb&amp;its</translation>
+    </message>
+    <message>
+        <source>2 for these encoders</source>
+        <translation>2 bei diesen Gebern</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>parity</comment>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <comment>parity</comment>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>odd</source>
+        <comment>parity</comment>
+        <translation>ungerade</translation>
+    </message>
+    <message>
+        <source>Poll &amp;interval</source>
+        <translation>Abfrageinterval&amp;l</translation>
+    </message>
+    <message>
+        <source>Between position requests of one encoder; 10 ms is the shortest of the manual</source>
+        <translation>Zwischen den Positionsanfragen eines Gebers; kürzester Wert laut Handbuch: 10 ms</translation>
+    </message>
+    <message>
+        <source>From the end of a request to the beginning of its answer</source>
+        <translation>Vom Ende einer Anfrage bis zum Anfang ihrer Antwort</translation>
+    </message>
+    <message>
+        <source>&amp;Number of retries</source>
+        <translation>Anzahl der &amp;Wiederholungen</translation>
+    </message>
+    <message>
+        <source>How often a read is sent again. A write never is</source>
+        <translation>Wie oft ein Lesen noch einmal gesendet wird. Ein Schreiben nie</translation>
+    </message>
+    <message>
+        <source>&amp;Quiet time after a write</source>
+        <translation>&amp;Ruhezeit nach einem Schreiben</translation>
+    </message>
+    <message>
+        <source>How long nothing is sent after a write: the encoder stores it</source>
+        <translation>Wie lange nach einem Schreiben nichts gesendet wird: Solange speichert der Geber</translation>
+    </message>
+    <message>
+        <source>Fraction bits of the scalin&amp;g factor</source>
+        <translation>Nachkommabits des Skalierungs&amp;faktors</translation>
+    </message>
+    <message>
+        <source>29 fits the example of the manual; it can be determined from a device</source>
+        <translation>29 passt zum Beispiel des Handbuchs; der Wert lässt sich am Gerät bestimmen</translation>
+    </message>
+    <message>
+        <source>A position that jumps further than this speed allows is marked suspect and asked for again</source>
+        <translation>Eine Position, die weiter springt, als diese Drehzahl erlaubt, gilt als verdächtig und wird noch einmal abgefragt</translation>
+    </message>
+    <message>
+        <source>Choose a serial port, or type the path of one.</source>
+        <translation>Einen seriellen Anschluss wählen oder den Pfad eintippen.</translation>
+    </message>
+    <message>
+        <source>Fraction bits of the scaling factor</source>
+        <translation>Nachkommabits des Skalierungsfaktors</translation>
+    </message>
+    <message>
+        <source>Deter&amp;mine</source>
+        <translation>Besti&amp;mmen</translation>
+    </message>
+    <message>
+        <source>Reads scaling factor, steps per turn and measuring range of the chosen encoder of the line, or else of the first that answers, and keeps the format that fits. Nothing is written (Alt+M)</source>
+        <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich des gewählten Gebers der Leitung, sonst des ersten, der antwortet, und behält das passende Format. Es wird nichts geschrieben (Alt+M)</translation>
+    </message>
+    <message>
+        <source>Set the line to %1 Bd</source>
+        <translation>Leitung auf %1 Bd stellen</translation>
+    </message>
+    <message>
+        <source>The baud rate is a number from %1 to %2.</source>
+        <translation>Die Baudrate ist eine Zahl von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source> rpm</source>
+        <comment>revolutions per minute</comment>
+        <translation> U/min</translation>
+    </message>
+    <message>
+        <source>Lo&amp;w latency</source>
+        <translation>&amp;Kurze Latenz</translation>
+    </message>
+    <message>
+        <source>Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+W)</source>
+        <translation>Bittet den Adapter, Bytes sofort weiterzugeben. Viele sammeln sie bis zu 16 ms lang (Alt+K)</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serieller Anschluss</translation>
+    </message>
+    <message>
+        <source>Encoders at a serial adapter. From connecting on they are asked for positions.</source>
+        <translation>Geber an einem seriellen Adapter. Ab dem Verbinden werden sie nach Positionen gefragt.</translation>
+    </message>
+    <message>
+        <source>Without it many adapters collect bytes for up to 16 ms</source>
+        <translation>Ohne sie sammeln viele Adapter Bytes bis zu 16 ms lang</translation>
+    </message>
+    <message>
+        <source>Time-&amp;out</source>
+        <translation>&amp;Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Maximum speed</source>
+        <translation>Maximale Drehzahl</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximum speed</source>
+        <translation>Ma&amp;ximale Drehzahl</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineStatus</name>
+    <message>
+        <source>%1: port is gone</source>
+        <comment>serial port</comment>
+        <translation>%1: Anschluss ist weg</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd, %3 of %4 answer</source>
+        <comment>serial port, baud rate, encoders</comment>
+        <translation>%1, %2 Bd, %3 von %4 antworten</translation>
+    </message>
+    <message>
+        <source>Serial line: %1 answers, %2 time-outs, %3 garbage bytes</source>
+        <translation>Serielle Leitung: %1 Antworten, %2 Zeitüberschreitungen, %3 Störbytes</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineTerminal</name>
+    <message>
+        <source>Nothing was sent: a job is running on this line. Wait until it has ended, or cancel it.</source>
+        <translation>Nichts gesendet: An dieser Leitung läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
+    </message>
+    <message>
+        <source>Send and &amp;write</source>
+        <translation>Senden und sch&amp;reiben</translation>
+    </message>
+    <message>
+        <source>Do &amp;not send</source>
+        <translation>&amp;Nicht senden</translation>
+    </message>
+    <message>
+        <source>No answer to %1. Whether it was carried out is unknown: read the value back. It is not sent again by itself.</source>
+        <translation>Keine Antwort auf %1. Ob es ausgeführt wurde, ist unbekannt: Den Wert zurücklesen. Von selbst wird es nicht noch einmal gesendet.</translation>
+    </message>
+    <message>
+        <source>No answer to %1. Check address and baud rate, or look for encoders.</source>
+        <translation>Keine Antwort auf %1. Adresse und Baudrate prüfen oder Geber suchen.</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>line-session.json</source>
+        <comment>name of a file</comment>
+        <translation>leitung.json</translation>
+    </message>
+    <message>
+        <source>Line sessions (*.json)</source>
+        <translation>Aufzeichnungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a session</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Export the rows</source>
+        <translation>Zeilen exportieren</translation>
+    </message>
+    <message>
+        <source>line.txt</source>
+        <comment>name of a file</comment>
+        <translation>leitung.txt</translation>
+    </message>
+    <message>
+        <source>Address and command, as in 05P. Up and Down: what was typed before. Ctrl+Space: all commands.</source>
+        <translation>Adresse und Befehl, etwa 05P. Auf und Ab: zuvor Getipptes. Strg+Leertaste: alle Befehle.</translation>
+    </message>
+    <message>
+        <source>Sends the request (Enter)</source>
+        <translation>Sendet die Anfrage (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Line terminal</source>
+        <translation>Leitungsterminal</translation>
+    </message>
+    <message>
+        <source>Nothing has passed on the line yet</source>
+        <translation>Noch ging nichts über die Leitung</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keep the newest row in view</source>
+        <translation>Automatisch folgen: Die neueste Zeile bleibt im Blick</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all shown, with tabs between the columns</source>
+        <translation>Die gewählten oder alle gezeigten Zeilen kopieren, mit Tabulatoren zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Look at a saved session, and send it again</source>
+        <translation>Eine Aufzeichnung ansehen und noch einmal senden</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the rows shown to a text file</source>
+        <translation>Die gezeigten Zeilen in eine Textdatei schreiben</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Remove all rows</source>
+        <translation>Alle Zeilen entfernen</translation>
+    </message>
+    <message>
+        <source>Request to send</source>
+        <translation>Anfrage zum Senden</translation>
+    </message>
+    <message>
+        <source>Send the request</source>
+        <translation>Die Anfrage senden</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Request</source>
+        <translation>Anfrage</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Show the rows again that Clear removed</source>
+        <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+    <message>
+        <source>Traffic on the line</source>
+        <translation>Was über die Leitung ging</translation>
+    </message>
+    <message>
+        <source>What is sent and answered on a serial line is shown here. Connect one, or open a saved session.</source>
+        <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine Leitung verbinden oder eine Aufzeichnung öffnen.</translation>
+    </message>
+    <message>
+        <source>Hold the table; new rows are kept and shown afterwards</source>
+        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
+    </message>
+    <message>
+        <source>Save all rows in a file, to look at and send again</source>
+        <translation>Alle Zeilen in einer Datei ablegen, zum Ansehen und erneuten Senden</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineTrainingPanel</name>
+    <message>
+        <source>The simulated line, or the encoder on it, that is moved and disturbed here</source>
+        <translation>Die simulierte Leitung, oder der Geber daran, der hier bewegt und gestört wird</translation>
+    </message>
+    <message>
+        <source>Serial line</source>
+        <translation>Serielle Leitung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineViews</name>
+    <message>
+        <source>&amp;Use this adapter</source>
+        <translation>Diesen Adapter ver&amp;wenden</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>Asks for positions again</source>
+        <translation>Fragt wieder nach Positionen</translation>
+    </message>
+    <message>
+        <source>Request field of the terminal</source>
+        <translation>Eingabefeld des Terminals</translation>
+    </message>
+    <message>
+        <source>Training line</source>
+        <translation>Übungsleitung</translation>
+    </message>
+    <message>
+        <source>Three simulated encoders, at factory settings, in this program. Nothing leaves this computer.</source>
+        <translation>Drei simulierte Geber mit Werkseinstellungen in diesem Programm. Nichts verlässt diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>Use this adapter</source>
+        <translation>Diesen Adapter verwenden</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::FaultBanner</name>
     <message>
         <source>Show</source>
@@ -11658,1486 +13138,6 @@ ist. Braucht keinen Bus.</translation>
         <source>LEDs: not known. %1</source>
         <comment>why</comment>
         <translation>LEDs: unbekannt. %1</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineActions</name>
-    <message>
-        <source>Serial &amp;line</source>
-        <translation>Serielle &amp;Leitung</translation>
-    </message>
-    <message>
-        <source>Asks one address after the other; nothing is written</source>
-        <translation>Fragt eine Adresse nach der anderen; nichts wird geschrieben</translation>
-    </message>
-    <message>
-        <source>&amp;Terminal</source>
-        <translation>&amp;Terminal</translation>
-    </message>
-    <message>
-        <source>Line st&amp;atistics</source>
-        <translation>Stat&amp;istik der Leitung</translation>
-    </message>
-    <message>
-        <source>Port, state, answers and time-outs of the line</source>
-        <translation>Anschluss, Zustand, Antworten und Zeitüberschreitungen der Leitung</translation>
-    </message>
-    <message>
-        <source>T&amp;raining line</source>
-        <translation>Ü&amp;bungsleitung</translation>
-    </message>
-    <message>
-        <source>Three simulated encoders, in place of a port</source>
-        <translation>Drei simulierte Geber anstelle eines Anschlusses</translation>
-    </message>
-    <message>
-        <source>&amp;Disconnect the line</source>
-        <translation>Leitung t&amp;rennen</translation>
-    </message>
-    <message>
-        <source>Closes the serial line</source>
-        <translation>Schließt die serielle Leitung</translation>
-    </message>
-    <message>
-        <source>&amp;Swap warning bytes</source>
-        <translation>Warnungs&amp;bytes tauschen</translation>
-    </message>
-    <message>
-        <source>Remove from the serial &amp;line</source>
-        <translation>Aus der seriellen &amp;Leitung nehmen</translation>
-    </message>
-    <message>
-        <source>For encoders on the serial line</source>
-        <translation>Für Geber an der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>For an encoder that sends the low byte of its warnings first; nothing is sent</source>
-        <translation>Für einen Geber, der das niederwertige Byte seiner Warnungen zuerst sendet; gesendet wird nichts</translation>
-    </message>
-    <message>
-        <source>The encoder is not asked any more; what it has stays as it is</source>
-        <translation>Der Geber wird nicht mehr abgefragt; sein Stand bleibt unverändert</translation>
-    </message>
-    <message>
-        <source>&amp;Search for encoders…</source>
-        <translation>Geber &amp;suchen…</translation>
-    </message>
-    <message>
-        <source>Shows the traffic on the line, and sends what you type</source>
-        <translation>Zeigt, was über die Leitung geht, und sendet Eingetipptes</translation>
-    </message>
-    <message>
-        <source>&amp;Connection…</source>
-        <translation>&amp;Verbindung…</translation>
-    </message>
-    <message>
-        <source>How the line is connected: port and settings. Nothing is written</source>
-        <translation>Wie die Leitung verbunden wird: Anschluss und Einstellungen. Es wird nichts geschrieben</translation>
-    </message>
-    <message>
-        <source>serial port, adapter, baud rate</source>
-        <translation>serieller Anschluss, Adapter, Baudrate</translation>
-    </message>
-    <message>
-        <source>Start a&amp;fresh</source>
-        <translation>Neu b&amp;eginnen</translation>
-    </message>
-    <message>
-        <source>reset, factory settings, no faults</source>
-        <translation>zurücksetzen, Werkseinstellungen, keine Störungen, Reset</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineCheck</name>
-    <message>
-        <source>Serial port</source>
-        <translation>Serieller Anschluss</translation>
-    </message>
-    <message>
-        <source>Opening</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Silence before asking</source>
-        <translation>Stille vor dem Fragen</translation>
-    </message>
-    <message>
-        <source>Any encoder</source>
-        <translation>Irgendein Geber</translation>
-    </message>
-    <message>
-        <source>Encoder %1</source>
-        <translation>Geber %1</translation>
-    </message>
-    <message>
-        <source>Not tested: the test was ended.</source>
-        <translation>Nicht geprüft: Der Test wurde beendet.</translation>
-    </message>
-    <message>
-        <source>Not tested, because of what failed before.</source>
-        <translation>Nicht geprüft, weil etwas davor fehlgeschlagen ist.</translation>
-    </message>
-    <message>
-        <source>The port %1 is there.</source>
-        <translation>Der Anschluss %1 ist da.</translation>
-    </message>
-    <message>
-        <source>Opened at %1 Bd.</source>
-        <translation>Mit %1 Bd geöffnet.</translation>
-    </message>
-    <message>
-        <source>The adapter does not grant low latency: it may collect bytes for up to 16 ms, which halves the rate of positions.</source>
-        <translation>Der Adapter gewährt keine kurze Latenz: Er kann Bytes bis zu 16 ms lang sammeln, was die Rate der Positionen halbiert.</translation>
-    </message>
-    <message>
-        <source>Nothing came within %1 ms.</source>
-        <translation>Innerhalb von %1 ms kam nichts.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</source>
-        <translation>
-            <numerusform>%n Byte kam, bevor etwas gefragt wurde: An dieser Leitung arbeitet ein anderer Master, oder etwas sendet von selbst. Nichts wurde gesendet.</numerusform>
-            <numerusform>%n Bytes kamen, bevor etwas gefragt wurde: An dieser Leitung arbeitet ein anderer Master, oder etwas sendet von selbst. Nichts wurde gesendet.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</source>
-        <translation>
-            <numerusform>%n Byte kam, aber keine Antwort eines Gebers. Prüfen Sie Baudrate und Format, und ob zwei Geber zugleich antworten.</numerusform>
-            <numerusform>%n Bytes kamen, aber keine Antwort eines Gebers. Prüfen Sie Baudrate und Format, und ob zwei Geber zugleich antworten.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Only the request came back: the adapter hears itself, and no encoder answers. Check address, wires and supply.</source>
-        <translation>Nur die Anfrage kam zurück: Der Adapter hört sich selbst, und kein Geber antwortet. Prüfen Sie Adresse, Adern und Versorgung.</translation>
-    </message>
-    <message>
-        <source>Nothing came. Check address, baud rate, wires (A and B may be swapped) and supply; an RS-422 encoder also needs ST (pin 7) at +UB.</source>
-        <translation>Nichts kam. Prüfen Sie Adresse, Baudrate, Adern (A und B können vertauscht sein) und Versorgung; ein RS-422-Geber braucht außerdem ST (Pin 7) an +UB.</translation>
-    </message>
-    <message>
-        <source>It answers, but not with a position: %1.</source>
-        <translation>Er antwortet, aber nicht mit einer Position: %1.</translation>
-    </message>
-    <message>
-        <source>It answers after %1 ms: position %2 (%3h).</source>
-        <translation>Er antwortet nach %1 ms: Position %2 (%3h).</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineChecks</name>
-    <message>
-        <source>Asking for positions</source>
-        <translation>Abfrage der Positionen</translation>
-    </message>
-    <message>
-        <source>runs</source>
-        <translation>läuft</translation>
-    </message>
-    <message>
-        <source>Nobody asks for positions: that was stopped. Start it.</source>
-        <translation>Niemand fragt Positionen ab: das wurde angehalten. Starten.</translation>
-    </message>
-    <message numerus="yes">
-        <source>none for %n requests</source>
-        <translation>
-            <numerusform>keine auf %n Anfrage</numerusform>
-            <numerusform>keine auf %n Anfragen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Bytes</source>
-        <translation>Bytes</translation>
-    </message>
-    <message>
-        <source>some after each request</source>
-        <translation>einige nach jeder Anfrage</translation>
-    </message>
-    <message>
-        <source>they come</source>
-        <translation>kommen an</translation>
-    </message>
-    <message>
-        <source>Rate and format</source>
-        <translation>Baudrate und Format</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n bytes that are no answer</source>
-        <translation>
-            <numerusform>%n Byte, das keine Antwort ist</numerusform>
-            <numerusform>%n Bytes, die keine Antwort sind</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>the bytes make sense</source>
-        <translation>lesbar</translation>
-    </message>
-    <message>
-        <source>More than the echo</source>
-        <translation>Nicht nur Echo</translation>
-    </message>
-    <message>
-        <source>answers</source>
-        <translation>antwortet</translation>
-    </message>
-    <message>
-        <source>only the request came back</source>
-        <translation>nur das Echo der Anfrage</translation>
-    </message>
-    <message>
-        <source>Answer of the encoder</source>
-        <translation>Antwort des Gebers</translation>
-    </message>
-    <message>
-        <source>to each request</source>
-        <translation>auf jede Anfrage</translation>
-    </message>
-    <message>
-        <source>none yet</source>
-        <translation>noch keine</translation>
-    </message>
-    <message>
-        <source>after %1 ms</source>
-        <translation>nach %1 ms</translation>
-    </message>
-    <message>
-        <source>Alarms and warnings</source>
-        <translation>Alarme und Warnungen</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineEncoderBox</name>
-    <message>
-        <source>Raw position</source>
-        <translation>Rohposition</translation>
-    </message>
-    <message>
-        <source>Power on</source>
-        <translation>Eingeschaltet</translation>
-    </message>
-    <message>
-        <source>Supply of the encoder; it keeps what was written</source>
-        <translation>Versorgung des Gebers; was geschrieben wurde, bleibt erhalten</translation>
-    </message>
-    <message>
-        <source>Silent</source>
-        <translation>Stumm</translation>
-    </message>
-    <message>
-        <source>It receives and acts, but does not answer</source>
-        <translation>Er empfängt und handelt, antwortet aber nicht</translation>
-    </message>
-    <message>
-        <source>Battery nearly flat</source>
-        <translation>Batterie fast leer</translation>
-    </message>
-    <message>
-        <source>Warning: soon to be changed</source>
-        <translation>Warnung: bald tauschen</translation>
-    </message>
-    <message>
-        <source>Battery flat</source>
-        <translation>Batterie leer</translation>
-    </message>
-    <message>
-        <source>Alarm</source>
-        <translation>Alarm</translation>
-    </message>
-    <message>
-        <source>Too hot</source>
-        <translation>Zu heiß</translation>
-    </message>
-    <message>
-        <source>Alarm: temperature exceeded</source>
-        <translation>Alarm: Temperatur überschritten</translation>
-    </message>
-    <message>
-        <source>Light control at its end</source>
-        <translation>Lichtregelung am Ende</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>Warnung</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>Positionsfehler</translation>
-    </message>
-    <message>
-        <source>VR at +UB</source>
-        <translation>VR an +UB</translation>
-    </message>
-    <message>
-        <source>The input makes the values fall</source>
-        <translation>Der Eingang lässt die Werte fallen</translation>
-    </message>
-    <message>
-        <source>ST open</source>
-        <translation>ST offen</translation>
-    </message>
-    <message>
-        <source>RS-422: without +UB at ST no command works</source>
-        <translation>RS-422: Ohne +UB an ST wirkt kein Befehl</translation>
-    </message>
-    <message>
-        <source>Speed in revolutions per minute</source>
-        <translation>Drehzahl in Umdrehungen pro Minute</translation>
-    </message>
-    <message>
-        <source>Revolutions per minute; positive is clockwise, looking at the shaft</source>
-        <translation>Umdrehungen pro Minute; positiv ist rechtsherum, mit Blick auf die Welle</translation>
-    </message>
-    <message>
-        <source>Stop the shaft</source>
-        <translation>Welle anhalten</translation>
-    </message>
-    <message>
-        <source>Speed, rpm</source>
-        <translation>Drehzahl, U/min</translation>
-    </message>
-    <message>
-        <source>Speed %1 rpm.</source>
-        <translation>Drehzahl %1 U/min.</translation>
-    </message>
-    <message>
-        <source>%1: yes.</source>
-        <translation>%1: ja.</translation>
-    </message>
-    <message>
-        <source>%1: no.</source>
-        <translation>%1: nein.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineFaults</name>
-    <message>
-        <source>Have its battery replaced, and check the position.</source>
-        <translation>Batterie ersetzen lassen und die Position prüfen.</translation>
-    </message>
-    <message>
-        <source>Switch it off and on; if the alarm comes back, replace the encoder.</source>
-        <translation>Aus- und einschalten; kommt der Alarm wieder, den Geber ersetzen.</translation>
-    </message>
-    <message>
-        <source>silent</source>
-        <translation>stumm</translation>
-    </message>
-    <message>
-        <source>No encoder answers on %1 at %2 Bd. Check the wires (A and B may be swapped), the supply of the encoders, and the baud rate.</source>
-        <translation>Kein Geber antwortet an %1 mit %2 Bd. Adern (A und B können vertauscht sein), Versorgung der Geber und Baudrate prüfen.</translation>
-    </message>
-    <message>
-        <source>alarm</source>
-        <translation>Alarm</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>Warnung</translation>
-    </message>
-    <message>
-        <source>%1 warns: %2. See to it before it becomes an alarm.</source>
-        <translation>%1 warnt: %2. Beheben, bevor ein Alarm daraus wird.</translation>
-    </message>
-    <message>
-        <source>Let it cool down, and find out what heats it.</source>
-        <translation>Abkühlen lassen und nachsehen, was ihn erwärmt.</translation>
-    </message>
-    <message>
-        <source>%1 reports an alarm: %2. %3</source>
-        <translation>%1 meldet einen Alarm: %2. %3</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineFaultsBox</name>
-    <message>
-        <source>Lost bytes</source>
-        <translation>Verlorene Bytes</translation>
-    </message>
-    <message>
-        <source>Of 1000 bytes, both ways; they never arrive</source>
-        <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen nie an</translation>
-    </message>
-    <message>
-        <source>Lost bytes: %1 of 1000.</source>
-        <translation>Verlorene Bytes: %1 von 1000.</translation>
-    </message>
-    <message>
-        <source>Wrong bytes</source>
-        <translation>Falsche Bytes</translation>
-    </message>
-    <message>
-        <source>Of 1000 bytes, both ways; one bit is another</source>
-        <translation>Von 1000 Bytes, in beiden Richtungen; ein Bit ist gekippt</translation>
-    </message>
-    <message>
-        <source>Wrong bytes: %1 of 1000.</source>
-        <translation>Falsche Bytes: %1 von 1000.</translation>
-    </message>
-    <message>
-        <source>Doubled bytes</source>
-        <translation>Doppelte Bytes</translation>
-    </message>
-    <message>
-        <source>Of 1000 bytes, both ways; they arrive twice</source>
-        <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen zweimal an</translation>
-    </message>
-    <message>
-        <source>Doubled bytes: %1 of 1000.</source>
-        <translation>Doppelte Bytes: %1 von 1000.</translation>
-    </message>
-    <message>
-        <source>Delayed bytes</source>
-        <translation>Verzögerte Bytes</translation>
-    </message>
-    <message>
-        <source>Of 1000 bytes, both ways; they and all behind them come later</source>
-        <translation>Von 1000 Bytes, in beiden Richtungen; sie und alle dahinter kommen später</translation>
-    </message>
-    <message>
-        <source>Delayed bytes: %1 of 1000.</source>
-        <translation>Verzögerte Bytes: %1 von 1000.</translation>
-    </message>
-    <message>
-        <source>Echo</source>
-        <translation>Echo</translation>
-    </message>
-    <message>
-        <source>The adapter hears what it sends: half duplex, as RS-485 may do</source>
-        <translation>Der Adapter hört, was er sendet: halbduplex, wie es bei RS-485 sein kann</translation>
-    </message>
-    <message>
-        <source>All encoders silent</source>
-        <translation>Alle Geber stumm</translation>
-    </message>
-    <message>
-        <source>They receive and act, but do not answer</source>
-        <translation>Sie empfangen und handeln, antworten aber nicht</translation>
-    </message>
-    <message>
-        <source>Adapter unplugged</source>
-        <translation>Adapter abgezogen</translation>
-    </message>
-    <message>
-        <source>The port is gone until it is plugged in again</source>
-        <translation>Der Anschluss ist weg, bis er wieder eingesteckt ist</translation>
-    </message>
-    <message>
-        <source>%1, of 1000</source>
-        <translation>%1, von 1000</translation>
-    </message>
-    <message>
-        <source>Delay in ms</source>
-        <translation>Verzögerung in ms</translation>
-    </message>
-    <message>
-        <source>How much later a delayed byte comes, in ms</source>
-        <translation>Wie viel später ein verzögertes Byte kommt, in ms</translation>
-    </message>
-    <message>
-        <source>Delay, ms</source>
-        <translation>Verzögerung, ms</translation>
-    </message>
-    <message>
-        <source>Echo on.</source>
-        <translation>Echo ein.</translation>
-    </message>
-    <message>
-        <source>Echo off.</source>
-        <translation>Echo aus.</translation>
-    </message>
-    <message>
-        <source>All encoders silent.</source>
-        <translation>Alle Geber stumm.</translation>
-    </message>
-    <message>
-        <source>All encoders answer.</source>
-        <translation>Alle Geber antworten.</translation>
-    </message>
-    <message>
-        <source>Adapter unplugged.</source>
-        <translation>Adapter abgezogen.</translation>
-    </message>
-    <message>
-        <source>Adapter plugged in.</source>
-        <translation>Adapter eingesteckt.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineFiguresModel</name>
-    <message>
-        <source>Line</source>
-        <translation>Leitung</translation>
-    </message>
-    <message>
-        <source>Requests</source>
-        <translation>Anfragen</translation>
-    </message>
-    <message>
-        <source>Answers</source>
-        <translation>Antworten</translation>
-    </message>
-    <message>
-        <source>Time-outs</source>
-        <translation>Zeitüberschreitungen</translation>
-    </message>
-    <message>
-        <source>Retries</source>
-        <translation>Wiederholungen</translation>
-    </message>
-    <message>
-        <source>Unanswered</source>
-        <translation>Unbeantwortet</translation>
-    </message>
-    <message>
-        <source>Garbage bytes</source>
-        <translation>Störbytes</translation>
-    </message>
-    <message>
-        <source>Late bytes</source>
-        <translation>Verspätete Bytes</translation>
-    </message>
-    <message>
-        <source>Answer time, shortest, ms</source>
-        <translation>Antwortzeit, kürzeste, ms</translation>
-    </message>
-    <message>
-        <source>Answer time, median, ms</source>
-        <translation>Antwortzeit, Median, ms</translation>
-    </message>
-    <message>
-        <source>Answer time, longest, ms</source>
-        <translation>Antwortzeit, längste, ms</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineKeeper</name>
-    <message>
-        <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
-    </message>
-    <message>
-        <source>Fraction bits of the scaling factor</source>
-        <translation>Nachkommabits des Skalierungsfaktors</translation>
-    </message>
-    <message>
-        <source>Baud rate of the serial line</source>
-        <translation>Baudrate der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>Encoders of the serial line</source>
-        <translation>Geber der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
-        <source>Address of %1 to %2</source>
-        <translation>Adresse von %1 auf %2</translation>
-    </message>
-    <message>
-        <source>Warning bytes of %1</source>
-        <translation>Warnungsbytes von %1</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineKind</name>
-    <message>
-        <source>Serial line (ESC)</source>
-        <translation>Serielle Leitung (ESC)</translation>
-    </message>
-    <message>
-        <source>%1 Bd</source>
-        <translation>%1 Bd</translation>
-    </message>
-    <message>
-        <source>Line</source>
-        <comment>name of a new bus</comment>
-        <translation>Leitung</translation>
-    </message>
-    <message>
-        <source>training line (simulated)</source>
-        <translation>Übungsleitung (simuliert)</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineOutline</name>
-    <message>
-        <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
-    </message>
-    <message>
-        <source>Serial line (%1)</source>
-        <translation>Serielle Leitung (%1)</translation>
-    </message>
-    <message>
-        <source>%1  %2
-Address %3
-State: %4</source>
-        <translation>%1  %2
-Adresse %3
-Zustand: %4</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd
-State: %3
-Answers: %4, time-outs: %5</source>
-        <translation>%1, %2 Bd
-Zustand: %3
-Antworten: %4, Zeitüberschreitungen: %5</translation>
-    </message>
-    <message>
-        <source>searching</source>
-        <translation>sucht</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
-    </message>
-    <message>
-        <source>silent</source>
-        <translation>antwortet nicht</translation>
-    </message>
-    <message>
-        <source>alarm</source>
-        <translation>Alarm</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>Warnung</translation>
-    </message>
-    <message>
-        <source>ok</source>
-        <translation>ok</translation>
-    </message>
-    <message>
-        <source>Position %1</source>
-        <translation>Position %1</translation>
-    </message>
-    <message>
-        <source>jobs end, and nothing that waits is sent; positions are still read</source>
-        <translation>Aufträge enden, und nichts Wartendes wird gesendet; Positionen werden weiter gelesen</translation>
-    </message>
-    <message>
-        <source>offline</source>
-        <translation>offline</translation>
-    </message>
-    <message>
-        <source>no port</source>
-        <translation>getrennt</translation>
-    </message>
-    <message>
-        <source>cut off</source>
-        <translation>abgetrennt</translation>
-    </message>
-    <message>
-        <source>job</source>
-        <comment>it is running</comment>
-        <translation>Auftrag</translation>
-    </message>
-    <message>
-        <source>not seen</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>suspect</source>
-        <comment>position</comment>
-        <translation>fraglich</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LinePanel</name>
-    <message>
-        <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
-    </message>
-    <message>
-        <source>Port</source>
-        <translation>Anschluss</translation>
-    </message>
-    <message>
-        <source>The serial port of this line</source>
-        <translation>Der serielle Anschluss dieser Leitung</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
-    </message>
-    <message>
-        <source>Bits per second; data bits, parity, stop bits</source>
-        <translation>Bits pro Sekunde; Datenbits, Parität, Stoppbits</translation>
-    </message>
-    <message>
-        <source>Polling</source>
-        <translation>Abfrage</translation>
-    </message>
-    <message>
-        <source>Writing</source>
-        <translation>Schreiben</translation>
-    </message>
-    <message>
-        <source>In Watch only reads are sent</source>
-        <translation>In Beobachten wird nur gelesen</translation>
-    </message>
-    <message>
-        <source>Figures of the line and its encoders</source>
-        <translation>Statistik der Leitung und ihrer Geber</translation>
-    </message>
-    <message>
-        <source>Since the line was opened. Times are from the end of a request to the end of its answer; the median is that of the newest 1000.</source>
-        <translation>Seit dem Öffnen der Leitung. Die Zeiten gehen vom Ende einer Anfrage bis zum Ende ihrer Antwort; der Median gilt für die neuesten 1000.</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Offen</translation>
-    </message>
-    <message>
-        <source>The port is gone; it is looked for each second</source>
-        <translation>Der Anschluss ist weg; er wird jede Sekunde gesucht</translation>
-    </message>
-    <message>
-        <source>Not connected</source>
-        <translation>Nicht verbunden</translation>
-    </message>
-    <message>
-        <source>%1 Bd, %2</source>
-        <translation>%1 Bd, %2</translation>
-    </message>
-    <message>
-        <source>runs</source>
-        <translation>läuft</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
-        <source>Operate: allowed</source>
-        <translation>Bedienen: erlaubt</translation>
-    </message>
-    <message>
-        <source>Watch: only reads are sent</source>
-        <translation>Beobachten: Es wird nur gelesen</translation>
-    </message>
-    <message>
-        <source>%1 rows of the terminal were lost: the window was busy for too long.</source>
-        <translation>%1 Zeilen des Terminals gingen verloren: Das Fenster war zu lange beschäftigt.</translation>
-    </message>
-    <message>
-        <source>granted</source>
-        <comment>low latency, by the adapter</comment>
-        <translation>gewährt</translation>
-    </message>
-    <message>
-        <source>refused by the adapter: answers may come up to 16 ms later</source>
-        <translation>vom Adapter abgelehnt: Antworten können bis zu 16 ms später kommen</translation>
-    </message>
-    <message>
-        <source>not asked for</source>
-        <comment>low latency</comment>
-        <translation>nicht verlangt</translation>
-    </message>
-    <message>
-        <source>Low latency</source>
-        <translation>Kurze Latenz</translation>
-    </message>
-    <message>
-        <source>Whether the adapter hands over bytes at once. Where it does not, time-outs are longer, and positions come more slowly</source>
-        <translation>Ob der Adapter Bytes sofort weitergibt. Tut er es nicht, gelten längere Zeitgrenzen, und Positionen kommen langsamer</translation>
-    </message>
-    <message>
-        <source>Another adapter is plugged in</source>
-        <translation>Ein anderer Adapter ist eingesteckt</translation>
-    </message>
-    <message>
-        <source>Whether the encoders are asked in turn</source>
-        <translation>Ob die Geber reihum abgefragt werden</translation>
-    </message>
-    <message>
-        <source>no adapter to ask</source>
-        <translation>kein Adapter da</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LinePlanRules</name>
-    <message>
-        <source>Address %1</source>
-        <translation>Adresse %1</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineRecordView</name>
-    <message>
-        <source>Rows of the saved session</source>
-        <translation>Zeilen der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Requests sent again</source>
-        <translation>Noch einmal gesendete Anfragen</translation>
-    </message>
-    <message>
-        <source>&amp;Replay</source>
-        <translation>&amp;Wiedergeben</translation>
-    </message>
-    <message>
-        <source>Sends the requests of this session again, and compares the answers (Alt+R)</source>
-        <translation>Sendet die Anfragen dieser Aufzeichnung noch einmal und vergleicht die Antworten (Alt+W)</translation>
-    </message>
-    <message>
-        <source>Cance&amp;l</source>
-        <translation>A&amp;bbrechen</translation>
-    </message>
-    <message>
-        <source>Sends no more of them (Alt+L)</source>
-        <translation>Sendet keine weiteren (Alt+B)</translation>
-    </message>
-    <message>
-        <source>Bac&amp;k to the line</source>
-        <translation>&amp;Zurück zur Leitung</translation>
-    </message>
-    <message>
-        <source>Closes this session (Alt+K)</source>
-        <translation>Schließt diese Aufzeichnung (Alt+Z)</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3 Bd, %4; %5 rows</source>
-        <comment>file, port, baud rate, date and time, count</comment>
-        <translation>%1: %2, %3 Bd, %4; %5 Zeilen</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more, listed below</source>
-        <translation>
-            <numerusform>und %n weitere, unten aufgeführt</numerusform>
-            <numerusform>und %n weitere, unten aufgeführt</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 of the %2 requests write to encoders: %3.</source>
-        <translation>Davon schreiben in Geber: %1 von %2 Anfragen: %3.</translation>
-    </message>
-    <message>
-        <source>Send re&amp;ads only</source>
-        <translation>&amp;Nur Lesendes senden</translation>
-    </message>
-    <message>
-        <source>Send &amp;writes too</source>
-        <translation>Auch &amp;Schreibendes senden</translation>
-    </message>
-    <message>
-        <source>The program only watches: they are left out. Switch to Operate to send them.</source>
-        <translation>Das Programm beobachtet nur: Sie werden ausgelassen. Zum Senden auf Bedienen schalten.</translation>
-    </message>
-    <message>
-        <source>Sent: %1 of %2. The answer was the same: %3, another: %4, none came: %5.</source>
-        <translation>Gesendet: %1 von %2. Die Antwort war gleich: %3, anders: %4, blieb aus: %5.</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The serial line is gone.</source>
-        <translation>Die serielle Leitung ist weg.</translation>
-    </message>
-    <message>
-        <source>The program only watches now: the next request writes.</source>
-        <translation>Das Programm beobachtet jetzt nur: Die nächste Anfrage schreibt.</translation>
-    </message>
-    <message>
-        <source>The serial line is not open. Connect it first.</source>
-        <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
-    </message>
-    <message>
-        <source>This session contains no request to send, except automatic ones: clear &quot;Hide automatic requests&quot; to send those again.</source>
-        <translation>Diese Aufzeichnung enthält außer automatischen Anfragen keine Anfrage zum Senden: „Automatische Anfragen ausblenden“ abwählen, um diese zu senden.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineRowOptions</name>
-    <message>
-        <source>Shows the bytes as text, control characters as pictures</source>
-        <translation>Zeigt die Bytes als Text, Steuerzeichen als Symbole</translation>
-    </message>
-    <message>
-        <source>Shows the bytes as hexadecimal numbers</source>
-        <translation>Zeigt die Bytes als Hexzahlen</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>Hex</source>
-        <translation>Hex</translation>
-    </message>
-    <message>
-        <source>Hide automatic requests</source>
-        <translation>Automatische Anfragen ausblenden</translation>
-    </message>
-    <message>
-        <source>Leaves out what the program asks by itself (position, warnings, alarms, serial number, version, device code) and the answers. They are kept, and shown again when this is cleared.</source>
-        <translation>Blendet aus, was das Programm von selbst fragt (Position, Warnungen, Alarme, Seriennummer, Version, Gerätecode), samt den Antworten. Sie bleiben erhalten und erscheinen wieder, wenn dies ausgeschaltet wird.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineSearch</name>
-    <message>
-        <source>Two hexadecimal digits, 01 to 1F</source>
-        <translation>Zwei Hexziffern, 01 bis 1F</translation>
-    </message>
-    <message>
-        <source>First address</source>
-        <translation>Erste Adresse</translation>
-    </message>
-    <message>
-        <source>Last address</source>
-        <translation>Letzte Adresse</translation>
-    </message>
-    <message>
-        <source>Ask at the &amp;master address 00 first</source>
-        <translation>Zuerst die Masteradresse 00 ab&amp;fragen</translation>
-    </message>
-    <message>
-        <source>No search yet</source>
-        <translation>Noch keine Suche</translation>
-    </message>
-    <message>
-        <source>Each address is asked for its serial number. Nothing is written.</source>
-        <translation>Von jeder Adresse wird die Seriennummer abgefragt. Nichts wird geschrieben.</translation>
-    </message>
-    <message>
-        <source>Search for encoders</source>
-        <translation>Geber suchen</translation>
-    </message>
-    <message>
-        <source>&amp;Take over</source>
-        <translation>Überneh&amp;men</translation>
-    </message>
-    <message>
-        <source>Adds the ticked encoders to the bus structure</source>
-        <translation>Nimmt die angehakten Geber in den Busaufbau auf</translation>
-    </message>
-    <message>
-        <source>t&amp;o</source>
-        <translation>b&amp;is</translation>
-    </message>
-    <message>
-        <source>&amp;Addresses</source>
-        <translation>Adresse&amp;n</translation>
-    </message>
-    <message>
-        <source>%1 Bd</source>
-        <translation>%1 Bd</translation>
-    </message>
-    <message>
-        <source>All three baud rates</source>
-        <translation>Alle drei Baudraten</translation>
-    </message>
-    <message>
-        <source>Baud rates of the search</source>
-        <translation>Baudraten der Suche</translation>
-    </message>
-    <message>
-        <source>An encoder answers at its own baud rate alone; 19200 is that of the factory</source>
-        <translation>Ein Geber antwortet nur mit seiner eigenen Baudrate; ab Werk sind es 19200</translation>
-    </message>
-    <message>
-        <source>Baud &amp;rate</source>
-        <translation>Baud&amp;rate</translation>
-    </message>
-    <message>
-        <source>Any encoder answers there: only where a single one is on the line, since several would answer at once</source>
-        <translation>Dort antwortet jeder Geber: nur verwenden, wenn ein einziger an der Leitung ist, denn mehrere antworten zugleich</translation>
-    </message>
-    <message>
-        <source>&amp;Search</source>
-        <translation>S&amp;uchen</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>Ends the search</source>
-        <translation>Beendet die Suche</translation>
-    </message>
-    <message>
-        <source>Progress of the search</source>
-        <translation>Fortschritt der Suche</translation>
-    </message>
-    <message>
-        <source>Encoders found</source>
-        <translation>Gefundene Geber</translation>
-    </message>
-    <message>
-        <source>Space chooses an encoder</source>
-        <translation>Die Leertaste wählt einen Geber</translation>
-    </message>
-    <message>
-        <source>Searching</source>
-        <translation>Sucht</translation>
-    </message>
-    <message>
-        <source>%1 of %2 asked</source>
-        <translation>%1 von %2 abgefragt</translation>
-    </message>
-    <message numerus="yes">
-        <source>Requests sent: %n.</source>
-        <translation>
-            <numerusform>Gesendete Anfragen: %n.</numerusform>
-            <numerusform>Gesendete Anfragen: %n.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Encoders found: %n.</source>
-        <translation>
-            <numerusform>Gefundene Geber: %n.</numerusform>
-            <numerusform>Gefundene Geber: %n.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The search was cancelled.</source>
-        <translation>Suche abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The search was cancelled</source>
-        <translation>Die Suche wurde abgebrochen</translation>
-    </message>
-    <message>
-        <source>No encoder has answered</source>
-        <translation>Kein Geber hat geantwortet</translation>
-    </message>
-    <message>
-        <source>Check: the address and the baud rate (search all three); the wiring, both pairs the right way round, termination; the supply of the encoder; with RS-422 that the input ST (pin 7) is tied to +UB, without it no command works.</source>
-        <translation>Prüfen: Adresse und Baudrate (alle drei absuchen); Verdrahtung (beide Paare richtig herum) und Abschluss; Versorgung des Gebers; bei RS-422, dass der Eingang ST (Pin 7) an +UB liegt: Ohne das wirkt kein Befehl.</translation>
-    </message>
-    <message>
-        <source>Asks one address after the other (Alt+S)</source>
-        <translation>Fragt eine Adresse nach der anderen (Alt+U)</translation>
-    </message>
-    <message>
-        <source>The serial line is not open. Connect it first.</source>
-        <translation>Die serielle Leitung ist nicht offen. Zuerst verbinden.</translation>
-    </message>
-    <message>
-        <source>Kind of encoder</source>
-        <translation>Art des Gebers</translation>
-    </message>
-    <message>
-        <source>The kind that the ticked encoders are taken over as: they do not report whether they have RS-422 or RS-485</source>
-        <translation>Als welche Geber die angehakten übernommen werden: Sie melden nicht, ob sie RS-422 oder RS-485 haben</translation>
-    </message>
-    <message>
-        <source>&amp;Kind</source>
-        <translation>Ar&amp;t</translation>
-    </message>
-    <message>
-        <source>Not taken over: %1. The line runs at %2 Bd. Choose the other baud rate in the settings of the line, and connect it again.</source>
-        <translation>Nicht übernommen: %1. Die Leitung arbeitet mit %2 Bd. In den Einstellungen der Leitung die andere Baudrate wählen und neu verbinden.</translation>
-    </message>
-    <message>
-        <source>%1 at %2 Bd</source>
-        <translation>%1 mit %2 Bd</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not an address. Give two hexadecimal digits, 01 to 1F.</source>
-        <translation>„%1“ ist keine Adresse. Zwei Hexziffern angeben, 01 bis 1F.</translation>
-    </message>
-    <message>
-        <source>Asks encoders for their serial numbers. Nothing is written.</source>
-        <translation>Fragt Geber nach ihrer Seriennummer. Geschrieben wird nichts.</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineSettingsForm</name>
-    <message>
-        <source> ms</source>
-        <comment>unit of a time</comment>
-        <translation> ms</translation>
-    </message>
-    <message>
-        <source>Settings of the serial line</source>
-        <translation>Einstellungen der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>&amp;Port</source>
-        <translation>An&amp;schluss</translation>
-    </message>
-    <message>
-        <source>Ba&amp;ud rate</source>
-        <translation>Ba&amp;udrate</translation>
-    </message>
-    <message>
-        <source>19200, 9600 or 4800; any other may be typed. 19200 is that of the factory</source>
-        <translation>19200, 9600 oder 4800; jede andere lässt sich eintippen. Ab Werk sind es 19200</translation>
-    </message>
-    <message>
-        <source>Dat&amp;a bits</source>
-        <translation>Date&amp;nbits</translation>
-    </message>
-    <message>
-        <source>8 for these encoders</source>
-        <translation>8 bei diesen Gebern</translation>
-    </message>
-    <message>
-        <source>Parit&amp;y</source>
-        <translation>&amp;Parität</translation>
-    </message>
-    <message>
-        <source>None for these encoders</source>
-        <translation>Keine bei diesen Gebern</translation>
-    </message>
-    <message>
-        <source>&amp;Stop bits</source>
-        <translation>Stoppb&amp;its</translation>
-    </message>
-    <message>
-        <source>2 for these encoders</source>
-        <translation>2 bei diesen Gebern</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <comment>parity</comment>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>even</source>
-        <comment>parity</comment>
-        <translation>gerade</translation>
-    </message>
-    <message>
-        <source>odd</source>
-        <comment>parity</comment>
-        <translation>ungerade</translation>
-    </message>
-    <message>
-        <source>Poll &amp;interval</source>
-        <translation>Abfrageinterval&amp;l</translation>
-    </message>
-    <message>
-        <source>Between position requests of one encoder; 10 ms is the shortest of the manual</source>
-        <translation>Zwischen den Positionsanfragen eines Gebers; kürzester Wert laut Handbuch: 10 ms</translation>
-    </message>
-    <message>
-        <source>From the end of a request to the beginning of its answer</source>
-        <translation>Vom Ende einer Anfrage bis zum Anfang ihrer Antwort</translation>
-    </message>
-    <message>
-        <source>&amp;Number of retries</source>
-        <translation>Anzahl der &amp;Wiederholungen</translation>
-    </message>
-    <message>
-        <source>How often a read is sent again. A write never is</source>
-        <translation>Wie oft ein Lesen noch einmal gesendet wird. Ein Schreiben nie</translation>
-    </message>
-    <message>
-        <source>&amp;Quiet time after a write</source>
-        <translation>&amp;Ruhezeit nach einem Schreiben</translation>
-    </message>
-    <message>
-        <source>How long nothing is sent after a write: the encoder stores it</source>
-        <translation>Wie lange nach einem Schreiben nichts gesendet wird: Solange speichert der Geber</translation>
-    </message>
-    <message>
-        <source>Fraction bits of the scalin&amp;g factor</source>
-        <translation>Nachkommabits des Skalierungs&amp;faktors</translation>
-    </message>
-    <message>
-        <source>29 fits the example of the manual; it can be determined from a device</source>
-        <translation>29 passt zum Beispiel des Handbuchs; der Wert lässt sich am Gerät bestimmen</translation>
-    </message>
-    <message>
-        <source>A position that jumps further than this speed allows is marked suspect and asked for again</source>
-        <translation>Eine Position, die weiter springt, als diese Drehzahl erlaubt, gilt als verdächtig und wird noch einmal abgefragt</translation>
-    </message>
-    <message>
-        <source>Choose a serial port, or type the path of one.</source>
-        <translation>Einen seriellen Anschluss wählen oder den Pfad eintippen.</translation>
-    </message>
-    <message>
-        <source>Fraction bits of the scaling factor</source>
-        <translation>Nachkommabits des Skalierungsfaktors</translation>
-    </message>
-    <message>
-        <source>Deter&amp;mine</source>
-        <translation>Besti&amp;mmen</translation>
-    </message>
-    <message>
-        <source>Reads scaling factor, steps per turn and measuring range of the chosen encoder of the line, or else of the first that answers, and keeps the format that fits. Nothing is written (Alt+M)</source>
-        <translation>Liest Skalierungsfaktor, Schritte je Umdrehung und Messbereich des gewählten Gebers der Leitung, sonst des ersten, der antwortet, und behält das passende Format. Es wird nichts geschrieben (Alt+M)</translation>
-    </message>
-    <message>
-        <source>Set the line to %1 Bd</source>
-        <translation>Leitung auf %1 Bd stellen</translation>
-    </message>
-    <message>
-        <source>The baud rate is a number from %1 to %2.</source>
-        <translation>Die Baudrate ist eine Zahl von %1 bis %2.</translation>
-    </message>
-    <message>
-        <source> rpm</source>
-        <comment>revolutions per minute</comment>
-        <translation> U/min</translation>
-    </message>
-    <message>
-        <source>Lo&amp;w latency</source>
-        <translation>&amp;Kurze Latenz</translation>
-    </message>
-    <message>
-        <source>Asks the adapter to hand over bytes at once. Many collect them for up to 16 ms (Alt+W)</source>
-        <translation>Bittet den Adapter, Bytes sofort weiterzugeben. Viele sammeln sie bis zu 16 ms lang (Alt+K)</translation>
-    </message>
-    <message>
-        <source>Serial port</source>
-        <translation>Serieller Anschluss</translation>
-    </message>
-    <message>
-        <source>Encoders at a serial adapter. From connecting on they are asked for positions.</source>
-        <translation>Geber an einem seriellen Adapter. Ab dem Verbinden werden sie nach Positionen gefragt.</translation>
-    </message>
-    <message>
-        <source>Without it many adapters collect bytes for up to 16 ms</source>
-        <translation>Ohne sie sammeln viele Adapter Bytes bis zu 16 ms lang</translation>
-    </message>
-    <message>
-        <source>Time-&amp;out</source>
-        <translation>&amp;Zeitgrenze</translation>
-    </message>
-    <message>
-        <source>Maximum speed</source>
-        <translation>Maximale Drehzahl</translation>
-    </message>
-    <message>
-        <source>Ma&amp;ximum speed</source>
-        <translation>Ma&amp;ximale Drehzahl</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineStatus</name>
-    <message>
-        <source>%1: port is gone</source>
-        <comment>serial port</comment>
-        <translation>%1: Anschluss ist weg</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd, %3 of %4 answer</source>
-        <comment>serial port, baud rate, encoders</comment>
-        <translation>%1, %2 Bd, %3 von %4 antworten</translation>
-    </message>
-    <message>
-        <source>Serial line: %1 answers, %2 time-outs, %3 garbage bytes</source>
-        <translation>Serielle Leitung: %1 Antworten, %2 Zeitüberschreitungen, %3 Störbytes</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineTerminal</name>
-    <message>
-        <source>Nothing was sent: a job is running on this line. Wait until it has ended, or cancel it.</source>
-        <translation>Nichts gesendet: An dieser Leitung läuft ein Auftrag. Sein Ende abwarten oder ihn abbrechen.</translation>
-    </message>
-    <message>
-        <source>Send and &amp;write</source>
-        <translation>Senden und sch&amp;reiben</translation>
-    </message>
-    <message>
-        <source>Do &amp;not send</source>
-        <translation>&amp;Nicht senden</translation>
-    </message>
-    <message>
-        <source>No answer to %1. Whether it was carried out is unknown: read the value back. It is not sent again by itself.</source>
-        <translation>Keine Antwort auf %1. Ob es ausgeführt wurde, ist unbekannt: Den Wert zurücklesen. Von selbst wird es nicht noch einmal gesendet.</translation>
-    </message>
-    <message>
-        <source>No answer to %1. Check address and baud rate, or look for encoders.</source>
-        <translation>Keine Antwort auf %1. Adresse und Baudrate prüfen oder Geber suchen.</translation>
-    </message>
-    <message>
-        <source>Save the session</source>
-        <translation>Aufzeichnung speichern</translation>
-    </message>
-    <message>
-        <source>line-session.json</source>
-        <comment>name of a file</comment>
-        <translation>leitung.json</translation>
-    </message>
-    <message>
-        <source>Line sessions (*.json)</source>
-        <translation>Aufzeichnungen (*.json)</translation>
-    </message>
-    <message>
-        <source>Open a session</source>
-        <translation>Aufzeichnung öffnen</translation>
-    </message>
-    <message>
-        <source>Export the rows</source>
-        <translation>Zeilen exportieren</translation>
-    </message>
-    <message>
-        <source>line.txt</source>
-        <comment>name of a file</comment>
-        <translation>leitung.txt</translation>
-    </message>
-    <message>
-        <source>Address and command, as in 05P. Up and Down: what was typed before. Ctrl+Space: all commands.</source>
-        <translation>Adresse und Befehl, etwa 05P. Auf und Ab: zuvor Getipptes. Strg+Leertaste: alle Befehle.</translation>
-    </message>
-    <message>
-        <source>Sends the request (Enter)</source>
-        <translation>Sendet die Anfrage (Eingabe)</translation>
-    </message>
-    <message>
-        <source>Line terminal</source>
-        <translation>Leitungsterminal</translation>
-    </message>
-    <message>
-        <source>Nothing has passed on the line yet</source>
-        <translation>Noch ging nichts über die Leitung</translation>
-    </message>
-    <message>
-        <source>Follow</source>
-        <translation>Folgen</translation>
-    </message>
-    <message>
-        <source>Keep the newest row in view</source>
-        <translation>Automatisch folgen: Die neueste Zeile bleibt im Blick</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the selected rows, or all shown, with tabs between the columns</source>
-        <translation>Die gewählten oder alle gezeigten Zeilen kopieren, mit Tabulatoren zwischen den Spalten</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Look at a saved session, and send it again</source>
-        <translation>Eine Aufzeichnung ansehen und noch einmal senden</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Write the rows shown to a text file</source>
-        <translation>Die gezeigten Zeilen in eine Textdatei schreiben</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Remove all rows</source>
-        <translation>Alle Zeilen entfernen</translation>
-    </message>
-    <message>
-        <source>Request to send</source>
-        <translation>Anfrage zum Senden</translation>
-    </message>
-    <message>
-        <source>Send the request</source>
-        <translation>Die Anfrage senden</translation>
-    </message>
-    <message>
-        <source>Send</source>
-        <translation>Senden</translation>
-    </message>
-    <message>
-        <source>Request</source>
-        <translation>Anfrage</translation>
-    </message>
-    <message>
-        <source>Bring back</source>
-        <translation>Zurückholen</translation>
-    </message>
-    <message>
-        <source>Show the rows again that Clear removed</source>
-        <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
-    </message>
-    <message>
-        <source>no answer</source>
-        <translation>keine Antwort</translation>
-    </message>
-    <message>
-        <source>Text files (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
-    </message>
-    <message>
-        <source>Traffic on the line</source>
-        <translation>Was über die Leitung ging</translation>
-    </message>
-    <message>
-        <source>What is sent and answered on a serial line is shown here. Connect one, or open a saved session.</source>
-        <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine Leitung verbinden oder eine Aufzeichnung öffnen.</translation>
-    </message>
-    <message>
-        <source>Hold the table; new rows are kept and shown afterwards</source>
-        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
-    </message>
-    <message>
-        <source>Save all rows in a file, to look at and send again</source>
-        <translation>Alle Zeilen in einer Datei ablegen, zum Ansehen und erneuten Senden</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineTrainingPanel</name>
-    <message>
-        <source>The simulated line, or the encoder on it, that is moved and disturbed here</source>
-        <translation>Die simulierte Leitung, oder der Geber daran, der hier bewegt und gestört wird</translation>
-    </message>
-    <message>
-        <source>Serial line</source>
-        <translation>Serielle Leitung</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineViews</name>
-    <message>
-        <source>&amp;Use this adapter</source>
-        <translation>Diesen Adapter ver&amp;wenden</translation>
-    </message>
-    <message>
-        <source>Start again</source>
-        <translation>Neu starten</translation>
-    </message>
-    <message>
-        <source>Asks for positions again</source>
-        <translation>Fragt wieder nach Positionen</translation>
-    </message>
-    <message>
-        <source>Request field of the terminal</source>
-        <translation>Eingabefeld des Terminals</translation>
-    </message>
-    <message>
-        <source>Training line</source>
-        <translation>Übungsleitung</translation>
-    </message>
-    <message>
-        <source>Three simulated encoders, at factory settings, in this program. Nothing leaves this computer.</source>
-        <translation>Drei simulierte Geber mit Werkseinstellungen in diesem Programm. Nichts verlässt diesen Rechner.</translation>
-    </message>
-    <message>
-        <source>Use this adapter</source>
-        <translation>Diesen Adapter verwenden</translation>
     </message>
 </context>
 <context>

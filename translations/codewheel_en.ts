@@ -83,6 +83,67 @@
     </message>
 </context>
 <context>
+    <name>codewheel::EscLineCheck</name>
+    <message numerus="yes">
+        <source>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</source>
+        <translation>
+            <numerusform>%n byte came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</numerusform>
+            <numerusform>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</source>
+        <translation>
+            <numerusform>%n byte came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
+            <numerusform>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineChecks</name>
+    <message numerus="yes">
+        <source>none for %n requests</source>
+        <translation>
+            <numerusform>none for %n request</numerusform>
+            <numerusform>none for %n requests</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bytes that are no answer</source>
+        <translation>
+            <numerusform>%n byte that is no answer</numerusform>
+            <numerusform>%n bytes that are no answer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineRecordView</name>
+    <message numerus="yes">
+        <source>and %n more, listed below</source>
+        <translation>
+            <numerusform>and %n more, listed below</numerusform>
+            <numerusform>and %n more, listed below</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::EscLineSearch</name>
+    <message numerus="yes">
+        <source>Requests sent: %n.</source>
+        <translation>
+            <numerusform>Requests sent: %n.</numerusform>
+            <numerusform>Requests sent: %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Encoders found: %n.</source>
+        <translation>
+            <numerusform>Encoders found: %n.</numerusform>
+            <numerusform>Encoders found: %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::FaultBanner</name>
     <message numerus="yes">
         <source>%n more</source>
@@ -110,67 +171,6 @@
         <translation>
             <numerusform>%n section</numerusform>
             <numerusform>%n sections</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineCheck</name>
-    <message numerus="yes">
-        <source>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</source>
-        <translation>
-            <numerusform>%n byte came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</numerusform>
-            <numerusform>%n bytes came before anything was asked: another master works on this line, or something sends by itself. Nothing was sent.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</source>
-        <translation>
-            <numerusform>%n byte came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
-            <numerusform>%n bytes came, but no answer of an encoder. Check baud rate and format, and whether two encoders answer at once.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineChecks</name>
-    <message numerus="yes">
-        <source>none for %n requests</source>
-        <translation>
-            <numerusform>none for %n request</numerusform>
-            <numerusform>none for %n requests</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n bytes that are no answer</source>
-        <translation>
-            <numerusform>%n byte that is no answer</numerusform>
-            <numerusform>%n bytes that are no answer</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineRecordView</name>
-    <message numerus="yes">
-        <source>and %n more, listed below</source>
-        <translation>
-            <numerusform>and %n more, listed below</numerusform>
-            <numerusform>and %n more, listed below</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::LineSearch</name>
-    <message numerus="yes">
-        <source>Requests sent: %n.</source>
-        <translation>
-            <numerusform>Requests sent: %n.</numerusform>
-            <numerusform>Requests sent: %n.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Encoders found: %n.</source>
-        <translation>
-            <numerusform>Encoders found: %n.</numerusform>
-            <numerusform>Encoders found: %n.</numerusform>
         </translation>
     </message>
 </context>

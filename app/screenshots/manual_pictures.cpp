@@ -3,7 +3,7 @@
 
 #include "app/screenshots/accessible_tree.h"
 #include "app/screenshots/finder_picture.h"
-#include "app/screenshots/kinds/esc/line_pictures.h"
+#include "app/screenshots/kinds/esc/esc_line_pictures.h"
 #include "app/screenshots/kinds/interbus/gateway_pictures.h"
 #include "app/screenshots/kinds/interbus/offer_picture.h"
 #include "app/screenshots/project_pictures.h"
@@ -12,7 +12,7 @@
 #include "app/screenshots/scene.h"
 #include "app/screenshots/trend_pictures.h"
 #include "app/screenshots/wizard_pictures.h"
-#include "app/window/kinds/esc/line_actions.h"
+#include "app/window/kinds/esc/esc_line_actions.h"
 #include "app/window/kinds/interbus/ring_actions.h"
 #include "bus/word_channel.h"
 #include "kinds/interbus/ring/ring_session.h"
@@ -226,7 +226,7 @@ std::vector<Picture> views()
             "start",
             [](TrainingWindow &shown) {
                 shown.window().findChild<RingActions *>()->disconnectBus->trigger();
-                shown.window().findChild<LineActions *>()->disconnectLine->trigger();
+                shown.window().findChild<EscLineActions *>()->disconnectLine->trigger();
                 shown.advance(whileMilliseconds);
                 return &shown.window();
             },

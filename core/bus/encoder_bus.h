@@ -28,7 +28,7 @@ struct TypedWrite
 };
 
 // A connected bus of any kind as window, command line and ledger see it: its devices, its state, and what may
-// be sent to it. Implemented by RingSession (a ring) and LineSession (a serial line).
+// be sent to it. Implemented by RingSession (a ring) and EscLineSession (a serial line).
 class EncoderBus : public QObject
 {
     Q_OBJECT

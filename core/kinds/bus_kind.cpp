@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/bus_kind.h"
 
-#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "project/plan_rules.h"
 

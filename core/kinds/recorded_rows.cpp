@@ -40,10 +40,10 @@ public:
             row.meaning = m_traffic.row({.at = row.at, .kind = *row.kind, .bytes = row.bytes}).meaning;
         return row;
     }
-    void restart() override { m_traffic = LineTraffic(); }
+    void restart() override { m_traffic = EscLineTraffic(); }
 
 private:
-    LineTraffic m_traffic;
+    EscLineTraffic m_traffic;
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/spoken_protocol.h"
-#include "kinds/esc/finder/line_esc_protocol.h"
+#include "kinds/esc/finder/esc_spoken_protocol.h"
 #include "kinds/interbus/finder/gateway_rtu_protocol.h"
 
 namespace codewheel {

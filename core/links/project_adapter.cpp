@@ -5,11 +5,11 @@
 
 namespace codewheel {
 
-KeptAdapter keptAdapterOf(const LinePlan &line)
+KeptAdapter keptAdapterOf(const EscLinePlan &line)
 {
     const QString path = portPath(line.settings.port);
-    const LineAdapter &adapter = line.adapter;
-    if (adapter == LineAdapter())
+    const EscLineAdapter &adapter = line.adapter;
+    if (adapter == EscLineAdapter())
         return KeptAdapter(path);
     return KeptAdapter(PortInfo{.path = path,
                                 .serialNumber = adapter.serialNumber,
@@ -18,7 +18,7 @@ KeptAdapter keptAdapterOf(const LinePlan &line)
                                 .product = adapter.product});
 }
 
-LineAdapter lineAdapter(const std::optional<PortInfo> &adapter)
+EscLineAdapter lineAdapter(const std::optional<PortInfo> &adapter)
 {
     if (!adapter)
         return {};

@@ -97,7 +97,7 @@ struct PlannedBus
     BusId id;
     QString kind;      // "interbus", "esc"
     QString name;      // unique within a project
-    KindData settings; // a RingPlan or a LinePlan, depending on the kind
+    KindData settings; // a RingPlan or a EscLinePlan, depending on the kind
 
     friend bool operator==(const PlannedBus &, const PlannedBus &) = default;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults anywhere are shown above the pages of the window.
 #include "app/window/kinds/interbus/ring_views.h"
-#include "kinds/esc/simulator/simulated_line.h"
+#include "kinds/esc/simulator/simulated_esc_line.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/gateway_plan.h"
 #include "kinds/interbus/plan/ring_plan.h"
-#include "tests/app/kinds/esc/line_at_port_test.h"
+#include "tests/app/kinds/esc/esc_line_at_port_test.h"
 #include "tests/app/press_connect.h"
 #include "tests/support/modbus_server.h"
 #include "widgets/find/find_page.h"
 #include "widgets/find/finder_news_model.h"
-#include "widgets/kinds/esc/line/line_search.h"
+#include "widgets/kinds/esc/line/esc_line_search.h"
 
 #include <QSpinBox>
 
 namespace codewheel {
 namespace {
 
-class FinderInWindowTest : public test::LineAtPortTest
+class FinderInWindowTest : public test::EscLineAtPortTest
 {
 protected:
     FindPage &page() { return *window().findChild<FindPage *>(); }
@@ -43,7 +43,7 @@ TEST_F(FinderInWindowTest, AnEncoderIsFoundAndConnectedWithItsSettings)
         comes([&] { return shown->line().training() == nullptr && shown->line().session() != nullptr; }));
     EXPECT_EQ(line().linkName(), port);
     EXPECT_FALSE(line().isOperating());
-    EXPECT_TRUE(window().findChild<LineSearch *>()->isVisible()) << "its encoders are taken over there";
+    EXPECT_TRUE(window().findChild<EscLineSearch *>()->isVisible()) << "its encoders are taken over there";
 }
 
 TEST_F(FinderInWindowTest, AGatewayIsFoundAtAHostAndConnected)

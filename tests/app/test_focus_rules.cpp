@@ -3,7 +3,7 @@
 #include "tests/app/window_test.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/find/find_page.h"
-#include "widgets/kinds/esc/line/line_settings_form.h"
+#include "widgets/kinds/esc/line/esc_line_settings_form.h"
 #include "widgets/look/label_text.h"
 #include "widgets/monitor/word_view.h"
 
@@ -56,7 +56,7 @@ TEST_F(FocusRulesTest, AFieldReachedByItsLetterComesIntoSight)
     lineActions().settings->trigger();
     advance(50);
     auto &page = *window().findChild<ConnectPage *>(QStringLiteral("lineSettings"));
-    const auto fields = page.findChild<LineSettingsForm *>()->findChildren<QSpinBox *>();
+    const auto fields = page.findChild<EscLineSettingsForm *>()->findChildren<QSpinBox *>();
     ASSERT_FALSE(fields.isEmpty());
     QSpinBox &last = *fields.back();
     ASSERT_TRUE(last.visibleRegion().isEmpty()) << "below what is in sight";
@@ -71,7 +71,7 @@ TEST_F(FocusRulesTest, TabGoesFromTheFormToItsButtons)
     auto &page = *window().findChild<ConnectPage *>(QStringLiteral("lineSettings"));
     page.setFocus();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-    EXPECT_TRUE(page.findChild<LineSettingsForm *>()->isAncestorOf(QApplication::focusWidget()))
+    EXPECT_TRUE(page.findChild<EscLineSettingsForm *>()->isAncestorOf(QApplication::focusWidget()))
         << QApplication::focusWidget()->objectName().toStdString()
         << QApplication::focusWidget()->metaObject()->className()
         << QApplication::focusWidget()->parentWidget()->metaObject()->className();

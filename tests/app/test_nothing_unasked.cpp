@@ -2,7 +2,7 @@
 // Whatever is clicked, nothing is stored in an encoder, and no position is set, before a question was
 // answered.
 #include "app/window/help/menu_list.h"
-#include "app/window/kinds/esc/line_at_work.h"
+#include "app/window/kinds/esc/esc_line_at_work.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
 #include "widgets/structure/structure_view.h"

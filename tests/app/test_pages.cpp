@@ -3,7 +3,7 @@
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_editor.h"
-#include "widgets/kinds/esc/line/line_settings_form.h"
+#include "widgets/kinds/esc/line/esc_line_settings_form.h"
 #include "widgets/look/page.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -163,8 +163,8 @@ TEST_F(PagesTest, EscClosesAListBeforeThePage)
 TEST_F(PagesTest, WhatIsRefusedIsAskedAbout)
 {
     lineActions().settings->trigger();
-    auto &form = *window().findChild<LineSettingsForm *>();
-    const LineSettings before = form.settings();
+    auto &form = *window().findChild<EscLineSettingsForm *>();
+    const EscLineSettings before = form.settings();
     auto *number = form.findChild<QSpinBox *>();
     number->setFocus();
     number->selectAll();

@@ -3,10 +3,10 @@
 #include "app/journal_files.h"
 #include "app/window/buses/bus_views.h"
 #include "app/window/buses/plant.h"
-#include "app/window/kinds/esc/line_at_work.h"
+#include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "journal/ledger.h"
-#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/project_file.h"
@@ -16,8 +16,8 @@
 #include "tests/support/plans.h"
 #include "tests/support/pty_pair.h"
 #include "widgets/connect/connect_page.h"
-#include "widgets/kinds/esc/line/line_settings_form.h"
-#include "widgets/kinds/esc/line/line_terminal.h"
+#include "widgets/kinds/esc/line/esc_line_settings_form.h"
+#include "widgets/kinds/esc/line/esc_line_terminal.h"
 #include "widgets/kinds/interbus/master/master_panel.h"
 #include "widgets/look/label_text.h"
 #include "widgets/look/role_label.h"
@@ -99,7 +99,7 @@ protected:
         if (findBus(shown->project().project(), line) == nullptr)
             plan(line, u"esc");
         Project after = shown->project().project();
-        LinePlan settings;
+        EscLinePlan settings;
         settings.settings.port = path;
         setLinePlan(after, line, settings);
         shown->project().edit(std::move(after), {});
@@ -108,14 +108,14 @@ protected:
     }
     void connectInForm(BusId line, const QString &path)
     {
-        LineSettings settings;
+        EscLineSettings settings;
         settings.port = path;
         for (auto *page : window().findChildren<ConnectPage *>())
             if (page->isVisible()) {
-                page->findChild<LineSettingsForm *>()->setSettings(settings);
+                page->findChild<EscLineSettingsForm *>()->setSettings(settings);
                 test::pressConnect(*page);
             }
-        const auto *its = qobject_cast<LineAtWork *>(shown->plant().find(line));
+        const auto *its = qobject_cast<EscLineAtWork *>(shown->plant().find(line));
         EXPECT_TRUE(QTest::qWaitFor([&] { return !its->isOpening(); }));
         advance(50);
     }
@@ -179,7 +179,7 @@ TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
 TEST_F(SeveralBuses, AnEncoderThatIsOnlyPlannedTakesTheByteOrderAndIsNotRemovedFromItsLine)
 {
     plan(secondLine, u"esc");
-    const Place place{secondLine, LineAddress{7}.node()};
+    const Place place{secondLine, EscLineAddress{7}.node()};
     Project after = shown->project().project();
     ProjectDevice encoder = test::plannedEncoder(place);
     setDevicesOn(after, secondLine, {encoder});
@@ -221,7 +221,7 @@ TEST_F(SeveralBuses, StopInTheMasterPanelStopsItsRingWhateverIsChosen)
 TEST_F(SeveralBuses, TheTrainingLineGivesWayToAProjectThatHasAPortForIt)
 {
     Project project;
-    LinePlan plan;
+    EscLinePlan plan;
     plan.settings.port = QStringLiteral("/dev/ttyUSB7");
     setLinePlan(project, firstLine, plan);
     setDevicesOn(project, firstLine, {test::plannedEncoder(placeOnLine({5}), QStringLiteral("Slide"))});
@@ -422,7 +422,7 @@ TEST_F(SeveralBuses, TheChosenRowIsTheBusThatIsMeantWhateverIsConnected)
 TEST_F(SeveralBuses, ALineConnectedInItsFormLeavesTheChosenEncoderOfAnother)
 {
     constexpr BusId thirdLine{5};
-    const Place planned{thirdLine, LineAddress{7}.node()};
+    const Place planned{thirdLine, EscLineAddress{7}.node()};
     const PtyPair port;
     plan(secondRing, u"interbus");
     plan(secondLine, u"esc");

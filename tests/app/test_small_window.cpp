@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 960 x 600 logical pixels are enough for every page and panel, for gloves too.
-#include "kinds/esc/line/line_session.h"
+#include "kinds/esc/line/esc_line_session.h"
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "tests/support/cut_off.h"
 #include "widgets/job/cancel_question.h"
-#include "widgets/kinds/esc/line/line_terminal.h"
+#include "widgets/kinds/esc/line/esc_line_terminal.h"
 #include "widgets/kinds/esc/line/request_field.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/inline_message.h"
@@ -238,7 +238,7 @@ TEST_P(SmallWindow, TheQuestionHowToCancelShowsItsButtons)
 
 TEST_P(SmallWindow, TheQuestionBeforeAWriteOnTheLineIsWhole)
 {
-    auto &terminal = *window().findChild<LineTerminal *>();
+    auto &terminal = *window().findChild<EscLineTerminal *>();
     auto *dock = window().findChild<QDockWidget *>(QStringLiteral("terminalDock"));
     ASSERT_NE(dock, nullptr);
     dock->show();

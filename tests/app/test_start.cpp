@@ -3,7 +3,7 @@
 #include "app/window/buses/plant.h"
 #include "app/window/connect/start.h"
 #include "app/window/files/project_files.h"
-#include "app/window/kinds/esc/line_at_work.h"
+#include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/look/bottom_fold.h"
 #include "app/window/program.h"
 #include "cams/cam_file.h"

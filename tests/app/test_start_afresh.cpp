@@ -2,7 +2,7 @@
 // What is simulated begins anew by one command: of the panel Training, or of the menu.
 #include "tests/app/kinds/interbus/offer_test.h"
 #include "tests/support/register_bank.h"
-#include "widgets/kinds/esc/training/line_training_panel.h"
+#include "widgets/kinds/esc/training/esc_line_training_panel.h"
 #include "widgets/kinds/interbus/training/training_panel.h"
 #include "widgets/structure/structure_view.h"
 
@@ -20,8 +20,8 @@ using test::fraba;
 using test::ModbusClient;
 using test::partOf;
 
-constexpr std::int64_t firstRaw = 12'345;  // as the plan of the training bus has it
-constexpr LineAddress encoderAtRest{0x05}; // at 1235h, likewise
+constexpr std::int64_t firstRaw = 12'345;     // as the plan of the training bus has it
+constexpr EscLineAddress encoderAtRest{0x05}; // at 1235h, likewise
 
 QPushButton &afreshButton(const QWidget &panel)
 {
@@ -243,7 +243,7 @@ TEST_F(StartAfresh, TheTrainingLineToo)
     EXPECT_EQ(shown->line().training()->faults().lost, 0);
     EXPECT_FALSE(shown->line().session()->isOperating());
     EXPECT_TRUE(shown->line().session()->isOpen());
-    const auto &panel = *window().findChild<LineTrainingPanel *>();
+    const auto &panel = *window().findChild<EscLineTrainingPanel *>();
     EXPECT_EQ(chosenIn(panel), place.toString());
     EXPECT_TRUE(afreshButton(panel).isEnabled());
     lineActions().disconnectLine->trigger();

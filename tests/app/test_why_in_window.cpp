@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page that says why there is no data: what opens it, what it says, and what its button does.
 #include "app/window/buses/plant.h"
-#include "app/window/kinds/esc/line_at_work.h"
+#include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
-#include "kinds/esc/plan/line_plan.h"
-#include "kinds/esc/simulator/simulated_line.h"
+#include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/esc/simulator/simulated_esc_line.h"
 #include "kinds/interbus/gateway/gateway_settings.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "language.h"
@@ -311,7 +311,7 @@ TEST_F(WhyInWindowTest, OfAnAdapterThatWasUnpluggedItNamesThePort)
     shown->line().setPortList([] { return std::vector<PortInfo>(); });
     shown->line().close();
     Project planned = shown->project().project();
-    LinePlan line;
+    EscLinePlan line;
     line.settings.port = adapter.path();
     setLinePlan(planned, firstLine, line);
     shown->project().setProject(planned, {});
@@ -350,7 +350,7 @@ TEST_F(WhyInWindowTest, OfAPortThatWasRefusedItSaysWhy)
     shown->line().setPortList([] { return std::vector<PortInfo>(); });
     shown->line().close();
     Project planned = shown->project().project();
-    LinePlan line;
+    EscLinePlan line;
     line.settings.port = QStringLiteral("/dev/codewheel-none");
     setLinePlan(planned, firstLine, line);
     shown->project().setProject(planned, {});

@@ -119,7 +119,7 @@ private:
 void letASecondPass(TrainingWindow &shown)
 {
     shown.bus().advance(1'000);
-    if (LineSession *line = shown.line().session())
+    if (EscLineSession *line = shown.line().session())
         line->advance(1s);
     shown.window().showFrame();
     shown.messages().catchUp();

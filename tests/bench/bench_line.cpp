@@ -4,8 +4,8 @@
 // line's timing.
 #include "catalog/catalog.h"
 #include "jobs/make_driver.h"
-#include "kinds/esc/line/line_runner.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_runner.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 
 #include <algorithm>
 #include <chrono>
@@ -29,15 +29,15 @@ double milliseconds(Instant time)
     return std::chrono::duration<double, std::milli>(time).count();
 }
 
-void measure(const char *what, SimulatedLineLink::Clock clock, Instant duration)
+void measure(const char *what, SimulatedEscLineLink::Clock clock, Instant duration)
 {
     const Catalog catalog = Catalog::builtIn();
     const DeviceDescription &device = *catalog.find(u"kuebler-esc-rs485");
     const SerialSettings settings;
-    SimulatedLineLink link(std::make_shared<SimulatedLine>(), std::move(clock));
+    SimulatedEscLineLink link(std::make_shared<SimulatedEscLine>(), std::move(clock));
     if (!link.open(settings))
         return;
-    LineRunner runner(link, settings, {});
+    EscLineRunner runner(link, settings, {});
     runner.post(line_command::AddDevice{makeRequestDriver(device, {5}), device.fullName()});
     runner.post(line_command::SetPolling{true});
 
@@ -45,16 +45,16 @@ void measure(const char *what, SimulatedLineLink::Clock clock, Instant duration)
     const Instant end = link.now() + duration;
     while (link.now() < end) {
         runner.turn(std::min(end, link.now() + std::chrono::milliseconds(50)));
-        for (const LineEvent &event : runner.takeEvents()) {
-            const auto *row = std::get_if<esc::LineRow>(&event.what);
-            if (row && row->kind == esc::LineRow::Kind::sent && row->bytes.contains('P'))
+        for (const EscLineEvent &event : runner.takeEvents()) {
+            const auto *row = std::get_if<esc::EscLineRow>(&event.what);
+            if (row && row->kind == esc::EscLineRow::Kind::sent && row->bytes.contains('P'))
                 positions.push_back(row->at);
         }
     }
     const auto latest = runner.takeLatest();
     if (!latest || positions.size() < 2)
         return;
-    const LineFigures &figures = latest->devices.front().figures;
+    const EscLineFigures &figures = latest->devices.front().figures;
     const double allowed = milliseconds(std::max<Instant>(settings.timeOf(charactersThereAndBack), notUnder));
     const double every =
         milliseconds(positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);

@@ -3,8 +3,8 @@
 #include "bus/buses.h"
 #include "catalog/catalog.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/simulated_ring.h"
 #include "kinds/interbus/simulator/training_bus.h"
@@ -111,11 +111,12 @@ struct Line
     Result<void> addEncoder() { return bus.add({5}, QStringLiteral("kuebler-esc-rs485")); }
 
     test::LinkWatch watch;
-    LineSession bus{std::make_unique<test::WatchedLineLink>(
-                        std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), watch),
-                    catalog(), began, [](const DeviceDescription &device, LineAddress address) {
-                        return std::make_unique<EscDriver>(device, address);
-                    }};
+    EscLineSession bus{
+        std::make_unique<test::WatchedLineLink>(
+            std::make_unique<SimulatedEscLineLink>(std::make_shared<SimulatedEscLine>()), watch),
+        catalog(), began, [](const DeviceDescription &device, EscLineAddress address) {
+            return std::make_unique<EscDriver>(device, address);
+        }};
 };
 
 template <class Kind>

@@ -4,11 +4,11 @@
 #include "cli/call/command_line.h"
 #include "cli/call/stop_signals.h"
 #include "cli/commands.h"
-#include "cli/kinds/esc/line_access.h"
+#include "cli/kinds/esc/esc_line_access.h"
 #include "cli/kinds/interbus/ring_access.h"
 #include "cli/kinds/link_kind.h"
-#include "kinds/esc/plan/line_plan.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "project/bus_kind.h"
 #include "project/project_file.h"
@@ -43,9 +43,9 @@ protected:
     {
         project.buses = {planned(firstRing, "interbus", "Crane 1"), planned(firstLine, "esc", "Gate 1"),
                          planned(secondRing, "interbus", "Crane 2"), planned(secondLine, "esc", "Gate 2")};
-        plan({firstLine, LineAddress{5}.node()}, "Left");
-        plan({secondLine, LineAddress{5}.node()}, "Right");
-        plan({secondLine, LineAddress{0x12}.node()}, "Top");
+        plan({firstLine, EscLineAddress{5}.node()}, "Left");
+        plan({secondLine, EscLineAddress{5}.node()}, "Right");
+        plan({secondLine, EscLineAddress{0x12}.node()}, "Top");
     }
 
     static PlannedBus planned(BusId id, const char *kind, const char *name)
@@ -90,15 +90,15 @@ protected:
             .json();
     }
 
-    std::unique_ptr<LineAccess> line(BusId id)
+    std::unique_ptr<EscLineAccess> line(BusId id)
     {
         const SharedLine::Cut its = id == firstLine ? cut : SharedLine::Cut();
-        return std::make_unique<LineAccess>(cutLink(std::make_shared<SimulatedLine>(), its), LineLink(),
-                                            catalog, id);
+        return std::make_unique<EscLineAccess>(cutLink(std::make_shared<SimulatedEscLine>(), its),
+                                               EscLineLink(), catalog, id);
     }
     void unplugAfter(const char *request)
     {
-        cut = {request, [](SimulatedLine &line) { line.setUnplugged(true); }};
+        cut = {request, [](SimulatedEscLine &line) { line.setUnplugged(true); }};
     }
 
     const Catalog catalog = Catalog::builtIn();
@@ -159,12 +159,12 @@ TEST_F(CliBuses, WhatIsNoBusOrNotOnItIsRefused)
 // Nobody could tell which one a script means.
 TEST_F(CliBuses, AStationThatReadsLikeAPlaceOnABusIsRefused)
 {
-    findDevice(project, {secondLine, LineAddress{0x12}.node()})->station = QStringLiteral("Crane 1/2.0");
+    findDevice(project, {secondLine, EscLineAddress{0x12}.node()})->station = QStringLiteral("Crane 1/2.0");
     const QJsonObject json = told("monitor", "Crane 1/2.0");
     EXPECT_EQ(json[u"error"][u"key"], QStringLiteral("placeNotUnique"));
     EXPECT_EQ(told("monitor", "1/2.0")[u"busName"], QStringLiteral("Crane 1"));
     EXPECT_EQ(told("monitor", "4/esc:12")[u"busName"], QStringLiteral("Gate 2"));
-    findDevice(project, {secondLine, LineAddress{0x12}.node()})->station = QStringLiteral("Crane 1/top");
+    findDevice(project, {secondLine, EscLineAddress{0x12}.node()})->station = QStringLiteral("Crane 1/top");
     EXPECT_EQ(told("monitor", "Crane 1/top")[u"busName"], QStringLiteral("Gate 2")) << "there is no other";
 }
 
@@ -189,7 +189,8 @@ TEST_F(CliBuses, ANameThatIsTheNumberOfAnotherBusIsRefused)
 
 TEST_F(CliBuses, AnEncoderThatTellsAnotherSerialNumberIsNotTheProjectsOne)
 {
-    findDevice(project, {firstLine, LineAddress{5}.node()})->label.serialNumber = QStringLiteral("DEADBEEF");
+    findDevice(project, {firstLine, EscLineAddress{5}.node()})->label.serialNumber =
+        QStringLiteral("DEADBEEF");
     EXPECT_EQ(told("monitor", "Left")[u"error"][u"key"], QStringLiteral("serialDiffers"));
     EXPECT_EQ(told("monitor", "Gate 1/05")[u"error"][u"key"], QStringLiteral("serialDiffers"));
     EXPECT_EQ(told("monitor", "Right")[u"exit"], 0);
@@ -214,7 +215,8 @@ TEST_F(CliBuses, WhatIsRefusedIsToldWithItsBus)
     EXPECT_THAT(stopped.err, HasSubstr("Nothing was sent to Crane 2/1.0: the bus is stopped."));
     EXPECT_THAT(run({QStringLiteral("read"), QStringLiteral("Crane 2/6.0")}).err,
                 HasSubstr("The device at Crane 2/6.0 is not an encoder"));
-    findDevice(project, {secondLine, LineAddress{5}.node()})->label.serialNumber = QStringLiteral("DEADBEEF");
+    findDevice(project, {secondLine, EscLineAddress{5}.node()})->label.serialNumber =
+        QStringLiteral("DEADBEEF");
     EXPECT_THAT(run({QStringLiteral("read"), QStringLiteral("Right")}).err, HasSubstr("Gate 2/esc:05"));
 }
 
@@ -326,7 +328,7 @@ TEST_F(CliBuses, ScanTellsAndKeepsEveryBus)
         EXPECT_EQ(devicesOn(found, ring).size(), 7U);
     for (const BusId line : {firstLine, secondLine})
         EXPECT_EQ(devicesOn(found, line).size(), 3U);
-    EXPECT_EQ(findDevice(found, {secondLine, LineAddress{0x12}.node()})->station, QStringLiteral("Top"));
+    EXPECT_EQ(findDevice(found, {secondLine, EscLineAddress{0x12}.node()})->station, QStringLiteral("Top"));
 }
 
 TEST_F(CliBuses, ALineThatIsUnpluggedKeepsNoOtherFromItsValues)
@@ -361,7 +363,7 @@ TEST_F(CliBuses, WhatCouldNotBeAskedIsNotMissing)
 TEST_F(CliBuses, ACancelledSearchTellsWhatWasNotSearched)
 {
     StopSignals held; // so that only the command gets Ctrl+C
-    cut = {"01N", [](SimulatedLine &) { std::raise(SIGINT); }};
+    cut = {"01N", [](SimulatedEscLine &) { std::raise(SIGINT); }};
     const CliRun run = this->run("scan --json");
     EXPECT_EQ(errorKey(run), "scanCancelled");
     const QJsonArray buses = run.json()[u"buses"].toArray();
@@ -373,7 +375,7 @@ TEST_F(CliBuses, ACancelledSearchTellsWhatWasNotSearched)
 // Its encoders may be switched off.
 TEST_F(CliBuses, OfASilentLineWhatIsPlannedStays)
 {
-    cut = {"01N", [](SimulatedLine &line) { line.setSilent(true); }};
+    cut = {"01N", [](SimulatedEscLine &line) { line.setSilent(true); }};
     const QString saved = folder.filePath(QStringLiteral("found.codewheel"));
     const CliRun scan = run({QStringLiteral("scan"), QStringLiteral("--save"), saved});
     EXPECT_EQ(scan.exit, 0);
@@ -504,7 +506,7 @@ TEST_F(CliBuses, ComparingSomeBusesIsNoComparison)
     project.buses = {planned(secondLine, "esc", "Gate 2")};
     project.devices.erase(project.devices.begin());
     ASSERT_TRUE(saveProject(project, file));
-    LinePlan plan;
+    EscLinePlan plan;
     plan.settings.port = QStringLiteral("/dev/none");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("compare %1 --link interbus:training --json").arg(file))),
               "notAllCompared");
@@ -514,7 +516,7 @@ TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
 {
     project.buses = {planned(firstRing, "interbus", "Crane"), planned(secondLine, "esc", "Gate")};
     project.devices.erase(project.devices.begin());
-    LinePlan plan;
+    EscLinePlan plan;
     plan.settings.port = QStringLiteral("/dev/none");
     setLinePlan(project, secondLine, plan);
     ASSERT_TRUE(saveProject(project, file));
@@ -539,7 +541,7 @@ TEST_F(CliBuses, ALinkHasTheNumberOfTheBusThatIsMeant)
         const auto links = linksMeant(QString::fromLatin1(link), &project);
         return (*links->front()(catalog))->bus().id().number;
     };
-    LinePlan right;
+    EscLinePlan right;
     right.settings.port = QStringLiteral("/dev/ttyRight");
     setLinePlan(project, secondLine, right);
     EXPECT_EQ(numberAt("esc:/dev/ttyRight"), 4);
@@ -559,7 +561,7 @@ protected:
     CliProjectLinks()
     {
         for (const auto &[line, bits] : {std::pair(firstLine, 28), std::pair(secondLine, 30)}) {
-            LinePlan plan;
+            EscLinePlan plan;
             plan.settings.port = QStringLiteral("/dev/none");
             plan.settings.fractionBits = bits;
             setLinePlan(project, line, plan);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/port_finder.h"
-#include "kinds/esc/plan/line_plan.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "tests/kinds/esc/line/scripted_line.h"
 
@@ -34,7 +34,7 @@ std::vector<Found> foundIn(const std::vector<FinderNews> &news)
 EscEncoderPlan encoderAt(std::uint8_t address, int baudRate)
 {
     EscEncoderPlan plan = trainingLine().front();
-    plan.address = LineAddress{address};
+    plan.address = EscLineAddress{address};
     plan.baudRate = baudRate;
     return plan;
 }
@@ -57,8 +57,8 @@ TEST(PortFinder, OnlyListensUnlessItMayAsk)
 
 TEST(PortFinder, FindsEveryEncoderOfALineAtTheRateTheyHave)
 {
-    SimulatedLineLink link(
-        std::make_shared<SimulatedLine>(std::vector{encoderAt(3, 9'600), encoderAt(18, 9'600)}));
+    SimulatedEscLineLink link(
+        std::make_shared<SimulatedEscLine>(std::vector{encoderAt(3, 9'600), encoderAt(18, 9'600)}));
     const auto found = foundIn(run(link, true));
     ASSERT_EQ(found.size(), 2U);
     for (const Found &one : found) {
@@ -66,8 +66,8 @@ TEST(PortFinder, FindsEveryEncoderOfALineAtTheRateTheyHave)
         EXPECT_EQ(one.settings, QStringLiteral("9600 Bd, 8N2"));
         EXPECT_EQ(one.certainty, Certainty::certain);
         EXPECT_FALSE(one.isMasterAtWork);
-        ASSERT_NE(one.plan.as<LinePlan>(), nullptr);
-        EXPECT_EQ(one.plan.as<LinePlan>()->settings.serial.baudRate, 9'600);
+        ASSERT_NE(one.plan.as<EscLinePlan>(), nullptr);
+        EXPECT_EQ(one.plan.as<EscLinePlan>()->settings.serial.baudRate, 9'600);
         EXPECT_TRUE(one.link.endsWith(QStringLiteral(",baud=9600")));
     }
     EXPECT_TRUE(found[1].sentence.contains(u"12h (18)")) << found[1].sentence.toStdString();

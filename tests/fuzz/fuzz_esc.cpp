@@ -30,10 +30,10 @@ struct Heard
 
 void readRows(Exchange &exchange, Heard &heard)
 {
-    for (const LineRow &row : exchange.takeRows()) {
-        if (row.kind != LineRow::Kind::sent)
+    for (const EscLineRow &row : exchange.takeRows()) {
+        if (row.kind != EscLineRow::Kind::sent)
             heard.told += row.bytes;
-        if (row.kind == LineRow::Kind::answer)
+        if (row.kind == EscLineRow::Kind::answer)
             heard.answered += row.bytes;
     }
 }
@@ -134,7 +134,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const QByteArrayView bytes(data, static_cast<qsizetype>(size));
     const auto commands = allCommands();
     const CommandShape &shape = commands[data[0] % commands.size()];
-    const Request request{LineAddress{5}, shape.command, shape.writes ? shape.maximum : 0};
+    const Request request{EscLineAddress{5}, shape.command, shape.writes ? shape.maximum : 0};
     parse(bytes);
     parse(bytes.sliced(2));
     exchangeWith(request, {.retries = data[1] % 4}, bytes.sliced(2));

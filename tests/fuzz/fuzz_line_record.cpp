@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a session of a serial line, or are refused with a sentence; what was read is saved unchanged,
 // and its requests can be described.
-#include "kinds/esc/line/line_record.h"
-#include "kinds/esc/line/line_replay.h"
+#include "kinds/esc/line/esc_line_record.h"
+#include "kinds/esc/line/esc_line_replay.h"
 #include "tests/fuzz/must.h"
 
 using namespace codewheel;

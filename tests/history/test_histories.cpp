@@ -3,8 +3,8 @@
 #include "catalog/catalog.h"
 #include "history/histories.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/places.h"
@@ -58,10 +58,10 @@ protected:
     const Place onLine = placeOnLine({5});
     TrainingBus training = makeTrainingBus(catalog());
     RingSession ring{std::move(training.link), catalog(), began};
-    LineSession line{std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), catalog(), began,
-                     [](const DeviceDescription &device, LineAddress address) {
-                         return std::make_unique<EscDriver>(device, address);
-                     }};
+    EscLineSession line{std::make_unique<SimulatedEscLineLink>(std::make_shared<SimulatedEscLine>()),
+                        catalog(), began, [](const DeviceDescription &device, EscLineAddress address) {
+                            return std::make_unique<EscDriver>(device, address);
+                        }};
     Buses buses;
     Histories histories{buses};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "history/track.h"
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "tests/support/places.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include "catalog/catalog.h"
 #include "journal/ledger_keeper.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "tests/journal/journal_file.h"
 
 namespace codewheel {
@@ -22,13 +22,13 @@ class LineLedgerTest : public testing::Test
 protected:
     LineLedgerTest()
     {
-        EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
+        EXPECT_TRUE(line.open({}, {}, EscLineSession::Start::operating, EscLineSession::Drive::byHand));
         add(five);
     }
 
     void add(Place place)
     {
-        ASSERT_TRUE(line.add(LineAddress::of(place.node), rs485));
+        ASSERT_TRUE(line.add(EscLineAddress::of(place.node), rs485));
         line.advance(1s);
     }
     void keep(const DatabasePlace &place) { keeper = std::make_unique<LedgerKeeper>(line, place); }
@@ -48,12 +48,12 @@ protected:
     EepromCount onDisk(Place place) { return Ledger::open(file.place())->writes(keeper->identity(place)); }
 
     const Catalog catalog = Catalog::builtIn();
-    const std::shared_ptr<SimulatedLine> simulated = std::make_shared<SimulatedLine>();
-    LineSession line{std::make_unique<SimulatedLineLink>(simulated), catalog,
-                     QDateTime(QDate(2026, 3, 1), QTime(14, 2)),
-                     [](const DeviceDescription &device, LineAddress address) {
-                         return std::make_unique<EscDriver>(device, address);
-                     }};
+    const std::shared_ptr<SimulatedEscLine> simulated = std::make_shared<SimulatedEscLine>();
+    EscLineSession line{std::make_unique<SimulatedEscLineLink>(simulated), catalog,
+                        QDateTime(QDate(2026, 3, 1), QTime(14, 2)),
+                        [](const DeviceDescription &device, EscLineAddress address) {
+                            return std::make_unique<EscDriver>(device, address);
+                        }};
     const JournalFile file;
     std::unique_ptr<LedgerKeeper> keeper;
 };
@@ -75,7 +75,8 @@ TEST_F(LineLedgerTest, CountsEachAcceptedWriteBySerialNumber)
 TEST_F(LineLedgerTest, CountsNoWriteThatWasRefused)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeRevolutions, .data = 0}); // 05
+    line.send(
+        {.to = EscLineAddress::of(five.node), .command = esc::Command::writeRevolutions, .data = 0}); // 05
     line.advance(1s);
     EXPECT_EQ(countAt(five).atMost(), 0);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
@@ -92,7 +93,7 @@ TEST_F(LineLedgerTest, NotesAJobWithItsFactorBeforeItSendsAnything)
 TEST_F(LineLedgerTest, NotesATypedWriteBeforeItIsSent)
 {
     keep(file.place());
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     EXPECT_EQ(onDisk(five).perhaps, 1);
     EXPECT_EQ(countAt(five).perhaps, 0); // it is under way
     line.advance(1s);
@@ -107,7 +108,7 @@ TEST_F(LineLedgerTest, NotesATypedWriteBeforeItIsSent)
 TEST_F(LineLedgerTest, ATypedReadCostsNothing)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::version});
+    line.send({.to = EscLineAddress::of(five.node), .command = esc::Command::version});
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
 }
 
@@ -115,7 +116,7 @@ TEST_F(LineLedgerTest, ATypedWriteThatIsNotAnsweredMayHaveBeenCarriedOut)
 {
     keep(DatabasePlace::memory());
     simulated->setSilent(true);
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     line.advance(1s);
     EXPECT_EQ(countAt(five).writes, 1);
 }
@@ -123,12 +124,12 @@ TEST_F(LineLedgerTest, ATypedWriteThatIsNotAnsweredMayHaveBeenCarriedOut)
 TEST_F(LineLedgerTest, WhatWasTypedAndDroppedCostsNothing)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     line.alarmStop();
     line.advance(1s);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
     line.setOperate(false);
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     line.advance(1s);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
 }
@@ -137,7 +138,7 @@ TEST_F(LineLedgerTest, AtTheMasterAddressAWriteIsEachEncoders)
 {
     add(three);
     keep(DatabasePlace::memory());
-    line.send({.to = LineAddress::master(), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::master(), .command = esc::Command::writeDirection, .data = 1});
     line.advance(1s);
     EXPECT_EQ(countAt(three).atMost(), 1);
     EXPECT_EQ(countAt(five).atMost(), 1);
@@ -150,12 +151,12 @@ TEST_F(LineLedgerTest, AWriteToAnyAddressIsOfTheEncoderThatIsAlone)
         simulated->withEncoder({other},
                                [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
     ASSERT_TRUE(line.remove(five));
-    const Place alone = placeOnLine(LineAddress::master());
+    const Place alone = placeOnLine(EscLineAddress::master());
     add(alone);
     keep(DatabasePlace::memory());
     EXPECT_EQ(countAt(alone).by, CountedBy::serialNumber);
     write(alone, Parameter::direction, 1);
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 0});
+    line.send({.to = EscLineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 0});
     line.advance(1s);
     EXPECT_EQ(countAt(alone).writes, 2);
     EXPECT_EQ(keeper->ledger()->accounts().size(), 1U);
@@ -164,7 +165,7 @@ TEST_F(LineLedgerTest, AWriteToAnyAddressIsOfTheEncoderThatIsAlone)
 TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
 {
     keep(file.place());
-    line.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     EXPECT_EQ(onDisk(three).perhaps, 1); // before it is sent
     line.advance(1s);
     EXPECT_EQ(onDisk(three).writes, 1);
@@ -180,16 +181,16 @@ TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverIsItsEncodersOnceItIs)
 // Whatever is at that address on the first line.
 TEST_F(LineLedgerTest, AWriteToAnAddressOfASecondLineIsOfThatLine)
 {
-    LineSession second(
-        std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), catalog,
+    EscLineSession second(
+        std::make_unique<SimulatedEscLineLink>(std::make_shared<SimulatedEscLine>()), catalog,
         QDateTime(QDate(2026, 3, 1), QTime(14, 2)),
-        [](const DeviceDescription &device, LineAddress address) {
+        [](const DeviceDescription &device, EscLineAddress address) {
             return std::make_unique<EscDriver>(device, address);
         },
         nullptr, BusId{4});
-    ASSERT_TRUE(second.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
+    ASSERT_TRUE(second.open({}, {}, EscLineSession::Start::operating, EscLineSession::Drive::byHand));
     const LedgerKeeper itsKeeper(second, DatabasePlace::memory());
-    second.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
+    second.send({.to = EscLineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     second.advance(1s);
     EXPECT_EQ(itsKeeper.ledger()->writes(itsKeeper.identity(second.placeOf(three.node))).writes, 1);
 }
@@ -197,7 +198,7 @@ TEST_F(LineLedgerTest, AWriteToAnAddressOfASecondLineIsOfThatLine)
 TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasNamedIsNotLost)
 {
     keep(file.place());
-    line.send({.to = LineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(five.node), .command = esc::Command::writeDirection, .data = 1});
     ASSERT_TRUE(line.name(five, rs485));
     line.advance(1s);
     EXPECT_EQ(onDisk(five).writes, 1);
@@ -207,7 +208,7 @@ TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasNamedIsNotLost)
 TEST_F(LineLedgerTest, AWriteAnsweredAfterItsEncoderWasTakenOverIsNotLost)
 {
     keep(DatabasePlace::memory());
-    line.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     add(three);
     EXPECT_GE(countAt(three).writes, 1); // the session may have seen it too: better twice than never
     EXPECT_EQ(countAt(three).perhaps, 0);
@@ -217,11 +218,11 @@ TEST_F(LineLedgerTest, ARefusedWriteToAnAddressNobodyHasTakenOverCostsNothing)
 {
     keep(DatabasePlace::memory());
     line.send(
-        {.to = LineAddress::of(three.node), .command = esc::Command::writeRevolutions, .data = 0}); // 05
+        {.to = EscLineAddress::of(three.node), .command = esc::Command::writeRevolutions, .data = 0}); // 05
     line.advance(1s);
     line.setOperate(false);
     line.send(
-        {.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1}); // Watch
+        {.to = EscLineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1}); // Watch
     line.advance(1s);
     EXPECT_TRUE(keeper->ledger()->accounts().empty());
 }
@@ -230,7 +231,7 @@ TEST_F(LineLedgerTest, AWriteToAnAddressNobodyHasTakenOverThatIsNotAnsweredCount
 {
     keep(DatabasePlace::memory());
     simulated->setSilent(true);
-    line.send({.to = LineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
+    line.send({.to = EscLineAddress::of(three.node), .command = esc::Command::writeDirection, .data = 1});
     line.advance(1s);
     EXPECT_EQ(keeper->ledger()->writes(keeper->identity(three)).writes, 1);
 }
@@ -245,7 +246,7 @@ TEST_F(LineLedgerTest, AWriteTornByUnpluggingCounts)
                      [&](const Outcome &ended) { outcome = ended; });
     const auto isSent = [&] {
         bool sent = false;
-        simulated->withEncoder(LineAddress::of(five.node),
+        simulated->withEncoder(EscLineAddress::of(five.node),
                                [&](SimulatedEscEncoder &encoder) { sent = encoder.registers().countsCcw; });
         return sent;
     };

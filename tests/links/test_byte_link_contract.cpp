@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The contract of every link to a serial line (line/byte_link.h), over a real pseudo terminal and simulated.
 // Anything timed waits for its event, for up to an hour.
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "links/serial_port_link.h"
 #include "tests/support/pty_pair.h"
 
@@ -41,11 +41,11 @@ struct OverPty
 
 struct Simulated
 {
-    explicit Simulated(SimulatedLineLink::Clock clock = {})
+    explicit Simulated(SimulatedEscLineLink::Clock clock = {})
         : link(line, std::move(clock))
     {}
-    std::shared_ptr<SimulatedLine> line = std::make_shared<SimulatedLine>();
-    SimulatedLineLink link;
+    std::shared_ptr<SimulatedEscLine> line = std::make_shared<SimulatedEscLine>();
+    SimulatedEscLineLink link;
 
     void answerRequest() {}
     void leaveBytes() { ASSERT_TRUE(link.write(request)); }

@@ -87,13 +87,13 @@ TEST(KeptAdapter, OneThatWasKeptIsLookedForFromTheBeginning)
 
 TEST(KeptAdapter, AProjectKeepsIt)
 {
-    LinePlan line;
+    EscLinePlan line;
     line.settings.port = QStringLiteral("ttyUSB0");
     KeptAdapter first = keptAdapterOf(line);
     EXPECT_FALSE(first.adapter());
     ASSERT_TRUE(first.find({adapter("/dev/ttyUSB1", "B7", "1-4:1.0"), ours}));
     line.adapter = lineAdapter(first.adapter());
-    EXPECT_EQ(line.adapter, (LineAdapter{0x0403, 0x6001, ours.serialNumber, ours.usbPath}));
+    EXPECT_EQ(line.adapter, (EscLineAdapter{0x0403, 0x6001, ours.serialNumber, ours.usbPath}));
     KeptAdapter kept = keptAdapterOf(line);
     EXPECT_EQ(kept.path(), usb0);
     const PortInfo elsewhere = adapter("/dev/ttyUSB4", "A50285BI", "1-9:1.0");
@@ -101,7 +101,7 @@ TEST(KeptAdapter, AProjectKeepsIt)
     EXPECT_EQ(kept.adapter(), elsewhere) << "not the one at its path of before";
 
     line.adapter = lineAdapter({});
-    EXPECT_EQ(line.adapter, LineAdapter());
+    EXPECT_EQ(line.adapter, EscLineAdapter());
     EXPECT_EQ(keptAdapterOf(line).find({adapter("/dev/ttyUSB0", "B7", "1-2:1.0")}), usb0) << "any";
 }
 

@@ -35,7 +35,7 @@ private:
     ProjectDevice device(DeviceNumber before);
     void addValues(ProjectDevice &device);
     void addCams(ProjectDevice &device);
-    LinePlan line();
+    EscLinePlan line();
     ProjectLink gateway();
     ProjectLink otherLink();
     std::vector<ProjectDevice> encodersOfLine();
@@ -119,11 +119,11 @@ void Maker::addCams(ProjectDevice &device)
     }
 }
 
-LinePlan Maker::line()
+EscLinePlan Maker::line()
 {
     using std::chrono::milliseconds;
-    LinePlan line;
-    LineSettings &wish = line.settings;
+    EscLinePlan line;
+    EscLineSettings &wish = line.settings;
     wish.port = text();
     wish.serial = {static_cast<int>(1 + below(10'000'000)), maybe() ? 7 : 8,
                    static_cast<SerialSettings::Parity>(below(3)), maybe() ? 1 : 2, maybe()};
@@ -141,7 +141,7 @@ LinePlan Maker::line()
 std::vector<ProjectDevice> Maker::encodersOfLine()
 {
     std::vector<ProjectDevice> encoders;
-    for (std::uint8_t address = 1; address <= LineAddress::last; ++address) {
+    for (std::uint8_t address = 1; address <= EscLineAddress::last; ++address) {
         if (below(8) != 0)
             continue;
         ProjectDevice encoder;

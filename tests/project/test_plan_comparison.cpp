@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plan of a serial line compared with what is connected, and taken over from it (project/plan_rules.h).
 #include "catalog/catalog.h"
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "project/plan_rules.h"
@@ -19,7 +19,7 @@ protected:
     {
         planBus(project, firstLine, *busKind(u"esc"));
         std::vector<ProjectDevice> planned(3);
-        constexpr std::array addresses{LineAddress{1}, LineAddress{2}, LineAddress{3}};
+        constexpr std::array addresses{EscLineAddress{1}, EscLineAddress{2}, EscLineAddress{3}};
         for (std::size_t i = 0; i < planned.size(); ++i) {
             planned[i].standAt(placeOnLine(addresses.at(i)));
             planned[i].participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
@@ -27,11 +27,11 @@ protected:
             planned[i].label.serialNumber = QStringLiteral("77");
         }
         setDevicesOn(project, firstLine, planned);
-        for (const LineAddress address : {LineAddress{1}, LineAddress{2}, LineAddress{9}})
+        for (const EscLineAddress address : {EscLineAddress{1}, EscLineAddress{2}, EscLineAddress{9}})
             connected.devices.push_back(
                 {.number = address.node(), .deviceKey = QStringLiteral("kuebler-esc-rs422")});
         connected.others.emplace(
-            LineAddress{2}.node(),
+            EscLineAddress{2}.node(),
             Refusal{RefusalKind::link, RefusalId::serialDiffers, {QStringLiteral("esc:02"), {}, {}}});
     }
     Comparison compare() const { return rules.compare(project, firstLine, connected); }

@@ -63,7 +63,7 @@ TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
 {
     const auto project = projectFromJson(example(), fileName);
     ASSERT_TRUE(project && linePlan(*project, firstLine));
-    LinePlan line;
+    EscLinePlan line;
     line.settings.port = QStringLiteral("/dev/ttyUSB0");
     line.adapter = {0x0403, 0x6001, QStringLiteral("A50285BI"), QStringLiteral("1-2.4:1.0")};
     ProjectDevice encoder;
@@ -85,7 +85,7 @@ TEST(ProjectJson, WhatIsLeftOutOfASerialLineIsAsDelivered)
         R"({"format": "codewheel-project", "version": 1, "devices": [], "serialLine": {"baudRate": 4800}})",
         fileName);
     ASSERT_TRUE(project && linePlan(*project, firstLine));
-    LinePlan line;
+    EscLinePlan line;
     line.settings.serial.baudRate = 4'800;
     line.settings.timing.character = line.settings.serial.timeOf(1);
     EXPECT_EQ(*linePlan(*project, firstLine), line);
@@ -112,7 +112,7 @@ TEST(ProjectJson, AnEncoderThatIsAloneMayStandAtTheMasterAddress)
             {"place": "esc:00", "device": "kuebler-esc-rs485"}]}})";
     const auto project = projectFromJson(text, fileName);
     ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
-    EXPECT_NE(findDevice(*project, placeOnLine(LineAddress::master())), nullptr);
+    EXPECT_NE(findDevice(*project, placeOnLine(EscLineAddress::master())), nullptr);
     EXPECT_EQ(projectFromJson(projectToJson(*project), fileName), project);
 }
 

@@ -2,8 +2,8 @@
 #include "catalog/catalog.h"
 #include "history/histories.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
 #include "recording/bus_recorder.h"
@@ -87,10 +87,10 @@ protected:
     QDateTime wallClock = connectedAt;
     TrainingBus training = makeTrainingBus(builtIn());
     RingSession ring{std::move(training.link), builtIn(), connectedAt};
-    LineSession line{std::make_unique<SimulatedLineLink>(std::make_shared<SimulatedLine>()), builtIn(),
-                     connectedAt, [](const DeviceDescription &device, LineAddress address) {
-                         return std::make_unique<EscDriver>(device, address);
-                     }};
+    EscLineSession line{std::make_unique<SimulatedEscLineLink>(std::make_shared<SimulatedEscLine>()),
+                        builtIn(), connectedAt, [](const DeviceDescription &device, EscLineAddress address) {
+                            return std::make_unique<EscDriver>(device, address);
+                        }};
     Buses buses;
     Histories histories{buses};
 };

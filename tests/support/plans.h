@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/interbus/plan/ring_plan.h"
 
 #include <utility>
@@ -20,8 +20,8 @@ void changeRing(Project &project, Change change)
 template <typename Change>
 void changeLine(Project &project, Change change)
 {
-    const LinePlan *planned = linePlan(project, firstLine);
-    LinePlan plan = planned ? *planned : LinePlan();
+    const EscLinePlan *planned = linePlan(project, firstLine);
+    EscLinePlan plan = planned ? *planned : EscLinePlan();
     change(plan);
     setLinePlan(project, firstLine, std::move(plan));
 }
@@ -33,7 +33,7 @@ inline std::vector<ProjectDevice> encodersOnLine(const Project &project)
 }
 inline void setEncodersOnLine(Project &project, std::vector<ProjectDevice> encoders)
 {
-    changeLine(project, [](LinePlan &) {});
+    changeLine(project, [](EscLinePlan &) {});
     for (ProjectDevice &encoder : encoders)
         encoder.bus = firstLine;
     setDevicesOn(project, firstLine, std::move(encoders));

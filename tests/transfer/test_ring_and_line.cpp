@@ -2,9 +2,9 @@
 // Jobs, places, positions and the report for encoders on several buses.
 #include "jobs/make_driver.h"
 #include "jobs/write_plan.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/plan/line_plan.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "kinds/interbus/plan/project_take_over.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
@@ -32,8 +32,8 @@ class RingAndLine : public test::TransferBus
 protected:
     RingAndLine()
     {
-        EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
-        for (const LineAddress address : simulated->addresses())
+        EXPECT_TRUE(line.open({}, {}, EscLineSession::Start::operating, EscLineSession::Drive::byHand));
+        for (const EscLineAddress address : simulated->addresses())
             EXPECT_TRUE(line.add(address, rs485));
         buses.add(line);
         pass(1s);
@@ -58,7 +58,7 @@ protected:
     {
         EscRegisters its;
         EXPECT_TRUE(
-            simulated->withEncoder(LineAddress::of(place.node),
+            simulated->withEncoder(EscLineAddress::of(place.node),
                                    [&](const SimulatedEscEncoder &encoder) { its = encoder.registers(); }));
         return its;
     }
@@ -80,9 +80,9 @@ protected:
         return why ? refusalText(*why).toStdString() : std::string();
     }
 
-    std::shared_ptr<SimulatedLine> simulated = std::make_shared<SimulatedLine>();
-    LineSession line{std::make_unique<SimulatedLineLink>(simulated), catalog,
-                     QDateTime(QDate(2026, 3, 1), QTime(14, 2)), makeRequestDriver};
+    std::shared_ptr<SimulatedEscLine> simulated = std::make_shared<SimulatedEscLine>();
+    EscLineSession line{std::make_unique<SimulatedEscLineLink>(simulated), catalog,
+                        QDateTime(QDate(2026, 3, 1), QTime(14, 2)), makeRequestDriver};
 };
 
 TEST_F(RingAndLine, OneRoundWritesToEncodersOfBoth)
@@ -278,7 +278,7 @@ TEST_F(RingAndLine, OfASimulatedLineInThePlaceOfAPortNothingIsKeptOrReported)
     round.start({jobsToStore(onLine(standing), false)}, JobRound::AfterRefusal::goOn);
     pass(5s);
     Project project = projectWith({standing});
-    LinePlan plan;
+    EscLinePlan plan;
     plan.settings.port = QStringLiteral("/dev/ttyUSB0");
     setLinePlan(project, firstLine, plan);
     const Project kept = withLastPositions(project, positions, buses);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "tests/support/places.h"
 #include "trend/trend_csv.h"
 

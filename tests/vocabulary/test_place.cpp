@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "vocabulary/place.h"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ TEST(Place, IsReadAsItIsTyped)
 // Manual, "Masteraddress: 00": the place of an encoder alone on its line, not a missing place.
 TEST(Place, MayBeTheMasterAddressOfASerialLine)
 {
-    const Place alone = placeOnLine(LineAddress::master());
+    const Place alone = placeOnLine(EscLineAddress::master());
     EXPECT_TRUE(alone.isAddress());
     EXPECT_FALSE(alone.isEmpty());
     EXPECT_EQ(Place::parse(u"00"), alone);

@@ -7,8 +7,8 @@
 
 namespace codewheel {
 
-// The test of a link (GatewayCheck, LineCheck) as work in the background: its findings are handed over one by
-// one.
+// The test of a link (GatewayCheck, EscLineCheck) as work in the background: its findings are handed over one
+// by one.
 template <class Check, class Link>
 class LinkTest final : public BackgroundSteps::Work
 {

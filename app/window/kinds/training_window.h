@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/window/buses/plant.h"
-#include "app/window/kinds/esc/line_at_work.h"
+#include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/main_window.h"
 #include "catalog/catalog.h"
@@ -23,7 +23,7 @@ public:
 
     MainWindow &window() { return *m_window; }
     RingSession &bus() { return *m_plant.first<RingAtWork>()->bus(); }
-    LineAtWork &line() { return *m_plant.first<LineAtWork>(); }
+    EscLineAtWork &line() { return *m_plant.first<EscLineAtWork>(); }
     Plant &plant() { return m_plant; }
     Buses &buses() { return m_plant.buses(); }
     TrainingControls &controls() { return m_plant.first<RingAtWork>()->controls(); }

@@ -2,13 +2,13 @@
 #include "app/window/kinds/window_kinds.h"
 
 #include "app/window/connect/port_rows.h"
-#include "app/window/kinds/esc/line_at_work.h"
-#include "app/window/kinds/esc/line_views.h"
+#include "app/window/kinds/esc/esc_line_at_work.h"
+#include "app/window/kinds/esc/esc_line_views.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/kinds/interbus/ring_views.h"
 #include "app/window/recording/replay_at_work.h"
 #include "app/window/recording/replay_views.h"
-#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/interbus/finder/gateway_host_finder.h"
 #include "kinds/interbus/links/modbus_port.h"
 #include "kinds/interbus/plan/ring_plan.h"
@@ -47,8 +47,8 @@ std::vector<WindowKind> &kinds()
     static std::vector<WindowKind> all{
         {QString::fromLatin1(interbusKind), &make<RingAtWork>, &makeViews<RingViews, RingAtWork>, ringPanels,
          nullptr, &gatewaySearch},
-        {QString::fromLatin1(escKind), &make<LineAtWork>, &makeViews<LineViews, LineAtWork>, linePanels,
-         &adapterRows, nullptr, &keysOfLines},
+        {QString::fromLatin1(escKind), &make<EscLineAtWork>, &makeViews<EscLineViews, EscLineAtWork>,
+         linePanels, &adapterRows, nullptr, &keysOfLines},
         {ReplayAtWork::kindKey(), nullptr, &makeViews<ReplayViews, ReplayAtWork>}};
     return all;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/plan/line_plan.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "tests/support/plans.h"
 #include "widgets/project/bus_model.h"
 #include "widgets/project/project_page.h"
@@ -118,7 +118,7 @@ TEST_F(ProjectPageTest, TheLinkOfEachBusIsSeen)
         ring.link = {.kind = QStringLiteral("modbus"),
                      .settings = {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")}}};
     });
-    LinePlan line;
+    EscLinePlan line;
     line.settings.port = QStringLiteral("/dev/ttyUSB1");
     setLinePlan(project, firstLine, line);
     document.setProject(project, {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/interbus/plan/project_take_over.h"
 #include "tests/support/contrast.h"
 #include "tests/support/model_tester.h"
@@ -176,7 +176,7 @@ TEST_F(StructureTest, ADeviceOfAnotherKindThanPlannedIsNotOk)
 TEST_F(StructureTest, ALineThatIsOnlyPlannedStandsBesideTheRing)
 {
     Project plan = projectOf(ring.bus.structure());
-    changeLine(plan, [](LinePlan &line) { line.settings.port = QStringLiteral("ttyUSB0"); });
+    changeLine(plan, [](EscLinePlan &line) { line.settings.port = QStringLiteral("ttyUSB0"); });
     ProjectDevice encoder;
     encoder.standAt(placeOnLine({5}));
     encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
@@ -529,7 +529,7 @@ TEST_F(StructureTest, AFilterIsThereWhereThereAreManyDevices)
     auto &filter = *view.findChild<TreeFilter *>();
     EXPECT_FALSE(filter.isVisible());
     Project plan = projectOf(ring.bus.structure());
-    changeLine(plan, [](LinePlan &) {});
+    changeLine(plan, [](EscLinePlan &) {});
     std::vector<ProjectDevice> encoders;
     for (int address = 1; address <= 6; ++address) {
         ProjectDevice encoder;

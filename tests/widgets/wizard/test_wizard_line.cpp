@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/make_driver.h"
 #include "jobs/position_scale.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/monitor/position_range.h"
 #include "widgets/parameters/position_to_set.h"
@@ -18,7 +18,7 @@ class WizardLine : public test::WizardTest
 protected:
     WizardLine()
     {
-        EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
+        EXPECT_TRUE(line.open({}, {}, EscLineSession::Start::operating, EscLineSession::Drive::byHand));
         EXPECT_TRUE(line.add({5}, QStringLiteral("kuebler-esc-rs485")));
         buses.add(line);
         pass(500);
@@ -51,9 +51,9 @@ protected:
         return requests;
     }
 
-    std::shared_ptr<SimulatedLine> simulated = std::make_shared<SimulatedLine>();
-    LineSession line{std::make_unique<SimulatedLineLink>(simulated), catalog,
-                     QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC), makeRequestDriver};
+    std::shared_ptr<SimulatedEscLine> simulated = std::make_shared<SimulatedEscLine>();
+    EscLineSession line{std::make_unique<SimulatedEscLineLink>(simulated), catalog,
+                        QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC), makeRequestDriver};
 };
 
 TEST_F(WizardLine, ItsEncodersStandBehindThoseOfTheRing)

@@ -9,10 +9,10 @@
 #include "cli/encoder/jobs.h"
 #include "cli/kinds/esc/allowed_request.h"
 #include "cli/kinds/esc/device_on_line.h"
-#include "cli/kinds/esc/line_access.h"
-#include "cli/kinds/esc/line_figures_text.h"
-#include "cli/kinds/esc/line_link_kind.h"
-#include "cli/kinds/esc/line_trace.h"
+#include "cli/kinds/esc/esc_line_access.h"
+#include "cli/kinds/esc/esc_line_figures_text.h"
+#include "cli/kinds/esc/esc_line_link_kind.h"
+#include "cli/kinds/esc/esc_line_trace.h"
 #include "kinds/esc/line/typed_request.h"
 #include "kinds/esc/line/write_question.h"
 #include "vocabulary/refusal_text.h"
@@ -67,7 +67,7 @@ Complaint aboutNobodyKnown()
 class TypedCall
 {
 public:
-    TypedCall(const Call &call, LineAccess &access);
+    TypedCall(const Call &call, EscLineAccess &access);
 
     // Sends what was typed and waits for its answer. False: nothing more is to be sent.
     bool take(const QString &typed);
@@ -83,14 +83,14 @@ private:
     };
 
     bool isAnswered() const { return m_call.terminal.isInteractive && !m_call.arguments.has("--json"); }
-    void show(const esc::LineRow &row);
+    void show(const esc::EscLineRow &row);
     Checked<AllowedRequest> allowed(const esc::Request &request);
     Checked<void> askToWrite(const esc::Request &request);
     bool wasSent() const { return m_answered && m_answered->result.sent > 0; }
     QString whatWasDone() const;
     bool goesOn() const { return m_call.terminal.canPrint(); } // otherwise nobody sees what comes
-    Checked<Encoders> identified(LineAddress address);
-    Checked<void> contact(LineAddress address);
+    Checked<Encoders> identified(EscLineAddress address);
+    Checked<void> contact(EscLineAddress address);
     Checked<void> contactEverybody();
     Checked<void> contactWhoIsAlone();
     void send(const AllowedRequest &request);
@@ -98,8 +98,8 @@ private:
     bool cancel();
 
     const Call &m_call;
-    LineAccess &m_access;
-    LineSession &m_line;
+    EscLineAccess &m_access;
+    EscLineSession &m_line;
     TypedLines m_lines;
     QObject m_scope;
     std::optional<esc::Request> m_lastRequest;
@@ -109,19 +109,20 @@ private:
     bool m_isPolling = false;             // to get to know an encoder
 };
 
-TypedCall::TypedCall(const Call &call, LineAccess &access)
+TypedCall::TypedCall(const Call &call, EscLineAccess &access)
     : m_call(call)
     , m_access(access)
     , m_line(access.line())
     , m_lines(call.terminal)
 {
     m_line.setRunning(false);
-    QObject::connect(&m_line, &LineSession::passed, &m_scope, [this](const esc::LineRow &row) { show(row); });
-    QObject::connect(&m_line, &LineSession::typedAnswered, &m_scope,
+    QObject::connect(&m_line, &EscLineSession::passed, &m_scope,
+                     [this](const esc::EscLineRow &row) { show(row); });
+    QObject::connect(&m_line, &EscLineSession::typedAnswered, &m_scope,
                      [this](const TypedAnswered &answer) { m_answered = answer; });
 }
 
-void TypedCall::show(const esc::LineRow &row)
+void TypedCall::show(const esc::EscLineRow &row)
 {
     const PassedRow passed = passedRow(row, m_lastRequest);
     if (m_isPolling && passed.isPoll())
@@ -210,7 +211,7 @@ Checked<void> TypedCall::askToWrite(const esc::Request &request)
 }
 
 // Whose EEPROM it may be, each with its serial number, by which its writes are counted.
-Checked<Encoders> TypedCall::identified(LineAddress address)
+Checked<Encoders> TypedCall::identified(EscLineAddress address)
 {
     constexpr Instant longestPoll = 50ms; // one that is under way
     const QScopedValueRollback polling(m_isPolling, true);
@@ -222,14 +223,14 @@ Checked<Encoders> TypedCall::identified(LineAddress address)
         return tl::unexpected(known.error());
     Encoders encoders;
     for (const Place place : m_line.places())
-        if (const LineAddress its = LineAddress::of(place.node);
+        if (const EscLineAddress its = EscLineAddress::of(place.node);
             its == address || its.isMaster() || address.isMaster())
             encoders.push_back(m_line.encoder(place));
     return encoders;
 }
 
 // It may be silent.
-Checked<void> TypedCall::contact(LineAddress address)
+Checked<void> TypedCall::contact(EscLineAddress address)
 {
     const auto device = deviceOnLine(m_call, m_line.placeOf(address.node()));
     if (address.isDevice() && device)
@@ -256,7 +257,7 @@ Checked<void> TypedCall::contactWhoIsAlone()
             static_cast<void>(m_line.remove(place));
     };
     forgetAll();
-    const LineAddress address = LineAddress::master();
+    const EscLineAddress address = EscLineAddress::master();
     const auto alone = deviceOnLine(m_call, m_line.placeOf(address.node())).and_then([&](const QString &key) {
         return m_access.encoder(address, key);
     });
@@ -298,7 +299,7 @@ QString TypedCall::whatWasDone() const
 
 Answer TypedCall::answer() const
 {
-    const LineFigures &figures = m_line.latest().figures;
+    const EscLineFigures &figures = m_line.latest().figures;
     return {.text = {},
             .json = {{QStringLiteral("port"), m_access.portKey()},
                      {QStringLiteral("figures"), figuresJson(figures)}},
@@ -314,7 +315,7 @@ void takeAll(TypedCall &typed, const QStringList &requests)
 }
 
 // On a simulated line no time passes while nobody types.
-void takeTyped(const LineAccess &access, TypedCall &typed)
+void takeTyped(const EscLineAccess &access, TypedCall &typed)
 {
     const auto meanwhile =
         access.link().isSimulated() ? std::function<bool()>() : [&typed] { return typed.listen(); };
@@ -328,8 +329,8 @@ Checked<Answer> runTerminal(const Call &call)
     const auto bus = busMeant(call, QString::fromLatin1(escKind));
     if (!bus)
         return tl::unexpected(bus.error());
-    auto &line = static_cast<LineAccess &>(**bus); // of its kind
-    if (const auto device = deviceOnLine(call, line.line().placeOf(LineAddress::master().node())); !device)
+    auto &line = static_cast<EscLineAccess &>(**bus); // of its kind
+    if (const auto device = deviceOnLine(call, line.line().placeOf(EscLineAddress::master().node())); !device)
         return tl::unexpected(device.error());
     if (const auto opened = line.open(); !opened)
         return tl::unexpected(opened.error());

@@ -33,7 +33,7 @@ QString deviceOf(const Call &call, const ProjectDevice *planned)
 
 Checked<void> checkIsAlone(const Call &call, Place place)
 {
-    const LineAddress address = LineAddress::of(place.node);
+    const EscLineAddress address = EscLineAddress::of(place.node);
     if (!address.isMaster() || call.project == nullptr || devicesOn(*call.project, place.bus).size() < 2)
         return {};
     const QString others = listed(devicesOn(*call.project, place.bus),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/call/subcommand.h"
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "project/project.h"
 
 namespace codewheel {

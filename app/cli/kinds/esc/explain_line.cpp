@@ -4,8 +4,8 @@
 #include "catalog/device_description.h"
 #include "cli/bus/places.h"
 #include "cli/call/texts.h"
-#include "cli/kinds/esc/line_access.h"
-#include "cli/kinds/esc/line_trace.h"
+#include "cli/kinds/esc/esc_line_access.h"
+#include "cli/kinds/esc/esc_line_trace.h"
 #include "kinds/esc/line/typed_request.h"
 #include "kinds/esc/protocol/esc_frame.h"
 #include "kinds/esc/protocol/esc_scaling.h"
@@ -134,7 +134,7 @@ Checked<TypedRequest> typedRequestIn(const QString &typed)
 }
 
 // The line that has the place the request is for; null: the link leads to no line.
-Checked<const LineAccess *> lineFor(const Call &call, const TypedRequest &typed)
+Checked<const EscLineAccess *> lineFor(const Call &call, const TypedRequest &typed)
 {
     const std::vector<BusAccess *> lines = busesOf(call, QString::fromLatin1(escKind));
     if (lines.empty() && typed.bus.isEmpty())
@@ -143,7 +143,7 @@ Checked<const LineAccess *> lineFor(const Call &call, const TypedRequest &typed)
                            ? lines.front()->bus().placeOf(typed.request.to.node())
                            : placeMeant(call, nullptr, typed.bus + typed.request.to.node().toString());
     if (place)
-        return static_cast<const LineAccess *>(call.findBus(place->bus)); // of its kind
+        return static_cast<const EscLineAccess *>(call.findBus(place->bus)); // of its kind
     Complaint complaint = place.error();
     if (complaint.key == QStringLiteral("placeNotUnique"))
         complaint.text += u' ' + sentence(CommandLine::tr("Name the line before the request, as %1/%2."),
@@ -167,7 +167,7 @@ Checked<Answer> explainLine(const Call &call, const DeviceDescription &device)
     const auto line = lineFor(call, *asked);
     if (!line)
         return tl::unexpected(line.error());
-    const esc::ExplainOptions options = (*line != nullptr ? (*line)->link() : LineLink()).explainOptions();
+    const esc::ExplainOptions options = (*line != nullptr ? (*line)->link() : EscLineLink()).explainOptions();
     auto answer = *isOfAnswer ? explainAnswer(typed, asked->request, device, options)
                               : explainRequest(asked->request, device, options);
     if (answer && *line != nullptr)

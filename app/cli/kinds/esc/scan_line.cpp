@@ -7,7 +7,7 @@
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/jobs.h"
-#include "cli/kinds/esc/line_access.h"
+#include "cli/kinds/esc/esc_line_access.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
@@ -19,18 +19,18 @@ using namespace std::chrono_literals;
 constexpr Instant scanLookInterval = 20ms;
 const std::vector<int> ratesOfEncoders{19'200, 9'600, 4'800};
 
-Checked<LineAddress> addressOf(const Arguments &arguments, const char *option, std::uint8_t otherwise)
+Checked<EscLineAddress> addressOf(const Arguments &arguments, const char *option, std::uint8_t otherwise)
 {
     const auto text = arguments.value(option);
     if (!text)
-        return LineAddress{otherwise};
-    const auto address = LineAddress::fromWire(*text);
+        return EscLineAddress{otherwise};
+    const auto address = EscLineAddress::fromWire(*text);
     if (!address || !address->isDevice())
         return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::lineAddressWrong, {*text}}));
     return *address;
 }
 
-Checked<ScanWish> wishOf(const Call &call, const LineAccess &line)
+Checked<ScanWish> wishOf(const Call &call, const EscLineAccess &line)
 {
     ScanWish wish;
     wish.baudRates = call.arguments.has("--all-rates") ? ratesOfEncoders
@@ -39,7 +39,7 @@ Checked<ScanWish> wishOf(const Call &call, const LineAccess &line)
     const auto first = addressOf(call.arguments, "--first", 1);
     if (!first)
         return tl::unexpected(first.error());
-    const auto last = addressOf(call.arguments, "--last", LineAddress::last);
+    const auto last = addressOf(call.arguments, "--last", EscLineAddress::last);
     if (!last)
         return tl::unexpected(last.error());
     if (*last < *first)
@@ -60,14 +60,14 @@ void showProgress(const Call &call, const ScanProgress &progress)
 }
 
 // The result of the search; empty: the port is gone.
-std::optional<ScanEnded> search(const Call &call, LineAccess &access, const ScanWish &wish)
+std::optional<ScanEnded> search(const Call &call, EscLineAccess &access, const ScanWish &wish)
 {
-    LineSession &line = access.line();
+    EscLineSession &line = access.line();
     std::optional<ScanEnded> ended;
     QObject scope;
-    QObject::connect(&line, &LineSession::scanProgressed, &scope,
+    QObject::connect(&line, &EscLineSession::scanProgressed, &scope,
                      [&](const ScanProgress &progress) { showProgress(call, progress); });
-    QObject::connect(&line, &LineSession::scanEnded, &scope,
+    QObject::connect(&line, &EscLineSession::scanEnded, &scope,
                      [&](const ScanEnded &result) { ended = result; });
     StopSignals stop;
     line.scan(wish);
@@ -136,12 +136,12 @@ Answer scanAnswer(const ScanEnded &ended)
 
 } // namespace
 
-Checked<void> checkScanOptions(const Call &call, const LineAccess &line)
+Checked<void> checkScanOptions(const Call &call, const EscLineAccess &line)
 {
     return wishOf(call, line).map([](const ScanWish &) {});
 }
 
-Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, LineAccess &line, LineAddress address)
+Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, EscLineAccess &line, EscLineAddress address)
 {
     if (const auto opened = line.open(); !opened)
         return tl::unexpected(opened.error());
@@ -154,7 +154,7 @@ Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, LineAccess &line,
     return ended->found.empty() ? std::nullopt : std::optional(ended->found.front());
 }
 
-Checked<ScannedLine> scanLine(const Call &call, LineAccess &line)
+Checked<ScannedLine> scanLine(const Call &call, EscLineAccess &line)
 {
     const auto wish = wishOf(call, line);
     if (!wish)

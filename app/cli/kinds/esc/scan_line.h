@@ -2,13 +2,13 @@
 #pragma once
 
 #include "cli/call/subcommand.h"
-#include "kinds/esc/line/line_scan.h"
+#include "kinds/esc/line/esc_line_scan.h"
 
 #include <array>
 
 namespace codewheel {
 
-class LineAccess;
+class EscLineAccess;
 
 struct ScannedLine
 {
@@ -17,14 +17,14 @@ struct ScannedLine
 };
 
 // Whether the options of the call say where to look.
-Checked<void> checkScanOptions(const Call &call, const LineAccess &line);
+Checked<void> checkScanOptions(const Call &call, const EscLineAccess &line);
 
 // Searches for encoders on the line, as the options of the call say. Only reads. Ctrl+C ends it, keeping what
 // was found so far.
-Checked<ScannedLine> scanLine(const Call &call, LineAccess &line);
+Checked<ScannedLine> scanLine(const Call &call, EscLineAccess &line);
 
 // Who answers at this address: empty if it is free.
-Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, LineAccess &line, LineAddress address);
+Checked<std::optional<FoundEncoder>> whoIsAt(const Call &call, EscLineAccess &line, EscLineAddress address);
 
 inline constexpr std::array scanLineOptions{
     Option{"--all-rates", nullptr,

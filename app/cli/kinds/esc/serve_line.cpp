@@ -5,7 +5,7 @@
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/esc/served_line.h"
-#include "kinds/esc/simulator/simulated_line.h"
+#include "kinds/esc/simulator/simulated_esc_line.h"
 
 #include <algorithm>
 #include <array>
@@ -40,23 +40,23 @@ constexpr std::array serveLineOptions{
 
 struct ServePlan
 {
-    LineFaults faults;
-    Instant answerDelay = SimulatedLine::usualAnswerDelay;
-    std::vector<LineAddress> silent;
+    EscLineFaults faults;
+    Instant answerDelay = SimulatedEscLine::usualAnswerDelay;
+    std::vector<EscLineAddress> silent;
     std::uint32_t seed = 1;
 };
 
-Checked<std::vector<LineAddress>> silentOnes(const Arguments &arguments)
+Checked<std::vector<EscLineAddress>> silentOnes(const Arguments &arguments)
 {
-    std::vector<LineAddress> there;
+    std::vector<EscLineAddress> there;
     for (const EscEncoderPlan &encoder : trainingLine())
         there.push_back(encoder.address);
     const QString given = arguments.value("--silent").value_or(QString());
     if (given == QStringLiteral("all"))
         return there;
-    std::vector<LineAddress> silent;
+    std::vector<EscLineAddress> silent;
     for (const QString &text : given.split(u',', Qt::SkipEmptyParts)) {
-        const auto address = LineAddress::fromWire(text);
+        const auto address = EscLineAddress::fromWire(text);
         if (!address || std::ranges::find(there, *address) == there.end())
             return badInput(QStringLiteral("optionNotAllowed"),
                             CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
@@ -113,11 +113,11 @@ Checked<ServePlan> planOf(const Arguments &arguments)
     return plan;
 }
 
-void prepare(SimulatedLine &line, const ServePlan &plan)
+void prepare(SimulatedEscLine &line, const ServePlan &plan)
 {
     line.setFaults(plan.faults);
     line.setAnswerDelay(plan.answerDelay);
-    for (const LineAddress address : plan.silent)
+    for (const EscLineAddress address : plan.silent)
         line.withEncoder(address, [](SimulatedEscEncoder &encoder) { encoder.condition().mute = true; });
     line.begin({});
 }
@@ -141,7 +141,7 @@ Checked<Answer> serveLine(const Call &call)
     auto port = PseudoTerminal::make();
     if (!port)
         return tl::unexpected(noPseudoTerminal());
-    SimulatedLine line(trainingLine(), plan->seed);
+    SimulatedEscLine line(trainingLine(), plan->seed);
     prepare(line, *plan);
     ServedLine served(line, *port);
     StopSignals stop;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/bus/pseudo_terminal.h"
-#include "kinds/esc/simulator/simulated_line.h"
+#include "kinds/esc/simulator/simulated_esc_line.h"
 
 namespace codewheel {
 
@@ -15,7 +15,7 @@ class ServedLine
 public:
     static constexpr std::size_t mostWaiting = 512; // 0.3 s at 19200 Bd
 
-    ServedLine(SimulatedLine &line, PseudoTerminal &port)
+    ServedLine(SimulatedEscLine &line, PseudoTerminal &port)
         : m_line(line)
         , m_port(port)
     {}
@@ -27,7 +27,7 @@ private:
     void takeWritten(Instant now);
     void forgetLastClient(Instant now);
 
-    SimulatedLine &m_line;
+    SimulatedEscLine &m_line;
     PseudoTerminal &m_port;
     bool m_isFlooded = false; // by the program that has the port open
 };

@@ -6,12 +6,12 @@
 
 namespace codewheel {
 
-std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, LineAddress address)
+std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, EscLineAddress address)
 {
     return device.profile == Profile::esc ? std::make_unique<EscDriver>(device, address) : nullptr;
 }
 
-EscDriver::EscDriver(const DeviceDescription &device, LineAddress address, EscSettings settings)
+EscDriver::EscDriver(const DeviceDescription &device, EscLineAddress address, EscSettings settings)
     : m_encoder(device, address, settings)
     , m_polls(settings)
 {}

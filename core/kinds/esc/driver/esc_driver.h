@@ -20,7 +20,7 @@ public:
     using Figures = EscPositionGuard::Figures;
 
     // The description must outlive the driver. Address 0, the master address: the only encoder of its line.
-    EscDriver(const DeviceDescription &device, LineAddress address, EscSettings settings = {});
+    EscDriver(const DeviceDescription &device, EscLineAddress address, EscSettings settings = {});
 
     const Reading &reading() const override { return m_encoder.reading; }
     bool busy() const override { return m_job.has_value(); }
@@ -33,7 +33,7 @@ public:
     std::optional<Instant> wakesAt() const override;
     std::optional<esc::Request> next(Instant now) override;
     void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
-    LineAddress address() const override { return m_encoder.address; }
+    EscLineAddress address() const override { return m_encoder.address; }
     std::optional<int> wantedBaudRate() const override { return m_encoder.wantedBaudRate; }
     std::vector<Event> takeEvents() override;
     std::vector<Message> takeMessages() override;

@@ -64,7 +64,7 @@ bool hasValue(const std::optional<esc::Answer> &answer)
     return answer && (answer->kind == esc::Answer::Kind::value || answer->kind == esc::Answer::Kind::text);
 }
 
-EscEncoder::EscEncoder(const DeviceDescription &description, LineAddress place, EscSettings how)
+EscEncoder::EscEncoder(const DeviceDescription &description, EscLineAddress place, EscSettings how)
     : device(description)
     , settings(how)
     , address(place)

@@ -21,11 +21,11 @@ class EscEncoder
 {
 public:
     // The description must outlive this.
-    EscEncoder(const DeviceDescription &description, LineAddress place, EscSettings how);
+    EscEncoder(const DeviceDescription &description, EscLineAddress place, EscSettings how);
 
     const DeviceDescription &device;
     EscSettings settings;
-    LineAddress address;
+    EscLineAddress address;
     std::optional<int> baudRate;       // of the line, as told; empty: not known
     std::optional<int> wantedBaudRate; // while the encoder needs a different one
     EscPlan::Taken taken;              // by other encoders of the line

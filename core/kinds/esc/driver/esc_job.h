@@ -78,7 +78,7 @@ private:
     // esc_job_search.cpp
     void beginSearch();
     void searchAnswered(const esc::ExchangeResult &result, Instant now);
-    void foundAtAddress(LineAddress found, Instant now);
+    void foundAtAddress(EscLineAddress found, Instant now);
     void foundAtBaudRate(std::optional<int> found, Instant now);
 
     // esc_job_cancel.cpp

@@ -11,10 +11,10 @@ namespace {
 using Places = std::vector<EscSearch::Place>;
 
 // Both readings of the two digits, then the address it had; at the master address every encoder answers.
-Places placesOfAddress(LineAddress wanted, LineAddress before, std::optional<int> baudRate)
+Places placesOfAddress(EscLineAddress wanted, EscLineAddress before, std::optional<int> baudRate)
 {
     Places places;
-    for (const LineAddress reading : escReadingsOf(wanted))
+    for (const EscLineAddress reading : escReadingsOf(wanted))
         places.push_back({reading, baudRate});
     const EscSearch::Place old{before, baudRate};
     if (before.isDevice() && std::ranges::find(places, old) == places.end())
@@ -23,7 +23,7 @@ Places placesOfAddress(LineAddress wanted, LineAddress before, std::optional<int
 }
 
 // The answer was expected at the old rate, so the search starts at the new one.
-Places placesOfBaudRate(int wanted, std::optional<int> before, LineAddress address)
+Places placesOfBaudRate(int wanted, std::optional<int> before, EscLineAddress address)
 {
     Places places{{address, wanted}};
     if (before != wanted)
@@ -67,9 +67,9 @@ void EscJob::searchAnswered(const esc::ExchangeResult &result, Instant now)
     }
 }
 
-void EscJob::foundAtAddress(LineAddress found, Instant now)
+void EscJob::foundAtAddress(EscLineAddress found, Instant now)
 {
-    const LineAddress before = m_encoder.address;
+    const EscLineAddress before = m_encoder.address;
     m_encoder.address = found;
     m_encoder.values.learn({Parameter::lineAddress, found.value, Evidence::read, now});
     const bool isWanted = found.value == m_steps.current().value;

@@ -15,9 +15,9 @@ class EscPlan
 {
 public:
     // What answers at the other addresses of the line, with a name for the user.
-    using Taken = std::map<LineAddress, QString>;
+    using Taken = std::map<EscLineAddress, QString>;
 
-    EscPlan(const DeviceDescription &device, LineAddress address, const EscSettings &settings,
+    EscPlan(const DeviceDescription &device, EscLineAddress address, const EscSettings &settings,
             ParameterValues known, const Taken &taken = {})
         : m_device(device)
         , m_address(address)
@@ -40,7 +40,7 @@ public:
 private:
     Result<void> checkWrite(const WriteParameters &job) const;
     Result<void> checkPreset(const SetPreset &job) const;
-    Result<void> checkAddress(LineAddress wanted) const;
+    Result<void> checkAddress(EscLineAddress wanted) const;
 
     EscSteps preset(std::int64_t position) const;
     ParameterValues completed(const ParameterValues &values) const;
@@ -51,7 +51,7 @@ private:
     void appendScaling(EscSteps &steps, const ParameterValues &values) const;
 
     const DeviceDescription &m_device;
-    LineAddress m_address;
+    EscLineAddress m_address;
     EscSettings m_settings;
     ParameterValues m_known;
     Taken m_taken;

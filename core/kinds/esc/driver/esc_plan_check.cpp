@@ -87,9 +87,9 @@ Result<void> EscPlan::checkPreset(const SetPreset &job) const
 }
 
 // The encoder may move to either reading of the two digits, and whoever is there would answer along with it.
-Result<void> EscPlan::checkAddress(LineAddress wanted) const
+Result<void> EscPlan::checkAddress(EscLineAddress wanted) const
 {
-    for (const LineAddress reading : escReadingsOf(wanted))
+    for (const EscLineAddress reading : escReadingsOf(wanted))
         if (const auto taken = m_taken.find(reading); taken != m_taken.end() && reading != m_address)
             return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
                           {reading.shown(), taken->second});

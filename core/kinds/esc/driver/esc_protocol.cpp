@@ -66,8 +66,8 @@ Result<std::vector<Step>> EscProtocol::planned(const DeviceDescription &device, 
                                                const PlanBasis &basis) const
 {
     const ParameterValues values = valuesOf(basis.known);
-    const LineAddress asked = LineAddress::of(basis.node);
-    const LineAddress usual = asked.isDevice() ? asked : LineAddress::master();
+    const EscLineAddress asked = EscLineAddress::of(basis.node);
+    const EscLineAddress usual = asked.isDevice() ? asked : EscLineAddress::master();
     const auto address = valueOf(values, Parameter::lineAddress).value_or(usual.value);
     const EscSettings settings{.fractionBits = fractionBitsOf(basis.options)};
     const EscPlan plan(device, {static_cast<std::uint8_t>(address)}, settings, values);

@@ -46,7 +46,7 @@ public:
     // What else the line knows: the rate it uses, in Bd, the devices at its other addresses with a name for
     // the user, and what somebody else asked this device, e.g. at the terminal.
     virtual void setLineBaudRate(int /*baudRate*/) {}
-    virtual void setTaken(const std::map<LineAddress, QString> & /*others*/) {}
+    virtual void setTaken(const std::map<EscLineAddress, QString> & /*others*/) {}
     virtual void observe(const esc::Request & /*request*/, const esc::ExchangeResult & /*result*/,
                          Instant /*now*/)
     {}
@@ -60,7 +60,7 @@ public:
     virtual void setSwapsWarningBytes(bool /*on*/) {}
 
     // The address at which the device is asked now; a different one after the job that changed it.
-    virtual LineAddress address() const = 0;
+    virtual EscLineAddress address() const = 0;
     // The baud rate that the next request to this device needs, while it is being searched for or was given
     // another one.
     virtual std::optional<int> wantedBaudRate() const { return std::nullopt; }
@@ -72,6 +72,6 @@ public:
 
 // The driver for a device of this description; null if it is not for a serial line. The description must
 // outlive the driver.
-std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, LineAddress address);
+std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, EscLineAddress address);
 
 } // namespace codewheel

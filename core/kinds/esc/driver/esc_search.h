@@ -17,7 +17,7 @@ class EscSearch
 public:
     struct Place
     {
-        LineAddress address;
+        EscLineAddress address;
         std::optional<int> baudRate; // empty: that of the line
 
         friend bool operator==(const Place &, const Place &) = default;

@@ -113,12 +113,12 @@ std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, c
     return std::nullopt;
 }
 
-std::vector<LineAddress> escReadingsOf(LineAddress sent)
+std::vector<EscLineAddress> escReadingsOf(EscLineAddress sent)
 {
-    std::vector<LineAddress> readings{sent};
+    std::vector<EscLineAddress> readings{sent};
     bool isDecimal = false;
     const unsigned decimal = sent.onWire().toUInt(&isDecimal, 10);
-    if (isDecimal && decimal != sent.value && decimal <= LineAddress::last)
+    if (isDecimal && decimal != sent.value && decimal <= EscLineAddress::last)
         readings.push_back({static_cast<std::uint8_t>(decimal)});
     return readings;
 }

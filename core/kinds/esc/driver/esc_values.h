@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_scaling.h"
-#include "kinds/esc/protocol/line_address.h"
 
 namespace codewheel {
 
@@ -42,6 +42,6 @@ std::optional<std::int64_t> escScalingFactorFor(const ParameterValues &values, c
 
 // The addresses an encoder may have after X was sent with two digits that the manual reads in two ways:
 // hexadecimal first, then, if it differs, decimal.
-std::vector<LineAddress> escReadingsOf(LineAddress sent);
+std::vector<EscLineAddress> escReadingsOf(EscLineAddress sent);
 
 } // namespace codewheel

@@ -5,8 +5,8 @@
 
 namespace codewheel {
 
-Result<LineExchange> exchangeOver(ByteLink &link, const esc::Request &request, const esc::Timing &timing,
-                                  const std::atomic<bool> &isStopped)
+Result<EscLineExchange> exchangeOver(ByteLink &link, const esc::Request &request, const esc::Timing &timing,
+                                     const std::atomic<bool> &isStopped)
 {
     esc::Exchange exchange(request, timing);
     for (;;) {
@@ -25,7 +25,7 @@ Result<LineExchange> exchangeOver(ByteLink &link, const esc::Request &request, c
         if (!bytes->isEmpty())
             exchange.received(*bytes, std::min(link.now(), until)); // a computer that is busy reads late
     }
-    return LineExchange{exchange.result(), exchange.takeRows()};
+    return EscLineExchange{exchange.result(), exchange.takeRows()};
 }
 
 } // namespace codewheel

@@ -10,24 +10,24 @@
 namespace codewheel {
 namespace {
 
-using RowKind = esc::LineRow::Kind;
+using RowKind = esc::EscLineRow::Kind;
 
 // The translation context of these texts.
-struct LineRowText
+struct EscLineRowText
 {
-    Q_DECLARE_TR_FUNCTIONS(LineRowText)
+    Q_DECLARE_TR_FUNCTIONS(EscLineRowText)
 };
 
 QString sentMeaning(const std::optional<esc::Request> &request, const esc::ExplainOptions &options)
 {
-    return request ? esc::requestText(*request, options) : LineRowText::tr("no request of this protocol");
+    return request ? esc::requestText(*request, options) : EscLineRowText::tr("no request of this protocol");
 }
 
-QString answerMeaning(const esc::LineRow &row, const std::optional<esc::Request> &request,
+QString answerMeaning(const esc::EscLineRow &row, const std::optional<esc::Request> &request,
                       const esc::ExplainOptions &options)
 {
     const auto answer = request ? answerIn(row.bytes, request->command) : std::nullopt;
-    return answer ? esc::answerText(*request, *answer, options) : LineRowText::tr("no well-formed answer");
+    return answer ? esc::answerText(*request, *answer, options) : EscLineRowText::tr("no well-formed answer");
 }
 
 } // namespace
@@ -69,7 +69,7 @@ bool PassedRow::isAutomatic() const
     return !isWrong && request && codewheel::isAutomatic(request->command);
 }
 
-PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest)
+PassedRow passedRow(const esc::EscLineRow &row, std::optional<esc::Request> &lastRequest)
 {
     if (row.kind == RowKind::sent)
         lastRequest = sentRequest(row.bytes);
@@ -85,18 +85,18 @@ QString rowMeaning(const PassedRow &passed, const esc::ExplainOptions &options)
     case RowKind::answer:
         return answerMeaning(row, request, options);
     case RowKind::echo:
-        return LineRowText::tr("what was sent, echoed by the adapter: dropped");
+        return EscLineRowText::tr("what was sent, echoed by the adapter: dropped");
     case RowKind::garbage:
-        return request ? sentence(LineRowText::tr("no well-formed answer to \"%1\": dropped"),
+        return request ? sentence(EscLineRowText::tr("no well-formed answer to \"%1\": dropped"),
                                   {esc::requestText(*request, options)})
-                       : LineRowText::tr("nobody asked for it: dropped");
+                       : EscLineRowText::tr("nobody asked for it: dropped");
     case RowKind::late:
         break;
     }
-    return LineRowText::tr("came after its time-out: dropped");
+    return EscLineRowText::tr("came after its time-out: dropped");
 }
 
-TrafficRow LineTraffic::row(const esc::LineRow &what)
+TrafficRow EscLineTraffic::row(const esc::EscLineRow &what)
 {
     const PassedRow passed = passedRow(what, m_lastRequest);
     return {.at = what.at,

@@ -25,7 +25,7 @@ std::optional<esc::Answer> answerIn(const QByteArray &bytes, esc::Command comman
 // What passed on a line, with the request it belongs to.
 struct PassedRow
 {
-    esc::LineRow row;
+    esc::EscLineRow row;
     std::optional<esc::Request> request; // that was sent, or was the last one sent before this came in
 
     // Part of a position request, and nothing is wrong with it: the polling.
@@ -35,22 +35,22 @@ struct PassedRow
 };
 
 // The request of each row, as rows come one after the other.
-PassedRow passedRow(const esc::LineRow &row, std::optional<esc::Request> &lastRequest);
+PassedRow passedRow(const esc::EscLineRow &row, std::optional<esc::Request> &lastRequest);
 
 // One row in words.
 QString rowMeaning(const PassedRow &passed, const esc::ExplainOptions &options);
 
 // Makes the rows of a line, one after the other.
-class LineTraffic
+class EscLineTraffic
 {
 public:
-    explicit LineTraffic(const esc::ExplainOptions &options = {})
+    explicit EscLineTraffic(const esc::ExplainOptions &options = {})
         : m_options(std::make_shared<esc::ExplainOptions>(options))
     {}
 
     // Applies to rows already made, too.
     void setExplainOptions(const esc::ExplainOptions &options) { *m_options = options; }
-    TrafficRow row(const esc::LineRow &what);
+    TrafficRow row(const esc::EscLineRow &what);
 
 private:
     std::shared_ptr<esc::ExplainOptions> m_options; // rows outlive the session

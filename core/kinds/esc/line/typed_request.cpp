@@ -57,7 +57,7 @@ QString TypedParts::addressFault() const
 {
     if (m_address.isEmpty())
         return tr("Type a request: two hexadecimal digits for the address, then the command, as in 05P.");
-    if (m_address.size() == addressDigits && LineAddress::fromWire(m_address))
+    if (m_address.size() == addressDigits && EscLineAddress::fromWire(m_address))
         return {};
     return sentence(tr("\"%1\" is not an address. A request begins with two hexadecimal digits: 01 to 1F, or "
                        "00 for whichever encoder is alone on the line."),

@@ -24,7 +24,7 @@ struct Exchange::Private
     Request request;
     Timing timing;
     ExchangeResult result{};
-    std::vector<LineRow> rows{};
+    std::vector<EscLineRow> rows{};
     Reception reception{};
     Stage stage = Stage::sending;
     Stage afterDraining = Stage::done;
@@ -73,7 +73,7 @@ Exchange::Send Exchange::Private::send(Instant now)
     reception = Reception(request, {requestEnd, timing.character});
     stage = Stage::listening;
     ++result.sent;
-    rows.push_back({now, LineRow::Kind::sent, bytes});
+    rows.push_back({now, EscLineRow::Kind::sent, bytes});
     return {bytes};
 }
 
@@ -148,20 +148,20 @@ void Exchange::Private::drain(Instant from, Instant quietTime, Stage next)
 
 void Exchange::Private::addLate(const QByteArray &bytes, Instant at)
 {
-    rows.push_back({at, LineRow::Kind::late, bytes});
+    rows.push_back({at, EscLineRow::Kind::late, bytes});
     result.lateBytes += static_cast<int>(bytes.size());
     lastHeard = std::max(lastHeard, at);
 }
 
 void Exchange::Private::keepRows(const std::optional<Reception::Found> &taken)
 {
-    for (LineRow &row : reception.rows(taken)) {
+    for (EscLineRow &row : reception.rows(taken)) {
         const int size = static_cast<int>(row.bytes.size());
-        if (row.kind == LineRow::Kind::garbage)
+        if (row.kind == EscLineRow::Kind::garbage)
             result.garbageBytes += size;
-        else if (row.kind == LineRow::Kind::late)
+        else if (row.kind == EscLineRow::Kind::late)
             result.lateBytes += size;
-        else if (row.kind == LineRow::Kind::echo)
+        else if (row.kind == EscLineRow::Kind::echo)
             result.isEchoed = true;
         rows.push_back(std::move(row));
     }
@@ -215,7 +215,7 @@ const ExchangeResult &Exchange::result() const
     return d->result;
 }
 
-std::vector<LineRow> Exchange::takeRows()
+std::vector<EscLineRow> Exchange::takeRows()
 {
     return std::exchange(d->rows, {});
 }

@@ -31,7 +31,7 @@ struct Timing
 };
 
 // What passed on the line, one piece per row, for the terminal and the figures.
-struct LineRow
+struct EscLineRow
 {
     using Kind = TrafficKind;
 
@@ -39,7 +39,7 @@ struct LineRow
     Kind kind = Kind::sent;
     QByteArray bytes;
 
-    friend bool operator==(const LineRow &, const LineRow &) = default;
+    friend bool operator==(const EscLineRow &, const EscLineRow &) = default;
 };
 
 // How one request ended.
@@ -84,7 +84,7 @@ public:
 
     const Request &request() const;
     const ExchangeResult &result() const; // complete when next() said Done
-    std::vector<LineRow> takeRows();
+    std::vector<EscLineRow> takeRows();
 
 private:
     struct Private;

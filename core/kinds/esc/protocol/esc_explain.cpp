@@ -16,7 +16,7 @@ class Explain
 
 public:
     static QString bitDigits(std::uint16_t asSent, bool isSwapped);
-    static QString address(LineAddress to);
+    static QString address(EscLineAddress to);
     static QString value(Command command, std::uint32_t value, const ExplainOptions &options);
     static QString request(const Request &request, const ExplainOptions &options);
     static QString answer(const Request &request, const Answer &answer, const ExplainOptions &options);
@@ -44,7 +44,7 @@ QString fractionText(std::uint32_t raw, const ExplainOptions &options)
     return QLocale().toString(esc::scalingFactor(raw, options.fractionBits), 'g', significant);
 }
 
-QString Explain::address(LineAddress to)
+QString Explain::address(EscLineAddress to)
 {
     return to.isMaster() ? tr("00 (any encoder)") : to.onWire();
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "kinds/esc/protocol/esc_answer.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_request.h"
 #include "kinds/esc/protocol/esc_scaling.h"
-#include "kinds/esc/protocol/line_address.h"
 
 #include <QString>
 
@@ -17,9 +17,9 @@ struct ExplainOptions
 {
     bool swapWarningBytes = false;          // of all devices
     int fractionBits = defaultFractionBits; // of the scaling factor
-    std::set<LineAddress> swapping{};       // the devices whose warning bytes are swapped
+    std::set<EscLineAddress> swapping{};    // the devices whose warning bytes are swapped
 
-    bool swaps(LineAddress device) const { return swapWarningBytes || swapping.contains(device); }
+    bool swaps(EscLineAddress device) const { return swapWarningBytes || swapping.contains(device); }
 };
 
 // One line of the protocol in words, translated, values hexadecimal and decimal. Used by the terminal and by

@@ -4,8 +4,8 @@
 #include "catalog/hex_code.h"
 #include "kinds/esc/protocol/esc_bits.h"
 #include "kinds/esc/protocol/esc_explain.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_scaling.h"
-#include "kinds/esc/protocol/line_address.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
 
@@ -62,7 +62,7 @@ const ValueForm *escForm(Parameter parameter)
 {
     using enum esc::Command;
     static constexpr ValueForm address{[](std::int64_t value, const Options &) {
-        return LineAddress{static_cast<std::uint8_t>(value)}.shown();
+        return EscLineAddress{static_cast<std::uint8_t>(value)}.shown();
     }};
     static constexpr ValueForm serial{
         [](std::int64_t value, const Options &) { return hexWord(rawOf(value)); }};

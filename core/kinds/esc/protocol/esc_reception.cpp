@@ -6,7 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-using RowKind = LineRow::Kind;
+using RowKind = EscLineRow::Kind;
 
 // A clock read after the bytes came in gives a rather late time; one derived from the baud rate alone may be
 // a little off.
@@ -108,7 +108,7 @@ std::optional<Reception::Found> Reception::answer() const
     return Found{*frame, endOf(*frame), settlesAt(*frame), !isTooEarly(*frame)};
 }
 
-std::vector<LineRow> Reception::rows(const std::optional<Found> &taken) const
+std::vector<EscLineRow> Reception::rows(const std::optional<Found> &taken) const
 {
     std::vector<RowKind> kinds(m_times.size(), RowKind::garbage);
     const auto mark = [&](qsizetype begin, qsizetype size, RowKind kind) {
@@ -122,7 +122,7 @@ std::vector<LineRow> Reception::rows(const std::optional<Found> &taken) const
                 mark(frame.begin, frame.size(), RowKind::late);
         mark(taken->frame.begin, taken->frame.size(), RowKind::answer);
     }
-    std::vector<LineRow> rows;
+    std::vector<EscLineRow> rows;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (i == 0 || kinds[i] != kinds[i - 1])
             rows.push_back({{}, kinds[i], {}});

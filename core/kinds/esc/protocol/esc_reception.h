@@ -44,7 +44,7 @@ public:
     std::optional<Found> answer() const;
     bool hasBytesBehind(const Found &found) const { return m_bytes.size() > found.frame.end; }
     // All of it, in the order it came in: echo, answer (`taken`), late answers before it, and garbage.
-    std::vector<LineRow> rows(const std::optional<Found> &taken) const;
+    std::vector<EscLineRow> rows(const std::optional<Found> &taken) const;
 
 private:
     std::vector<qsizetype> echoes() const; // where each begins

@@ -45,7 +45,7 @@ std::optional<Request> parseRequest(QByteArrayView text)
     if (text.size() <= addressDigits || !areHexDigits(text.first(addressDigits)))
         return std::nullopt;
     const QByteArray upper = text.toByteArray().toUpper();
-    const auto to = LineAddress::fromWire(QString::fromLatin1(upper.first(addressDigits)));
+    const auto to = EscLineAddress::fromWire(QString::fromLatin1(upper.first(addressDigits)));
     const QByteArrayView rest = QByteArrayView(upper).sliced(addressDigits);
     const qsizetype letters = rest.front() == 'G' ? 2 : 1;
     if (!to || rest.size() < letters)

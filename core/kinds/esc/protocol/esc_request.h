@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinds/esc/protocol/esc_command.h"
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 
 #include <QByteArray>
 
@@ -10,7 +10,7 @@ namespace codewheel::esc {
 
 struct Request
 {
-    LineAddress to; // 0: the master address
+    EscLineAddress to; // 0: the master address
     Command command = Command::position;
     std::uint32_t data = 0; // of a write; within the digits of the command
 

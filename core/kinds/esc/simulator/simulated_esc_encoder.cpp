@@ -40,7 +40,7 @@ std::optional<SimulatedEscEncoder::Reply> SimulatedEscEncoder::hear(char byte)
     const auto text = m_listener.hear(byte);
     if (!text || text->size() < digitsOfAddress)
         return std::nullopt;
-    const auto to = LineAddress::fromWire(QString::fromLatin1(text->first(digitsOfAddress)));
+    const auto to = EscLineAddress::fromWire(QString::fromLatin1(text->first(digitsOfAddress)));
     if (!to || (!to->isMaster() && *to != m_address))
         return std::nullopt;
     const int baudRate = m_baudRate;
@@ -128,7 +128,7 @@ bool SimulatedEscEncoder::writeAddress(std::uint32_t digits)
     const bool isDecimal = m_plan.addressDigits == EscEncoderPlan::AddressDigits::decimal;
     if (isDecimal && (tens > 9 || ones > 9))
         return false;
-    const LineAddress address{static_cast<std::uint8_t>(isDecimal ? tens * 10 + ones : digits)};
+    const EscLineAddress address{static_cast<std::uint8_t>(isDecimal ? tens * 10 + ones : digits)};
     if (!address.isDevice())
         return false;
     m_address = address;

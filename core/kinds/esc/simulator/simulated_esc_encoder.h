@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/simulator/esc_condition.h"
 #include "kinds/esc/simulator/esc_listener.h"
 #include "kinds/esc/simulator/esc_registers.h"
@@ -18,7 +18,7 @@ struct EscEncoderPlan
     // How the digits of the command X are read: the manual prints 21, with 1Fh as the last address.
     enum class AddressDigits : std::uint8_t { hexadecimal, decimal };
 
-    LineAddress address{1};
+    EscLineAddress address{1};
     Interface interface = Interface::rs485;
     std::int64_t raw = 0;            // physical position, steps
     double revolutionsPerMinute = 0; // positive: clockwise
@@ -33,7 +33,7 @@ struct EscEncoderPlan
 
 // A Kübler 5882, 5862 or 9081 with the ESC protocol and its shaft: bytes in, answers out, according to the
 // two tables of the manual. It answers on its address and on the master address. What it does where the
-// manual is silent is marked as assumed. Used by SimulatedLine.
+// manual is silent is marked as assumed. Used by SimulatedEscLine.
 class SimulatedEscEncoder
 {
 public:
@@ -55,7 +55,7 @@ public:
     // A millisecond passes.
     void cycle();
 
-    LineAddress address() const { return m_address; }
+    EscLineAddress address() const { return m_address; }
     int baudRate() const { return m_baudRate; }
     const EscRegisters &registers() const { return m_registers; }
     TurningShaft &shaft() { return m_shaft; }
@@ -94,7 +94,7 @@ private:
     EscRegisters m_registers;
     EscCondition m_condition;
     EscListener m_listener;
-    LineAddress m_address;
+    EscLineAddress m_address;
     int m_baudRate;
     std::int64_t m_millisecondsOn = 0;
 };

@@ -4,8 +4,8 @@
 #include "cli/call/command_line.h"
 #include "cli/call/stop_signals.h"
 #include "cli/commands.h"
-#include "cli/kinds/esc/line_access.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "cli/kinds/esc/esc_line_access.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 
 #include <csignal>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 class CutLink final : public ByteLink
 {
 public:
-    CutLink(std::shared_ptr<SimulatedLine> line, SharedLine::Cut cut)
+    CutLink(std::shared_ptr<SimulatedEscLine> line, SharedLine::Cut cut)
         : m_line(std::move(line))
         , m_link(m_line)
         , m_cut(std::move(cut))
@@ -40,8 +40,8 @@ public:
     void wait(Instant until) override { m_link.wait(until); }
 
 private:
-    std::shared_ptr<SimulatedLine> m_line;
-    SimulatedLineLink m_link;
+    std::shared_ptr<SimulatedEscLine> m_line;
+    SimulatedEscLineLink m_link;
     SharedLine::Cut m_cut;
 };
 
@@ -61,7 +61,7 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
     EXPECT_TRUE(link) << line.toStdString();
     StopSignals held; // so that only the command gets Ctrl+C
     CliRun run = runWith(person, [&](const Terminal &terminal) {
-        LineAccess access(cutLink(m_line, m_cut), *link, m_catalog);
+        EscLineAccess access(cutLink(m_line, m_cut), *link, m_catalog);
         access.keepLedger(arguments->value("--ledger"));
         return runOn(*command, *arguments, m_catalog, {&access}, terminal);
     });
@@ -70,14 +70,14 @@ CliRun SharedLine::runLine(const QString &line, const Person &person)
     return run;
 }
 
-std::unique_ptr<ByteLink> cutLink(std::shared_ptr<SimulatedLine> line, SharedLine::Cut cut)
+std::unique_ptr<ByteLink> cutLink(std::shared_ptr<SimulatedEscLine> line, SharedLine::Cut cut)
 {
     return std::make_unique<CutLink>(std::move(line), std::move(cut));
 }
 
 void SharedLine::interruptAfter(const QByteArray &request, int signal)
 {
-    m_cut = {request, [signal](SimulatedLine &) { std::raise(signal); }};
+    m_cut = {request, [signal](SimulatedEscLine &) { std::raise(signal); }};
 }
 
 EscRegisters SharedLine::registers(std::uint8_t address)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/esc/simulator/simulated_line.h"
+#include "kinds/esc/simulator/simulated_esc_line.h"
 #include "serial/byte_link.h"
 #include "tests/cli/cli_run.h"
 
@@ -20,14 +20,14 @@ public:
 
     // `line` may contain --link esc:training with settings of the line, and --ledger.
     CliRun runLine(const QString &line, const Person &person = {});
-    SimulatedLine &simulated() { return *m_line; }
+    SimulatedEscLine &simulated() { return *m_line; }
     EscRegisters registers(std::uint8_t address);
     void mute(std::uint8_t address);
 
     // The adapter is unplugged right after a request with this beginning was sent so many times: "05GD".
     void unplugAfter(const QByteArray &request, int times = 1)
     {
-        m_cut = {request, [left = times](SimulatedLine &line) mutable {
+        m_cut = {request, [left = times](SimulatedEscLine &line) mutable {
                      if (--left == 0)
                          line.setUnplugged(true);
                  }};
@@ -35,7 +35,7 @@ public:
     // From then on all encoders are silent; they still hear and act.
     void muteAfter(const QByteArray &request)
     {
-        m_cut = {request, [](SimulatedLine &line) { line.setSilent(true); }};
+        m_cut = {request, [](SimulatedEscLine &line) { line.setSilent(true); }};
     }
 
     // Ctrl+C is pressed then, or another signal arrives.
@@ -45,16 +45,16 @@ public:
     struct Cut
     {
         QByteArray request{};
-        std::function<void(SimulatedLine &)> happens{};
+        std::function<void(SimulatedEscLine &)> happens{};
     };
 
 private:
     Catalog m_catalog;
-    std::shared_ptr<SimulatedLine> m_line = std::make_shared<SimulatedLine>();
+    std::shared_ptr<SimulatedEscLine> m_line = std::make_shared<SimulatedEscLine>();
     Cut m_cut;
 };
 
 // A link that passes everything on, and makes something happen at a certain request.
-std::unique_ptr<ByteLink> cutLink(std::shared_ptr<SimulatedLine> line, SharedLine::Cut cut);
+std::unique_ptr<ByteLink> cutLink(std::shared_ptr<SimulatedEscLine> line, SharedLine::Cut cut);
 
 } // namespace codewheel

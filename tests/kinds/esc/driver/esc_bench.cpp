@@ -53,7 +53,7 @@ std::string lettersOf(const std::string &line)
     return line.at(2) == 'G' ? line.substr(2, 2) : line.substr(2, 1);
 }
 
-EscBench::EscBench(EscSettings settings, LineAddress place, QStringView device)
+EscBench::EscBench(EscSettings settings, EscLineAddress place, QStringView device)
     : driver(describe(device), place, settings)
     , has{{"O", "7005"},     {"V", "5882 HW 1.0 SW 2.04"},
           {"M", "02000000"}, {"D", "2000"},

@@ -22,14 +22,14 @@ public:
         unanswered, // it was executed, and its answer never arrived
     };
 
-    explicit EscBench(EscSettings settings = {}, LineAddress address = {3},
+    explicit EscBench(EscSettings settings = {}, EscLineAddress address = {3},
                       QStringView device = u"kuebler-esc-rs485");
 
     EscDriver driver;
 
     // The encoder's values by the letters that read them: "D" -> "2000". May be changed at any time.
     std::map<std::string, std::string> has;
-    LineAddress address{3};
+    EscLineAddress address{3};
     int baudRate = 19200;
     bool isOn = true;
     bool readsAddressAsDecimal = false;

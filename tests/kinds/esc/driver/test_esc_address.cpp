@@ -26,12 +26,12 @@ TEST(EscAddress, GoesAsTwoHexadecimalDigitsAndIsFoundThere)
     const Outcome &outcome = bench.finish(address(21));
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(bench.jobLog(), (Lines{"03N", "03N", "03X15", "15N"}));
-    EXPECT_EQ(bench.driver.address(), LineAddress{21});
+    EXPECT_EQ(bench.driver.address(), EscLineAddress{21});
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::lineAddress, 21}}));
     EXPECT_EQ(bench.value(Parameter::lineAddress), 21);
     ASSERT_EQ(bench.countOf(MessageId::lineAddressChanged), 1);
     EXPECT_EQ(bench.messages.back().arguments,
-              (std::vector<RefusalArgument>{LineAddress{3}.shown(), LineAddress{21}.shown()}));
+              (std::vector<RefusalArgument>{EscLineAddress{3}.shown(), EscLineAddress{21}.shown()}));
     bench.log.clear();
     bench.run(std::chrono::seconds(1));
     EXPECT_EQ(bench.log.front(), "15P");
@@ -47,7 +47,7 @@ TEST(EscAddress, IsFoundAtTheDecimalReadingAndReported)
     bench.settle();
     const Outcome &outcome = bench.finish(address(0x15));
     EXPECT_EQ(bench.jobLog(), (Lines{"03N", "03N", "03X15", "15N", "0FN"}));
-    EXPECT_EQ(bench.driver.address(), LineAddress{15});
+    EXPECT_EQ(bench.driver.address(), EscLineAddress{15});
     ASSERT_FALSE(outcome.result) << "it is not what was asked for";
     EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
     EXPECT_EQ(outcome.result.error().arguments,
@@ -68,7 +68,7 @@ TEST(EscAddress, AnotherSerialNumberIsNotTakenForIt)
     bench.answerNext("N", "00000009"); // a stranger, or a damaged answer: the search goes on
     bench.runUntil([&] { return bench.outcome.has_value(); });
     EXPECT_EQ(bench.jobLog(), (Lines{"03N", "03N", "03X15", "15N", "0FN", "03N", "15N", "0FN"}));
-    EXPECT_EQ(bench.driver.address(), LineAddress{15});
+    EXPECT_EQ(bench.driver.address(), EscLineAddress{15});
 }
 
 TEST(EscAddress, WithoutAnAnswerItIsFoundWhereItIs)
@@ -105,7 +105,7 @@ TEST(EscAddress, AcceptedAndStillAtTheOldOneIsToldSo)
     const Outcome &outcome = bench.finish(address(21));
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
-    EXPECT_EQ(bench.driver.address(), LineAddress{3});
+    EXPECT_EQ(bench.driver.address(), EscLineAddress{3});
     EXPECT_EQ(bench.countOf(MessageId::lineAddressChanged), 0);
 }
 
@@ -141,7 +141,7 @@ TEST(EscAddress, OnesThatAreTakenAreRefusedBeforehandInBothReadings)
         if (!begun) {
             EXPECT_EQ(begun.error().id, RefusalId::lineAddressTaken);
             EXPECT_EQ(begun.error().arguments.front(),
-                      RefusalArgument(LineAddress{static_cast<std::uint8_t>(*taken)}.shown()));
+                      RefusalArgument(EscLineAddress{static_cast<std::uint8_t>(*taken)}.shown()));
         }
         bench.driver.stop({RefusalKind::stopped, RefusalId::busStopped, {}}, bench.now);
     }
@@ -159,11 +159,11 @@ TEST(EscAddress, GoesLastSoThatAllElseReachesTheEncoder)
 
 TEST(EscAddress, FromTheMasterAddressItGetsOne)
 {
-    EscBench bench({}, LineAddress::master());
+    EscBench bench({}, EscLineAddress::master());
     bench.address = {9};
     bench.settle();
     EXPECT_TRUE(bench.finish(address(4)).result);
-    EXPECT_EQ(bench.driver.address(), LineAddress{4});
+    EXPECT_EQ(bench.driver.address(), EscLineAddress{4});
     EXPECT_EQ(bench.log.back().substr(0, 2), "04");
 }
 

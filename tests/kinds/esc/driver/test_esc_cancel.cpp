@@ -155,7 +155,7 @@ TEST(EscCancel, AnEncoderThatMovedIsStillLookedFor)
     bench.runUntil([&] { return bench.count("X") == 1; });
     bench.driver.cancel(OnCancel::leaveAsIs, bench.now);
     bench.runUntil([&] { return bench.outcome.has_value(); });
-    EXPECT_EQ(bench.driver.address(), LineAddress{7});
+    EXPECT_EQ(bench.driver.address(), EscLineAddress{7});
     EXPECT_EQ(bench.count("Y"), 0);
 }
 

@@ -229,7 +229,7 @@ TEST(EscPolling, WhenTheLineIsBackTheEncoderIsAskedWhoItIs)
 
 TEST(EscPolling, TheOnlyEncoderOfALineIsAskedAtTheMasterAddress)
 {
-    EscBench bench({}, LineAddress::master());
+    EscBench bench({}, EscLineAddress::master());
     bench.address = {0x12};
     bench.run(1s);
     EXPECT_EQ(bench.log.front(), "00P");

@@ -146,7 +146,7 @@ TEST(EscValues, NarrowedOnlyByWhatIsKnown)
 // Manual: "address will be set to 21", range "01..31"
 TEST(EscValues, BothReadingsOfAnAddress)
 {
-    using Readings = std::vector<LineAddress>;
+    using Readings = std::vector<EscLineAddress>;
     EXPECT_EQ(escReadingsOf({9}), (Readings{{9}}));
     EXPECT_EQ(escReadingsOf({0x10}), (Readings{{0x10}, {10}}));
     EXPECT_EQ(escReadingsOf({0x15}), (Readings{{0x15}, {15}}));
@@ -177,7 +177,7 @@ TEST(EscSteps, ADriverIsMadeForTheLineAndNotForTheBus)
     const Catalog catalog = Catalog::builtIn();
     EXPECT_EQ(makeDriver(kuebler()), nullptr);
     ASSERT_NE(makeRequestDriver(kuebler(), {4}), nullptr);
-    EXPECT_EQ(makeRequestDriver(kuebler(), {4})->address(), LineAddress{4});
+    EXPECT_EQ(makeRequestDriver(kuebler(), {4})->address(), EscLineAddress{4});
     EXPECT_EQ(makeRequestDriver(*catalog.find(u"tr-la66"), {4}), nullptr);
 }
 

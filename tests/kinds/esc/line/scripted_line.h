@@ -80,7 +80,7 @@ private:
 class PollingDriver final : public RequestDriver
 {
 public:
-    PollingDriver(LineAddress address, Instant period)
+    PollingDriver(EscLineAddress address, Instant period)
         : m_address(address)
         , m_period(period)
     {}
@@ -95,19 +95,19 @@ public:
     std::optional<Instant> wakesAt() const override { return m_wakesAt; }
     std::optional<esc::Request> next(Instant now) override;
     void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
-    LineAddress address() const override { return m_address; }
+    EscLineAddress address() const override { return m_address; }
     std::optional<int> wantedBaudRate() const override { return m_baudRate; }
     void setFractionBits(int bits) override { m_fractionBits = bits; }
     std::vector<Event> takeEvents() override { return std::exchange(m_events, {}); }
     std::vector<Message> takeMessages() override { return std::exchange(m_messages, {}); }
 
-    void moveTo(LineAddress address) { m_address = address; }
+    void moveTo(EscLineAddress address) { m_address = address; }
     void say(Message message) { m_messages.push_back(std::move(message)); } // with the next request
     void speakAt(int baudRate) { m_baudRate = baudRate; }
     std::optional<int> fractionBits() const { return m_fractionBits; } // as told
 
 private:
-    LineAddress m_address;
+    EscLineAddress m_address;
     Instant m_period;
     std::optional<int> m_baudRate; // unset: the line's
     std::optional<int> m_fractionBits;

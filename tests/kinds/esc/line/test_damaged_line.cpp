@@ -5,8 +5,8 @@
 #include "catalog/catalog.h"
 #include "jobs/make_driver.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_runner.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_runner.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 
 #include <gtest/gtest.h>
 
@@ -25,18 +25,18 @@ struct Course
     int answersDamaged = 0; // well-formed, but with another value
     int takenWrong = 0;     // positions shown without a mark
     EscDriver::Figures guard;
-    LineFigures line;
+    EscLineFigures line;
 };
 
-Course run(const LineFaults &faults)
+Course run(const EscLineFaults &faults)
 {
     const Catalog catalog = Catalog::builtIn();
-    const auto line = std::make_shared<SimulatedLine>();
-    SimulatedLineLink link(line);
+    const auto line = std::make_shared<SimulatedEscLine>();
+    SimulatedEscLineLink link(line);
     EXPECT_TRUE(link.open({}));
     line->setFaults(faults);
-    LineRunner runner(link, {}, {});
-    auto made = std::make_unique<EscDriver>(*catalog.find(u"kuebler-esc-rs485"), LineAddress{5});
+    EscLineRunner runner(link, {}, {});
+    auto made = std::make_unique<EscDriver>(*catalog.find(u"kuebler-esc-rs485"), EscLineAddress{5});
     const EscDriver &driver = *made;
     runner.post(line_command::AddDevice{std::move(made), QStringLiteral("encoder")});
     runner.post(line_command::SetPolling{true});
@@ -46,11 +46,11 @@ Course run(const LineFaults &faults)
     Instant shownAt{};
     while (run.answersRight + run.answersDamaged < polls) {
         runner.turn(link.now() + 1ms);
-        for (const LineEvent &event : runner.takeEvents()) {
-            const auto *row = std::get_if<esc::LineRow>(&event.what);
-            if (row && row->kind == esc::LineRow::Kind::sent)
+        for (const EscLineEvent &event : runner.takeEvents()) {
+            const auto *row = std::get_if<esc::EscLineRow>(&event.what);
+            if (row && row->kind == esc::EscLineRow::Kind::sent)
                 asksPosition = row->bytes.contains('P');
-            if (row && row->kind == esc::LineRow::Kind::answer && asksPosition &&
+            if (row && row->kind == esc::EscLineRow::Kind::answer && asksPosition &&
                 row->bytes.size() == rightAnswer.size())
                 (row->bytes == rightAnswer ? run.answersRight : run.answersDamaged) += 1;
         }

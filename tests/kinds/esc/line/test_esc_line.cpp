@@ -3,8 +3,8 @@
 #include "catalog/catalog.h"
 #include "jobs/values_to_write.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 
 #include <gtest/gtest.h>
 
@@ -19,22 +19,22 @@ class EscLine : public testing::Test
 {
 protected:
     explicit EscLine(int fractionBits = 29)
-        : simulated(std::make_shared<SimulatedLine>(std::vector<EscEncoderPlan>{
+        : simulated(std::make_shared<SimulatedEscLine>(std::vector<EscEncoderPlan>{
               {.address = {5}, .raw = 0x1235, .serialNumber = 4711, .fractionBits = fractionBits}}))
-        , line(std::make_unique<SimulatedLineLink>(simulated), catalog,
+        , line(std::make_unique<SimulatedEscLineLink>(simulated), catalog,
                QDateTime(QDate(2026, 11, 21), QTime(12, 0)),
-               [this](const DeviceDescription &device, LineAddress address) {
+               [this](const DeviceDescription &device, EscLineAddress address) {
                    auto driver = std::make_unique<EscDriver>(device, address);
                    drivers.push_back(driver.get());
                    return driver;
                })
     {
-        EXPECT_TRUE(line.open({}, {}, LineSession::Start::operating, LineSession::Drive::byHand));
-        EXPECT_TRUE(line.add(LineAddress::of(five.node), QStringLiteral("kuebler-esc-rs485")));
+        EXPECT_TRUE(line.open({}, {}, EscLineSession::Start::operating, EscLineSession::Drive::byHand));
+        EXPECT_TRUE(line.add(EscLineAddress::of(five.node), QStringLiteral("kuebler-esc-rs485")));
         line.advance(1s);
-        QObject::connect(&line, &LineSession::messaged, &line,
+        QObject::connect(&line, &EscLineSession::messaged, &line,
                          [this](const Message &message) { messages.push_back(message.id); });
-        QObject::connect(&line, &LineSession::fractionBitsDetermined, &line,
+        QObject::connect(&line, &EscLineSession::fractionBitsDetermined, &line,
                          [this](Place number, const Result<int> &bits) {
                              EXPECT_EQ(number, five);
                              determined.push_back(bits);
@@ -43,9 +43,9 @@ protected:
     EncoderSession &encoder() { return *line.encoder(five); }
 
     const Catalog catalog = Catalog::builtIn();
-    const std::shared_ptr<SimulatedLine> simulated;
+    const std::shared_ptr<SimulatedEscLine> simulated;
     std::vector<EscDriver *> drivers;
-    LineSession line;
+    EscLineSession line;
     std::vector<MessageId> messages;
     std::vector<Result<int>> determined;
 };

@@ -3,8 +3,8 @@
 #include "bus/bus_outline.h"
 #include "catalog/catalog.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_session.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +13,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr LineAddress sufferer{5};
+constexpr EscLineAddress sufferer{5};
 
-class LineFaultSentences : public testing::Test
+class EscLineFaultSentences : public testing::Test
 {
 protected:
-    LineFaultSentences()
+    EscLineFaultSentences()
     {
-        EXPECT_TRUE(session.open({}, {}, LineSession::Start::watching, LineSession::Drive::byHand));
-        for (const LineAddress address : line->addresses())
+        EXPECT_TRUE(session.open({}, {}, EscLineSession::Start::watching, EscLineSession::Drive::byHand));
+        for (const EscLineAddress address : line->addresses())
             EXPECT_TRUE(session.add(address, QStringLiteral("kuebler-esc-rs485")));
         session.advance(2s);
     }
@@ -41,22 +41,22 @@ protected:
     }
 
     const Catalog catalog = Catalog::builtIn();
-    const std::shared_ptr<SimulatedLine> line = std::make_shared<SimulatedLine>();
-    LineSession session{std::make_unique<SimulatedLineLink>(line), catalog,
-                        QDateTime(QDate(2026, 11, 21), QTime(12, 0)),
-                        [](const DeviceDescription &device, LineAddress address) {
-                            return std::make_unique<EscDriver>(device, address);
-                        }};
+    const std::shared_ptr<SimulatedEscLine> line = std::make_shared<SimulatedEscLine>();
+    EscLineSession session{std::make_unique<SimulatedEscLineLink>(line), catalog,
+                           QDateTime(QDate(2026, 11, 21), QTime(12, 0)),
+                           [](const DeviceDescription &device, EscLineAddress address) {
+                               return std::make_unique<EscDriver>(device, address);
+                           }};
 };
 
-TEST_F(LineFaultSentences, NothingIsWrongWithALineWhereAllAnswer)
+TEST_F(EscLineFaultSentences, NothingIsWrongWithALineWhereAllAnswer)
 {
     EXPECT_TRUE(faults().empty());
     session.close();
     EXPECT_TRUE(faults().empty());
 }
 
-TEST_F(LineFaultSentences, OneThatIsSilentIsLookedForAtItself)
+TEST_F(EscLineFaultSentences, OneThatIsSilentIsLookedForAtItself)
 {
     befall([](EscCondition &condition) { condition.mute = true; });
     expectOne(sufferer.node(), "esc:05 does not answer. Check address, baud rate, wiring and supply.");
@@ -64,7 +64,7 @@ TEST_F(LineFaultSentences, OneThatIsSilentIsLookedForAtItself)
     EXPECT_TRUE(faults().empty());
 }
 
-TEST_F(LineFaultSentences, WhereNoneAnswersItIsWhatTheyShare)
+TEST_F(EscLineFaultSentences, WhereNoneAnswersItIsWhatTheyShare)
 {
     line->setSilent(true);
     session.advance(30s);
@@ -74,7 +74,7 @@ TEST_F(LineFaultSentences, WhereNoneAnswersItIsWhatTheyShare)
     EXPECT_EQ(faults().front().extent, Fault::Extent::standstill);
 }
 
-TEST_F(LineFaultSentences, APortThatIsGoneStopsAll)
+TEST_F(EscLineFaultSentences, APortThatIsGoneStopsAll)
 {
     line->setUnplugged(true);
     session.advance(2s);
@@ -85,7 +85,7 @@ TEST_F(LineFaultSentences, APortThatIsGoneStopsAll)
     EXPECT_EQ(session.outline().state().word, QStringLiteral("no port"));
 }
 
-TEST_F(LineFaultSentences, AlarmsAndWarningsSayWhatToDo)
+TEST_F(EscLineFaultSentences, AlarmsAndWarningsSayWhatToDo)
 {
     befall([](EscCondition &condition) { condition.batteryLimit = true; });
     expectOne(sufferer.node(),

@@ -8,7 +8,7 @@ namespace {
 
 const QByteArray requested = "\x1B" + QByteArray("05P\r\n");
 
-TEST(LineRowText, ShowsControlCharactersAndBytesThatAreNoAscii)
+TEST(EscLineRowText, ShowsControlCharactersAndBytesThatAreNoAscii)
 {
     EXPECT_EQ(controlText(requested), QStringLiteral("\u241B05P\u240D\u240A"));
     EXPECT_EQ(controlText(QByteArray("\x00\x7F\x80\xFF~", 5)), QStringLiteral("\u2400\u2421<80><FF>~"));
@@ -20,7 +20,7 @@ TEST(LineRowText, ShowsControlCharactersAndBytesThatAreNoAscii)
     EXPECT_EQ(byteText(requested), QStringLiteral("1B 30 35 50 0D 0A"));
 }
 
-TEST(LineRowText, KnowsAnAnswerByTheWidthOfItsCommand)
+TEST(EscLineRowText, KnowsAnAnswerByTheWidthOfItsCommand)
 {
     using enum esc::Command;
     EXPECT_EQ(answerIn("\r\n00001235\r\n", position)->value, 0x1235U);

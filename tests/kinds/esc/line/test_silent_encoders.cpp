@@ -2,8 +2,8 @@
 // How an encoder that answers fares beside silent ones, in virtual time on a line with real timing.
 #include "catalog/catalog.h"
 #include "kinds/esc/driver/esc_driver.h"
-#include "kinds/esc/line/line_runner.h"
-#include "kinds/esc/simulator/simulated_line_link.h"
+#include "kinds/esc/line/esc_line_runner.h"
+#include "kinds/esc/simulator/simulated_esc_line_link.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ protected:
         runner.post(line_command::SetPolling{true});
     }
 
-    void add(LineAddress address)
+    void add(EscLineAddress address)
     {
         runner.post(
             line_command::AddDevice{std::make_unique<EscDriver>(*catalog.find(u"kuebler-esc-rs485"), address),
@@ -33,18 +33,18 @@ protected:
             add({m_absent++});
     }
     void run(Instant duration) { runner.turn(link.now() + duration); }
-    void setSilent(LineAddress address, bool silent)
+    void setSilent(EscLineAddress address, bool silent)
     {
         EXPECT_TRUE(line->withEncoder(
             address, [&](SimulatedEscEncoder &encoder) { encoder.condition().mute = silent; }));
     }
-    std::shared_ptr<const LineSnapshot> latest()
+    std::shared_ptr<const EscLineSnapshot> latest()
     {
         if (auto newest = runner.takeLatest())
             m_latest = std::move(newest);
         return m_latest;
     }
-    const LineSnapshot::Device &shown(std::size_t place) { return latest()->devices.at(place); }
+    const EscLineSnapshot::Device &shown(std::size_t place) { return latest()->devices.at(place); }
     // Answers of the first encoder.
     std::uint64_t answersIn(Instant duration)
     {
@@ -54,13 +54,13 @@ protected:
     }
 
     const Catalog catalog = Catalog::builtIn();
-    const std::shared_ptr<SimulatedLine> line = std::make_shared<SimulatedLine>();
-    SimulatedLineLink link{line};
-    LineRunner runner{link, {}, {}};
+    const std::shared_ptr<SimulatedEscLine> line = std::make_shared<SimulatedEscLine>();
+    SimulatedEscLineLink link{line};
+    EscLineRunner runner{link, {}, {}};
 
 private:
     std::uint8_t m_absent = 0x13;
-    std::shared_ptr<const LineSnapshot> m_latest;
+    std::shared_ptr<const EscLineSnapshot> m_latest;
 };
 
 TEST_F(SilentEncoders, TheOthersKeepTheirRate)
@@ -146,12 +146,12 @@ TEST_F(SilentEncoders, ADamagedLineMakesNobodySilent)
     line->setFaults({.corrupted = 20});
     for (int seconds = 0; seconds < 300; ++seconds) {
         run(1s);
-        for (const LineEvent &event : runner.takeEvents())
+        for (const EscLineEvent &event : runner.takeEvents())
             if (const auto *message = std::get_if<Message>(&event.what)) {
                 ASSERT_NE(message->id, MessageId::encoderSilent) << seconds;
             }
     }
-    const LineFigures &figures = latest()->figures;
+    const EscLineFigures &figures = latest()->figures;
     EXPECT_GT(figures.timeOuts, figures.requests / 8);
     EXPECT_GT(figures.garbageBytes, 0U);
     for (const std::size_t i : {0U, 1U})
@@ -175,7 +175,7 @@ TEST_F(SilentEncoders, APositionIsOldSoonerTheMoreOftenItComes)
 TEST_F(SilentEncoders, APositionThatSeldomComesIsNotOldInBetween)
 {
     runner.post(line_command::AddDevice{std::make_unique<EscDriver>(*catalog.find(u"kuebler-esc-rs485"),
-                                                                    LineAddress{3},
+                                                                    EscLineAddress{3},
                                                                     EscSettings{.positionInterval = 1500ms}),
                                         QStringLiteral("encoder")});
     run(10s);
@@ -193,7 +193,7 @@ TEST_F(SilentEncoders, WhileNoneAnswersTheirAgeIsTold)
     line->setSilent(true);
     const Instant dead = link.now();
     const auto isOld = [this](std::size_t device) {
-        const LineSnapshot &now = *latest();
+        const EscLineSnapshot &now = *latest();
         return now.at - now.devices.at(device).reading.at > now.devices.at(device).lateAfter;
     };
     while (!(isOld(0) && isOld(1) && isOld(2)) && link.now() < dead + 10s)
@@ -213,7 +213,7 @@ TEST_F(SilentEncoders, AJobIsNotPutOff)
     std::optional<Outcome> outcome;
     while (!ended && link.now() < begun + 10s) {
         run(10ms);
-        for (const LineEvent &event : runner.takeEvents())
+        for (const EscLineEvent &event : runner.takeEvents())
             if (const auto *told = std::get_if<Event>(&event.what); told && event.device == 1)
                 if (const auto *of = std::get_if<Outcome>(told)) {
                     ended = event.at;

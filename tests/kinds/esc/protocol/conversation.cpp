@@ -25,10 +25,10 @@ Arrivals operator+(Arrivals first, const Arrivals &then)
     return first;
 }
 
-QByteArray Conversation::bytesOf(LineRow::Kind kind) const
+QByteArray Conversation::bytesOf(EscLineRow::Kind kind) const
 {
     QByteArray bytes;
-    for (const LineRow &row : rows)
+    for (const EscLineRow &row : rows)
         if (row.kind == kind)
             bytes += row.bytes;
     return bytes;
@@ -37,8 +37,8 @@ QByteArray Conversation::bytesOf(LineRow::Kind kind) const
 QByteArray Conversation::bytesOfAllArrivals() const
 {
     QByteArray bytes;
-    for (const LineRow &row : rows)
-        if (row.kind != LineRow::Kind::sent)
+    for (const EscLineRow &row : rows)
+        if (row.kind != EscLineRow::Kind::sent)
             bytes += row.bytes;
     return bytes;
 }
@@ -76,15 +76,15 @@ Conversation converse(const Request &request, const Peer &peer, const Timing &ti
         } else {
             conversation.ended = true;
         }
-        for (LineRow &row : exchange.takeRows())
+        for (EscLineRow &row : exchange.takeRows())
             conversation.rows.push_back(std::move(row));
     }
     conversation.doneAt = now;
     conversation.result = exchange.result();
     EXPECT_TRUE(conversation.ended);
     EXPECT_EQ(conversation.bytesOfAllArrivals(), conversation.arrived);
-    EXPECT_EQ(conversation.bytesOf(LineRow::Kind::garbage).size(), conversation.result.garbageBytes);
-    EXPECT_EQ(conversation.bytesOf(LineRow::Kind::late).size(), conversation.result.lateBytes);
+    EXPECT_EQ(conversation.bytesOf(EscLineRow::Kind::garbage).size(), conversation.result.garbageBytes);
+    EXPECT_EQ(conversation.bytesOf(EscLineRow::Kind::late).size(), conversation.result.lateBytes);
     EXPECT_EQ(static_cast<int>(conversation.sendings.size()), conversation.result.sent);
     return conversation;
 }
@@ -101,12 +101,12 @@ Peer silent()
 
 Request positionOf05()
 {
-    return {LineAddress{5}, Command::position, 0};
+    return {EscLineAddress{5}, Command::position, 0};
 }
 
 Request presetOf03()
 {
-    return {LineAddress{3}, Command::writePreset, 0x5200};
+    return {EscLineAddress{3}, Command::writePreset, 0x5200};
 }
 
 void PrintTo(const Answer &answer, std::ostream *out)

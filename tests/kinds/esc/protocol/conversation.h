@@ -33,7 +33,7 @@ Arrivals operator+(Arrivals first, const Arrivals &then);
 struct Conversation
 {
     ExchangeResult result;
-    std::vector<LineRow> rows;
+    std::vector<EscLineRow> rows;
     std::vector<Instant> sendings; // when each began
     std::vector<QByteArray> sent;
     Instant doneAt{};
@@ -41,7 +41,7 @@ struct Conversation
     bool ended = false; // it came to an end
 
     // All of one kind, in order.
-    QByteArray bytesOf(LineRow::Kind kind) const;
+    QByteArray bytesOf(EscLineRow::Kind kind) const;
     // Everything that was not sent: nothing may be lost or reordered.
     QByteArray bytesOfAllArrivals() const;
 };

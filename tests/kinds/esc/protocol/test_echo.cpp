@@ -7,7 +7,7 @@
 namespace codewheel::esc {
 namespace {
 
-using RowKind = LineRow::Kind;
+using RowKind = EscLineRow::Kind;
 
 // `echo` while the request is being sent, then `answer`.
 Peer echoing(const QByteArray &echo, const QByteArray &answer)
@@ -26,7 +26,7 @@ Peer echoingAlone(const QByteArray &echo)
 TEST(EscEcho, IsDroppedBeforeTheAnswerOfEachCommand)
 {
     for (const CommandShape &shape : allCommands()) {
-        const Request request{LineAddress{0x12}, shape.command, shape.minimum};
+        const Request request{EscLineAddress{0x12}, shape.command, shape.minimum};
         const QByteArray answer = shape.writes       ? QByteArray("\r\n")
                                   : shape.digits > 0 ? "\r\n" + QByteArray(shape.digits, '1') + "\r\n"
                                                      : QByteArray("\r\nV1.00\r\n");
@@ -99,7 +99,7 @@ TEST(EscEcho, DamagedIsNoAcceptance)
     for (const CommandShape &shape : allCommands()) {
         if (!shape.writes)
             continue;
-        const Request request{LineAddress{3}, shape.command, shape.maximum};
+        const Request request{EscLineAddress{3}, shape.command, shape.maximum};
         for (const QByteArray &echo : damagedOnce(request.bytes())) {
             const Conversation conversation = converse(request, echoingAlone(echo));
             EXPECT_EQ(conversation.result.answer, std::nullopt) << echo.toPercentEncoding().constData();

@@ -8,7 +8,7 @@
 namespace codewheel::esc {
 namespace {
 
-using RowKind = LineRow::Kind;
+using RowKind = EscLineRow::Kind;
 
 const QByteArray oldAnswer = "\r\n00001200\r\n";
 const QByteArray newAnswer = "\r\n00001235\r\n";
@@ -191,7 +191,7 @@ TEST(EscLateAnswers, BytesAfterTheEndAreCountedToo)
     EXPECT_TRUE(std::holds_alternative<Exchange::Done>(exchange.next(20 * millisecond)));
     exchange.received("\xFF", 21 * millisecond);
     EXPECT_EQ(exchange.result().lateBytes, 1);
-    EXPECT_EQ(exchange.takeRows().back(), (LineRow{21 * millisecond, RowKind::late, "\xFF"}));
+    EXPECT_EQ(exchange.takeRows().back(), (EscLineRow{21 * millisecond, RowKind::late, "\xFF"}));
     EXPECT_TRUE(exchange.takeRows().empty());
 }
 

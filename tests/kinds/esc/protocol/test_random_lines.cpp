@@ -42,7 +42,7 @@ Request randomRequest(Random &random)
 {
     const auto all = allCommands();
     const CommandShape &shape = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
-    return {LineAddress{static_cast<std::uint8_t>(random.below(32))}, shape.command,
+    return {EscLineAddress{static_cast<std::uint8_t>(random.below(32))}, shape.command,
             shape.writes ? shape.maximum : 0};
 }
 
@@ -73,7 +73,7 @@ void expectWellFormed(const Conversation &conversation, const Request &request)
     const QByteArray onLine = isValue                                 ? "\r\n" + answer.text + "\r\n"
                               : answer.kind == Answer::Kind::accepted ? QByteArray("\r\n")
                                                                       : answer.text + "\r\n";
-    EXPECT_EQ(conversation.bytesOf(LineRow::Kind::answer), onLine);
+    EXPECT_EQ(conversation.bytesOf(EscLineRow::Kind::answer), onLine);
 }
 
 // Before each retry, and before the end of an exchange with one, the line was silent for long enough.
@@ -134,9 +134,9 @@ TEST(EscRandomLines, AnAnswerIsFoundAmongEchoAndGarbage)
         });
         EXPECT_TRUE(conversation.result.answer);
         EXPECT_EQ(conversation.result.sent, 1);
-        EXPECT_EQ(conversation.bytesOf(LineRow::Kind::garbage), garbage);
-        EXPECT_EQ(conversation.bytesOf(LineRow::Kind::echo), echoes ? request.bytes() : QByteArray());
-        EXPECT_EQ(conversation.bytesOf(LineRow::Kind::answer), answer);
+        EXPECT_EQ(conversation.bytesOf(EscLineRow::Kind::garbage), garbage);
+        EXPECT_EQ(conversation.bytesOf(EscLineRow::Kind::echo), echoes ? request.bytes() : QByteArray());
+        EXPECT_EQ(conversation.bytesOf(EscLineRow::Kind::answer), answer);
         if (HasFailure())
             FAIL() << round << ": " << request.text().constData() << " -> "
                    << conversation.arrived.toPercentEncoding().constData();

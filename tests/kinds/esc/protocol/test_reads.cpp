@@ -6,7 +6,7 @@
 namespace codewheel::esc {
 namespace {
 
-using RowKind = LineRow::Kind;
+using RowKind = EscLineRow::Kind;
 
 const QByteArray question = "\x1B"
                             "05P\r\n";
@@ -43,8 +43,8 @@ TEST(EscReads, PositionOf05AsInTheManual)
     EXPECT_EQ(conversation.result.garbageBytes, 0);
     EXPECT_EQ(conversation.result.lateBytes, 0);
     EXPECT_EQ(conversation.result.answerTime, 2 * millisecond + answerTime);
-    EXPECT_EQ(conversation.rows, (std::vector<LineRow>{{Instant{}, RowKind::sent, question},
-                                                       {conversation.doneAt, RowKind::answer, answer}}));
+    EXPECT_EQ(conversation.rows, (std::vector<EscLineRow>{{Instant{}, RowKind::sent, question},
+                                                          {conversation.doneAt, RowKind::answer, answer}}));
 }
 
 TEST(EscReads, AreDoneWithTheLastByteOfTheAnswer)

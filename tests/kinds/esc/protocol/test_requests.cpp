@@ -38,7 +38,7 @@ const RequestRow requestRows[] = {
 
 Request requestOf(const RequestRow &row)
 {
-    return {LineAddress{row.address}, row.command, row.data};
+    return {EscLineAddress{row.address}, row.command, row.data};
 }
 
 TEST(EscRequests, TextAndBytesAreThoseOfTheManual)
@@ -61,7 +61,7 @@ TEST(EscRequests, WhatWasTypedIsThatRequest)
 
 TEST(EscRequests, ShortDataArePadded)
 {
-    EXPECT_EQ(parseRequest("03GP5200"), (Request{LineAddress{3}, Command::writePreset, 0x5200}));
+    EXPECT_EQ(parseRequest("03GP5200"), (Request{EscLineAddress{3}, Command::writePreset, 0x5200}));
     EXPECT_EQ(parseRequest("03gp5200")->text(), "03GP00005200");
     EXPECT_EQ(parseRequest("12GM1")->text(), "12GM0001");
     EXPECT_EQ(parseRequest("02x5")->text(), "02X05");
@@ -88,9 +88,9 @@ TEST(EscRequests, NothingElseIsOne)
 TEST(EscRequests, EveryRequestIsReadAsWhatItIs)
 {
     for (const CommandShape &shape : allCommands()) {
-        for (std::uint8_t address = 0; address <= LineAddress::last; ++address) {
+        for (std::uint8_t address = 0; address <= EscLineAddress::last; ++address) {
             for (const std::uint32_t data : {shape.minimum, shape.maximum}) {
-                const Request request{LineAddress{address}, shape.command, shape.writes ? data : 0};
+                const Request request{EscLineAddress{address}, shape.command, shape.writes ? data : 0};
                 EXPECT_EQ(parseRequest(request.text()), request) << request.text().constData();
             }
         }

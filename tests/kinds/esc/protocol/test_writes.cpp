@@ -16,7 +16,7 @@ TEST(EscWrites, AreAcceptedByALineEnd)
     EXPECT_EQ(conversation.result.sent, 1);
     EXPECT_EQ(conversation.result.garbageBytes, 0);
     EXPECT_EQ(conversation.result.answerTime, 2 * millisecond + 2 * character);
-    EXPECT_EQ(conversation.bytesOf(LineRow::Kind::answer), "\r\n");
+    EXPECT_EQ(conversation.bytesOf(EscLineRow::Kind::answer), "\r\n");
 }
 
 TEST(EscWrites, AreFollowedByQuiet)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/interbus/words/device_number.h"
 
 #include <gtest/gtest.h>
@@ -30,25 +30,25 @@ TEST(DeviceNumber, AnythingElseIsNoDeviceNumber)
         EXPECT_FALSE(DeviceNumber::parse(text)) << text.toString().toStdString();
 }
 
-TEST(LineAddress, IsTwoHexDigitsOnTheWire)
+TEST(EscLineAddress, IsTwoHexDigitsOnTheWire)
 {
-    EXPECT_EQ(LineAddress{18}.onWire(), QStringLiteral("12"));
-    EXPECT_EQ(LineAddress{5}.onWire(), QStringLiteral("05"));
-    EXPECT_EQ(LineAddress{31}.onWire(), QStringLiteral("1F"));
-    EXPECT_EQ(LineAddress{18}.shown(), QStringLiteral("12h (18)"));
-    EXPECT_EQ(LineAddress::fromWire(u"1F"), LineAddress{31});
-    EXPECT_EQ(LineAddress::fromWire(u"0"), LineAddress::master());
+    EXPECT_EQ(EscLineAddress{18}.onWire(), QStringLiteral("12"));
+    EXPECT_EQ(EscLineAddress{5}.onWire(), QStringLiteral("05"));
+    EXPECT_EQ(EscLineAddress{31}.onWire(), QStringLiteral("1F"));
+    EXPECT_EQ(EscLineAddress{18}.shown(), QStringLiteral("12h (18)"));
+    EXPECT_EQ(EscLineAddress::fromWire(u"1F"), EscLineAddress{31});
+    EXPECT_EQ(EscLineAddress::fromWire(u"0"), EscLineAddress::master());
     for (const QStringView text : {u"", u"20", u"21", u"0x1", u" 1", u"+1", u"001"})
-        EXPECT_FALSE(LineAddress::fromWire(text)) << text.toString().toStdString();
+        EXPECT_FALSE(EscLineAddress::fromWire(text)) << text.toString().toStdString();
 }
 
-TEST(LineAddress, IsAPlaceAndBack)
+TEST(EscLineAddress, IsAPlaceAndBack)
 {
-    EXPECT_EQ(LineAddress{0x12}.node(), NodeId("esc:12"));
-    EXPECT_EQ(LineAddress{31}.node(), NodeId("esc:1F"));
-    EXPECT_EQ(LineAddress::of(NodeId("esc:1F")), LineAddress{31});
-    EXPECT_EQ(addressTyped(u"esc:12"), LineAddress{0x12});
-    EXPECT_EQ(addressTyped(u"1f"), LineAddress{31});
+    EXPECT_EQ(EscLineAddress{0x12}.node(), NodeId("esc:12"));
+    EXPECT_EQ(EscLineAddress{31}.node(), NodeId("esc:1F"));
+    EXPECT_EQ(EscLineAddress::of(NodeId("esc:1F")), EscLineAddress{31});
+    EXPECT_EQ(addressTyped(u"esc:12"), EscLineAddress{0x12});
+    EXPECT_EQ(addressTyped(u"1f"), EscLineAddress{31});
     EXPECT_FALSE(addressTyped(u"1.0"));
 }
 

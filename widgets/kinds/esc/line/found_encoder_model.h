@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/esc/line/line_scan.h"
+#include "kinds/esc/line/esc_line_scan.h"
 #include "widgets/models/table_model_base.h"
 
 #include <set>
@@ -35,7 +35,7 @@ protected:
     QVariant cell(const FoundEncoder &row, int column, int role) const override;
 
 private:
-    using Key = std::pair<LineAddress, int>; // with its baud rate
+    using Key = std::pair<EscLineAddress, int>; // with its baud rate
     static Key keyOf(const FoundEncoder &found) { return {found.address, found.baudRate}; }
     QString text(const FoundEncoder &row, int column) const;
     bool canBeTaken(const FoundEncoder &row) const;

@@ -15,11 +15,11 @@ QIcon verdictIcon(const ReplayRow &row)
     if (!row.verdict)
         return {};
     switch (*row.verdict) {
-    case LineReplay::Verdict::same:
+    case EscLineReplay::Verdict::same:
         return lineIcon(Icon::ok, Role::running);
-    case LineReplay::Verdict::differs:
+    case EscLineReplay::Verdict::differs:
         return lineIcon(Icon::attention, Role::attention);
-    case LineReplay::Verdict::noAnswer:
+    case EscLineReplay::Verdict::noAnswer:
         break;
     }
     return lineIcon(Icon::fault, Role::fault);
@@ -36,12 +36,12 @@ void ReplayModel::setSteps(const std::vector<ReplayStep> &steps)
     setRows(std::move(rows));
 }
 
-void ReplayModel::setAnswer(int row, LineReplay::Verdict verdict, const QByteArray &answer)
+void ReplayModel::setAnswer(int row, EscLineReplay::Verdict verdict, const QByteArray &answer)
 {
     replace(row, {rowAt(row).step, verdict, answer});
 }
 
-int ReplayModel::count(LineReplay::Verdict verdict) const
+int ReplayModel::count(EscLineReplay::Verdict verdict) const
 {
     return static_cast<int>(std::ranges::count(rows(), std::optional(verdict), &ReplayRow::verdict));
 }
@@ -58,8 +58,8 @@ QString ReplayModel::text(const ReplayRow &row, int column) const
             return tr("none", "answer");
         return row.step.answer->isEmpty() ? tr("accepted") : controlText(*row.step.answer, shownControls());
     case now:
-        if (!row.verdict || *row.verdict == LineReplay::Verdict::noAnswer ||
-            (*row.verdict == LineReplay::Verdict::same && !row.step.answer))
+        if (!row.verdict || *row.verdict == EscLineReplay::Verdict::noAnswer ||
+            (*row.verdict == EscLineReplay::Verdict::same && !row.step.answer))
             return row.verdict ? tr("none", "answer") : QString();
         return row.now.isEmpty() ? tr("accepted") : controlText(row.now, shownControls());
     default:
@@ -68,11 +68,11 @@ QString ReplayModel::text(const ReplayRow &row, int column) const
     if (!row.verdict)
         return esc::shapeOf(row.step.request.command).writes ? tr("not sent; writes") : tr("not sent");
     switch (*row.verdict) {
-    case LineReplay::Verdict::same:
+    case EscLineReplay::Verdict::same:
         return tr("same");
-    case LineReplay::Verdict::differs:
+    case EscLineReplay::Verdict::differs:
         return tr("differs");
-    case LineReplay::Verdict::noAnswer:
+    case EscLineReplay::Verdict::noAnswer:
         break;
     }
     return tr("no answer");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/esc/line/line_replay.h"
+#include "kinds/esc/line/esc_line_replay.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "widgets/models/table_model_base.h"
 
@@ -10,8 +10,8 @@ namespace codewheel {
 struct ReplayRow
 {
     ReplayStep step;
-    std::optional<LineReplay::Verdict> verdict; // nothing: not sent yet
-    QByteArray now;                             // the answer of today
+    std::optional<EscLineReplay::Verdict> verdict; // nothing: not sent yet
+    QByteArray now;                                // the answer of today
 };
 
 // The requests of a recorded session that are sent again: the answers then and now.
@@ -26,8 +26,8 @@ public:
 
     void setSteps(const std::vector<ReplayStep> &steps);
     void setExplainOptions(const esc::ExplainOptions &options) { m_options = options; }
-    void setAnswer(int row, LineReplay::Verdict verdict, const QByteArray &answer);
-    int count(LineReplay::Verdict verdict) const;
+    void setAnswer(int row, EscLineReplay::Verdict verdict, const QByteArray &answer);
+    int count(EscLineReplay::Verdict verdict) const;
 
 protected:
     int columns() const override { return result + 1; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/esc/line/request_field.h"
 
-#include "kinds/esc/protocol/line_address.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "widgets/kinds/esc/line/command_list.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -50,7 +50,7 @@ void RequestField::makeCompletion()
 void RequestField::followAddress(const QString &text)
 {
     const QString digits = text.left(addressDigits).toUpper();
-    if (digits.size() == addressDigits && LineAddress::fromWire(digits))
+    if (digits.size() == addressDigits && EscLineAddress::fromWire(digits))
         m_commands->setAddress(digits);
     m_place = m_history.size();
 }

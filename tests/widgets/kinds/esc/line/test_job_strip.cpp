@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/widgets/kinds/esc/line/line_bench.h"
+#include "tests/widgets/kinds/esc/line/esc_line_bench.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/job/job_strip.h"
 
@@ -27,7 +27,7 @@ Step request(const char *line)
 
 TEST(JobStrip, TellsTheRequestsOfASerialEncoderAsWhatTheyAre)
 {
-    test::LineBench bench;
+    test::EscLineBench bench;
     bench.open();
     bench.addEncoder();
     EncoderSession &encoder = *bench.line->encoder(placeOnLine({5}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/protocol/esc_command.h"
 #include "tests/support/model_tester.h"
-#include "tests/widgets/kinds/esc/line/line_bench.h"
+#include "tests/widgets/kinds/esc/line/esc_line_bench.h"
 #include "widgets/kinds/esc/line/command_list.h"
 #include "widgets/kinds/esc/line/request_field.h"
 

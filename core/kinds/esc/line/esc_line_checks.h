@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/data_check.h"
+
+namespace codewheel {
+
+class EscLineSession;
+struct SerialSettings;
+
+// "/dev/ttyUSB0, 19 200 Bd, 8N2", or without a port "19 200 Bd, 8N2".
+QString lineText(const QString &port, const SerialSettings &settings);
+
+// Why there is no data of an encoder on the line, or, without a node, of the line itself.
+DataChecks lineChecks(const EscLineSession &line, NodeId node, const std::vector<Participant> &planned);
+
+} // namespace codewheel

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/line/esc_line_outline.h"
+
+#include "catalog/device_description.h"
+#include "kinds/esc/line/esc_line_faults.h"
+#include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/protocol/esc_bits.h"
+#include "kinds/esc/protocol/esc_line_address.h"
+#include "vocabulary/sentence.h"
+
+#include <QLocale>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+// The translation context of these texts.
+struct LineText
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::EscLineOutline)
+};
+
+QStringList bitLines(const Reading &reading)
+{
+    QStringList lines;
+    if (reading.alarms)
+        lines << esc::bitTexts(esc::Command::alarms, *reading.alarms);
+    if (reading.warnings)
+        lines << esc::bitTexts(esc::Command::warnings, *reading.warnings);
+    return lines;
+}
+
+BusNode nodeOf(NodeId node, const QString &name)
+{
+    return {.node = node,
+            .parent = {},
+            .name = name,
+            .profile = profileName(Profile::esc),
+            .code = EscLineAddress::of(node).shown(),
+            .words = {}};
+}
+
+QString titleOf(const QString &port)
+{
+    return port.isEmpty() ? LineText::tr("Serial line") : LineText::tr("Serial line (%1)").arg(port);
+}
+
+QString toolTipOf(NodeId node, const QString &called, const QString &state)
+{
+    return sentence(LineText::tr("%1  %2\nAddress %3\nState: %4"),
+                    {node.toString(), called, EscLineAddress::of(node).shown(), state});
+}
+
+} // namespace
+
+QString EscLineOutline::title() const
+{
+    return titleOf(m_line.linkName());
+}
+
+QString EscLineOutline::toolTip() const
+{
+    return sentence(tr("%1, %2 Bd\nState: %3\nAnswers: %4, time-outs: %5"),
+                    {title(), QString::number(m_line.settings().baudRate), state().word,
+                     QLocale().toString(qulonglong{m_line.latest().figures.answers}),
+                     QLocale().toString(qulonglong{m_line.latest().figures.timeOuts})});
+}
+
+QString EscLineOutline::alarmStop() const
+{
+    return tr("jobs end, and nothing that waits is sent; positions are still read");
+}
+
+StateWord EscLineOutline::state() const
+{
+    if (m_line.state() == BusState::opening)
+        return connecting();
+    if (!m_line.isOpen())
+        return {Role::inactive, tr("offline")};
+    const EscLineSnapshot &line = m_line.latest();
+    if (!line.connected)
+        return {Role::fault, tr("no port")};
+    if (line.scanning)
+        return {Role::attention, tr("searching")};
+    if (!line.polling)
+        return {Role::inactive, tr("stopped")};
+    return {Role::running, tr("open")};
+}
+
+std::vector<BusNode> EscLineOutline::nodes() const
+{
+    std::vector<BusNode> nodes;
+    for (const Place place : m_line.places())
+        nodes.push_back(nodeOf(place.node, m_line.encoder(place)->device().fullName()));
+    return nodes;
+}
+
+NodeState EscLineOutline::state(std::size_t node) const
+{
+    const std::vector<Place> places = m_line.places();
+    if (node >= places.size()) // it has been removed
+        return {};
+    const Place place = places[node];
+    const EncoderSession &encoder = *m_line.encoder(place);
+    return {.shown = shown(place),
+            .position = encoder.latest().position,
+            .isOld = encoder.freshness().isOld(),
+            .isCutOff = m_line.isOpen() && !m_line.latest().connected};
+}
+
+std::vector<Fault> EscLineOutline::faults() const
+{
+    return lineFaults(m_line);
+}
+
+StateWord EscLineOutline::shown(Place place) const
+{
+    const EscLineSnapshot &line = m_line.latest();
+    const EncoderSession &encoder = *m_line.encoder(place);
+    const Reading &reading = encoder.latest();
+    if (!m_line.isOpen() || !line.connected)
+        return {Role::inactive, tr("cut off")};
+    if (encoder.runningJob())
+        return {Role::attention, tr("job", "it is running")};
+    if (reading.state == EncoderState::silent)
+        return {Role::fault, tr("silent")};
+    if (!line.polling)
+        return {Role::inactive, tr("stopped")};
+    if (reading.state == EncoderState::notSeen)
+        return {Role::inactive, tr("not seen")};
+    if (reading.alarms.value_or(0) != 0)
+        return {Role::fault, tr("alarm")};
+    if (reading.suspect)
+        return {Role::attention, tr("suspect", "position")};
+    if (!troubles(reading).isEmpty())
+        return {Role::attention, tr("warning")};
+    return {Role::running, tr("ok")};
+}
+
+QString EscLineOutline::toolTip(std::size_t node, const QString &called) const
+{
+    const std::vector<Place> places = m_line.places();
+    if (node >= places.size())
+        return {};
+    const Place place = places[node];
+    const Reading &reading = m_line.encoder(place)->latest();
+    QStringList lines{toolTipOf(place.node, called, shown(place).word)};
+    if (reading.position)
+        lines << tr("Position %1").arg(QLocale().toString(qlonglong{*reading.position}));
+    return (lines + bitLines(reading)).join(u'\n');
+}
+
+QString PlannedLineOutline::title() const
+{
+    return titleOf(m_port);
+}
+
+std::vector<BusNode> PlannedLineOutline::nodes() const
+{
+    std::vector<BusNode> nodes;
+    for (const Encoder &encoder : m_encoders)
+        nodes.push_back(nodeOf(encoder.node, encoder.name));
+    return nodes;
+}
+
+QString PlannedLineOutline::toolTip(std::size_t node, const QString &called) const
+{
+    return toolTipOf(m_encoders[node].node, called, planned().word);
+}
+
+} // namespace codewheel

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/protocol/esc_line_address.h"
+
+#include "vocabulary/hex.h"
+
+namespace codewheel {
+QString EscLineAddress::onWire() const
+{
+    return QStringLiteral("%1").arg(value, 2, 16, QLatin1Char('0')).toUpper();
+}
+
+QString EscLineAddress::shown() const
+{
+    return QStringLiteral("%1h (%2)").arg(onWire()).arg(value);
+}
+
+std::optional<EscLineAddress> EscLineAddress::fromWire(QStringView digits)
+{
+    constexpr qsizetype digitsOnWire = 2;
+    const auto value = parseHexDigits(digits, digitsOnWire);
+    if (!value || *value > last)
+        return std::nullopt;
+    return EscLineAddress{static_cast<std::uint8_t>(*value)};
+}
+
+EscLineAddress EscLineAddress::of(NodeId node)
+{
+    return addressTyped(node.toString()).value_or(master());
+}
+
+std::optional<EscLineAddress> addressTyped(QStringView text)
+{
+    constexpr QLatin1String prefix(EscLineAddress::prefix.data(), qsizetype{EscLineAddress::prefix.size()});
+    if (text.startsWith(prefix))
+        text = text.sliced(prefix.size());
+    return text.size() == 2 ? EscLineAddress::fromWire(text) : std::nullopt;
+}
+
+} // namespace codewheel

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/esc/simulator/esc_line_faults.h"
+#include "serial/serial_settings.h"
+
+#include <QByteArray>
+
+#include <map>
+#include <optional>
+#include <random>
+
+namespace codewheel {
+
+// The two wires of a simulated serial line: who sends which character from when to when. Characters sent at
+// the same time spoil each other. Used by SimulatedEscLine; time is its own.
+class EscLineWire
+{
+public:
+    static constexpr int master = -1; // as a sender; encoders are 0 and up
+
+    struct Character
+    {
+        Instant begin;
+        int sender = master;
+        int baudRate = 0;
+        char byte = 0;
+        bool spoiled = false;
+    };
+    using Ended = std::pair<Instant, Character>;
+
+    explicit EscLineWire(std::uint32_t seed)
+        : m_random(seed)
+    {}
+
+    void setFaults(const EscLineFaults &faults) { m_faults = faults; }
+    const EscLineFaults &faults() const { return m_faults; }
+
+    // The sender's characters follow each other, starting at `earliest` or when its previous ones are out.
+    void send(const QByteArray &bytes, int sender, Instant earliest, const SerialSettings &settings);
+    std::size_t waiting() const { return m_characters.size(); } // characters that are not complete yet
+    // When the next character is complete.
+    std::optional<Instant> nextEnd() const;
+    // When that one and all that follow it without a gap are complete.
+    std::optional<Instant> runEnd() const;
+    // That character, with its end; requires that there is one.
+    Ended take();
+    void clear();
+
+    // What a receiver makes of a character it cannot read. Never ASCII.
+    char junk();
+
+private:
+    bool strikes(int ofThousand) { return static_cast<int>(m_random() % 1'000) < ofThousand; }
+    char corrupted(char byte) { return static_cast<char>(byte ^ 1 << m_random() % 8); }
+    void put(Instant end, Character character);
+
+    EscLineFaults m_faults;
+    std::mt19937 m_random;                          // its sequence is the same on every platform
+    std::multimap<Instant, Character> m_characters; // by their end
+    std::map<int, Instant> m_freeFrom;              // by sender
+};
+
+} // namespace codewheel

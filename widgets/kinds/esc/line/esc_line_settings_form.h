@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/esc/line/esc_line_limits.h"
+#include "widgets/connect/link_form.h"
+
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QPushButton;
+class QSpinBox;
+
+namespace codewheel {
+
+class InlineMessage;
+class PortField;
+
+// The link of a serial line at a port: the port from a list or by its path, the format of the bytes, and the
+// times the manual leaves open. Its plan is a EscLinePlan without an adapter.
+class EscLineSettingsForm : public LinkForm
+{
+    Q_OBJECT
+
+public:
+    explicit EscLineSettingsForm(QWidget *parent = nullptr);
+
+    QString title() const override { return tr("Serial port"); }
+    QString sentence() const override;
+    bool canBeTested() const override { return true; }
+    bool showPlan(const KindData &plan) override;
+    KindData plan() const override;
+    QString wrong() const override;
+    QString complaint() const override;
+    // `trouble`: a sentence shown with the list, such as about missing rights; empty: none. The choice stays,
+    // even if it is not in the list.
+    void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble = {}) override;
+
+    EscLineSettings settings() const;
+    void setSettings(const EscLineSettings &settings);
+    // The port at which the line is open: shown as if never picked.
+    void setPort(const QString &port);
+    // The port was chosen in the list or typed, so whatever is there is meant.
+    bool isPicked() const;
+    // An encoder answers at a baud rate other than the line's; if there is no rate to change to, only the
+    // sentence is shown. Empty: settled.
+    void tellBaudRate(const QString &sentence, std::optional<int> wanted = {});
+    // Whether an encoder could report the format of its scaling factor, and what was reported.
+    void setCanDetermine(bool can);
+    void setFractionBits(int bits);
+
+Q_SIGNALS:
+    void fractionBitsWanted();         // to be determined from an encoder
+    void baudRateWanted(int baudRate); // as given to tellBaudRate(); set in the form
+
+private:
+    void makePort(QFormLayout &form);
+    void makeCharacter(QFormLayout &form);
+    void makeTimes(QFormLayout &form);
+    void makeEncoder(QFormLayout &form);
+    void makeFractionBits(QFormLayout &form);
+    QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
+                        line_limits::Limits limits);
+    QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
+    void takeRate();
+
+    PortField *m_port;
+    QComboBox *m_baudRate = nullptr;
+    InlineMessage *m_rateTold;
+    std::optional<int> m_rateWanted;
+    QComboBox *m_dataBits = nullptr;
+    QComboBox *m_parity = nullptr;
+    QComboBox *m_stopBits = nullptr;
+    QSpinBox *m_pollInterval = nullptr;
+    QSpinBox *m_timeOut = nullptr;
+    QSpinBox *m_retries = nullptr;
+    QSpinBox *m_quiet = nullptr;
+    QCheckBox *m_lowLatency = nullptr;
+    QSpinBox *m_fractionBits = nullptr;
+    QPushButton *m_determine = nullptr;
+    QDoubleSpinBox *m_topSpeed = nullptr;
+    esc::Timing m_timing; // includes what the form does not show
+};
+
+} // namespace codewheel
