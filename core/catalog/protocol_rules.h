@@ -36,6 +36,9 @@ public:
 
 const ProtocolRules &protocolRules(Profile profile);
 
+// Words have no letters, while the commands of a description are letters.
+void refuseCommands(const JsonObject &row);
+
 // Where the protocol fixes what a parameter is read or written with, as shown: a word or a service that moves
 // the position must not pass for one that stores a value.
 void checkPlace(const JsonObject &row, const char *key, const QString &given, const QString &known,

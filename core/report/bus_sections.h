@@ -13,7 +13,9 @@ struct BusSections
     ReportSection (*more)(const Project &project, BusId bus) = nullptr; // null: nothing
 };
 
-// A kind about which nothing else is known gets a table of places.
 BusSections sectionsOf(const PlannedBus &bus);
+
+// For a kind about which nothing else is known.
+ReportTable placeTable(const Project &project, BusId bus, const std::vector<ReportedDevice> &devices);
 
 } // namespace codewheel::report_sections

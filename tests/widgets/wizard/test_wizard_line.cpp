@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jobs/make_driver.h"
+#include "kinds/interbus/words/make_driver.h"
 #include "jobs/position_scale.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"

@@ -4,7 +4,6 @@
 #include "bus/bus_engine.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
-#include "jobs/make_driver.h"
 #include "kinds/interbus/ring/crc_history.h"
 #include "kinds/interbus/ring/ring_checks.h"
 #include "kinds/interbus/ring/ring_encoder_session.h"
@@ -12,6 +11,7 @@
 #include "kinds/interbus/ring/ring_runner.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/word_doubts.h"
+#include "kinds/interbus/words/make_driver.h"
 
 #include <deque>
 #include <memory>

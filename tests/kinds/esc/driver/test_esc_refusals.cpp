@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jobs/make_driver.h"
+#include "kinds/interbus/words/make_driver.h"
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
 #include "kinds/esc/driver/esc_values.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "replay/recorded_rows.h"
+#include "kinds/interbus/ring/ring_rows.h"
 
-#include "kinds/esc/line/row_text.h"
 #include "kinds/interbus/ring/ring_traffic.h"
 
 #include <map>
@@ -30,29 +29,11 @@ private:
     std::map<Place, RingTraffic> m_traffic;
 };
 
-class ByteRows final : public RecordedRows
-{
-public:
-    std::span<const TrafficColumn> columns() const override { return lineTrafficColumns; }
-    TrafficRow explained(TrafficRow row, const EncoderAt &) override
-    {
-        if (row.kind)
-            row.meaning = m_traffic.row({.at = row.at, .kind = *row.kind, .bytes = row.bytes}).meaning;
-        return row;
-    }
-    void restart() override { m_traffic = EscLineTraffic(); }
-
-private:
-    EscLineTraffic m_traffic;
-};
-
 } // namespace
 
-std::unique_ptr<RecordedRows> recordedRows(bool hasWords)
+std::unique_ptr<RecordedRows> makeRingRows()
 {
-    if (hasWords)
-        return std::make_unique<WordRows>();
-    return std::make_unique<ByteRows>();
+    return std::make_unique<WordRows>();
 }
 
 } // namespace codewheel

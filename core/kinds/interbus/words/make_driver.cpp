@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jobs/make_driver.h"
+#include "kinds/interbus/words/make_driver.h"
 
 #include "catalog/position_format.h"
 #include "kinds/interbus/k3/k3_driver.h"

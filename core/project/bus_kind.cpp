@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/bus_kind.h"
 
-#include "kinds/esc/plan/esc_line_plan.h"
-#include "kinds/interbus/plan/ring_plan.h"
+#include "kinds/buses.h"
 #include "project/plan_rules.h"
 
 #include <algorithm>
@@ -12,18 +11,9 @@ namespace {
 
 using Kinds = std::vector<std::unique_ptr<const BusKind>>;
 
-// The list of kinds.
-Kinds kindsOfTheProgram()
-{
-    Kinds kinds;
-    kinds.push_back(makeRingKind());
-    kinds.push_back(makeLineKind());
-    return kinds;
-}
-
 Kinds &kinds()
 {
-    static Kinds all = kindsOfTheProgram();
+    static Kinds all = builtInBusKinds();
     return all;
 }
 

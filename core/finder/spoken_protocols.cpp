@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finder/spoken_protocol.h"
-#include "kinds/esc/finder/esc_spoken_protocol.h"
-#include "kinds/interbus/finder/gateway_rtu_protocol.h"
+#include "kinds/buses.h"
 
 namespace codewheel {
 namespace {
 
 std::vector<std::unique_ptr<const SpokenProtocol>> &protocols()
 {
-    static std::vector<std::unique_ptr<const SpokenProtocol>> all = [] {
-        std::vector<std::unique_ptr<const SpokenProtocol>> builtIn;
-        builtIn.push_back(makeEscProtocol());
-        builtIn.push_back(makeRtuProtocol());
-        return builtIn;
-    }();
+    static auto all = builtInSpokenProtocols();
     return all;
 }
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/bus_sections.h"
 
-#include "kinds/interbus/plan/ring_plan.h"
-#include "kinds/interbus/report/ring_sections.h"
 #include "report/report_words.h"
 #include "report/texts.h"
 
 namespace codewheel::report_sections {
-namespace {
 
 ReportTable placeTable(const Project & /*project*/, BusId /*bus*/, const std::vector<ReportedDevice> &devices)
 {
@@ -20,13 +17,6 @@ ReportTable placeTable(const Project & /*project*/, BusId /*bus*/, const std::ve
         table.rows.push_back({{device.place().toString(), device.planned->station, device.planned->group,
                                report_words::device(device)}});
     return table;
-}
-
-} // namespace
-
-BusSections sectionsOf(const PlannedBus &bus)
-{
-    return bus.settings.as<RingPlan>() ? BusSections{ringTable, cycleTime} : BusSections{placeTable};
 }
 
 } // namespace codewheel::report_sections

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/protocol_rules.h"
+
+#include "catalog/rule_texts.h"
+
+namespace codewheel {
+
+void ProtocolRules::checkParameter(const JsonObject &row, const ParameterDescription &parameter,
+                                   const DeviceDescription &device) const
+{
+    refuseCommands(row);
+    for (const char *key : {"number", "readOut"})
+        if (row.has(key) && !parameter.onLabel)
+            row.report(key, DescriptionRules::tr("An encoder of the profile %1 has no parameters that this "
+                                                 "program could write or read. Leave it out.")
+                                .arg(profileName(device.profile)));
+}
+
+void refuseCommands(const JsonObject &row)
+{
+    for (const char *key : {"read", "write", "bit"})
+        if (row.has(key))
+            row.report(key,
+                       DescriptionRules::tr("Only an encoder on a serial line has commands. Leave it out."));
+}
+
+void checkPlace(const JsonObject &row, const char *key, const QString &given, const QString &known,
+                const ParameterDescription &parameter, Profile profile)
+{
+    if (given == known)
+        return;
+    const QString owner =
+        DescriptionRules::tr("%1 of the profile %2", "a parameter, as subject of a sentence")
+            .arg(parameterKey(parameter.parameter), profileName(profile));
+    row.report(key,
+               known.isEmpty()
+                   ? DescriptionRules::tr(
+                         "%1 has nothing here. Leave it out: the encoder would do or show something else.")
+                         .arg(owner)
+                   : DescriptionRules::tr(
+                         "%1 has %2 here. Anything else makes the encoder do or show something else.")
+                         .arg(owner, known));
+}
+
+} // namespace codewheel

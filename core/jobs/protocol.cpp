@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/protocol.h"
+
+#include "catalog/value_text.h"
+
+namespace codewheel {
+
+ParameterDescription Protocol::narrowed(const DeviceDescription &device, Parameter parameter,
+                                        const ParameterValues & /*known*/,
+                                        const std::optional<ValueOptions> &options) const
+{
+    if (const ParameterDescription *found = device.find(parameter))
+        return withOptions(*found, options);
+    ParameterDescription unknown;
+    unknown.parameter = parameter;
+    return unknown;
+}
+
+std::optional<std::int64_t> Protocol::valueAfter(Parameter parameter, const ParameterValues &written,
+                                                 const ParameterValues &known) const
+{
+    const auto value = valueOf(written, parameter);
+    return value ? value : valueOf(known, parameter);
+}
+
+Result<std::vector<Step>> plannedSteps(const DeviceDescription &device, const Job &job,
+                                       const PlanBasis &basis)
+{
+    return protocolOf(device).planned(device, job, basis);
+}
+
+} // namespace codewheel

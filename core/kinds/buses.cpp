@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/buses.h"
+
+#include "kinds/esc/finder/esc_spoken_protocol.h"
+#include "kinds/esc/line/esc_line_rows.h"
+#include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/interbus/finder/gateway_rtu_protocol.h"
+#include "kinds/interbus/plan/ring_plan.h"
+#include "kinds/interbus/report/ring_sections.h"
+#include "kinds/interbus/ring/ring_rows.h"
+#include "replay/recorded_rows.h"
+#include "report/bus_sections.h"
+
+namespace codewheel {
+
+std::vector<std::unique_ptr<const BusKind>> builtInBusKinds()
+{
+    std::vector<std::unique_ptr<const BusKind>> kinds;
+    kinds.push_back(makeRingKind());
+    kinds.push_back(makeLineKind());
+    return kinds;
+}
+
+std::vector<std::unique_ptr<const SpokenProtocol>> builtInSpokenProtocols()
+{
+    std::vector<std::unique_ptr<const SpokenProtocol>> protocols;
+    protocols.push_back(makeEscProtocol());
+    protocols.push_back(makeRtuProtocol());
+    return protocols;
+}
+
+std::unique_ptr<RecordedRows> recordedRows(bool hasWords)
+{
+    return hasWords ? makeRingRows() : makeEscLineRows();
+}
+
+report_sections::BusSections report_sections::sectionsOf(const PlannedBus &bus)
+{
+    return bus.settings.as<RingPlan>() ? BusSections{ringTable, cycleTime} : BusSections{placeTable};
+}
+
+} // namespace codewheel
