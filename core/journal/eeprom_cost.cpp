@@ -185,6 +185,10 @@ QString eepromCountText(const EepromCount &count)
         text +=
             u' ' +
             Eeprom::tr("(and perhaps %1 more, which it began and did not see the end of)").arg(count.perhaps);
+    if (count.atPlace > 0)
+        text += u' ' +
+                Eeprom::tr("(and perhaps %1 more, counted by its place before its serial number was known)")
+                    .arg(count.atPlace);
     return text + QStringLiteral(", ") + countedBy(count) + u'.';
 }
 
@@ -202,7 +206,7 @@ QString eepromCountText(const EncoderSession &encoder)
 QString eepromCountBrief(const EepromCount &count)
 {
     QString number = QString::number(count.writes);
-    if (count.perhaps > 0)
+    if (count.atMost() > count.writes)
         number += QStringLiteral("-%1").arg(count.atMost());
     if (number == QStringLiteral("1"))
         return count.since.isValid() ? Eeprom::tr("1 write by Codewheel since %1").arg(dateText(count.since))

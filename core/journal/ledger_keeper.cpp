@@ -362,7 +362,22 @@ void LedgerKeeper::showCount(Place place)
         running.push_back(*watched.job);
     if (watched.byHand)
         running.push_back(watched.byHand->id);
-    watched.encoder->setEepromCount(ledger()->writes(watched.identity, running));
+    EepromCount count = ledger()->writes(watched.identity, running);
+    if (count.by != CountedBy::place)
+        addDoubtOfPlace(count, place);
+    watched.encoder->setEepromCount(count);
+}
+
+// What was counted by the place before its serial number was known may have been written to this encoder.
+void LedgerKeeper::addDoubtOfPlace(EepromCount &count, Place place) const
+{
+    const EepromCount ofPlace = ledger()->writes(
+        {.by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place});
+    if (ofPlace.atMost() == 0)
+        return;
+    count.atPlace = ofPlace.atMost();
+    if (!count.since.isValid() || ofPlace.since < count.since)
+        count.since = ofPlace.since;
 }
 
 void LedgerKeeper::warn(Place place, int before)

@@ -111,6 +111,7 @@ private:
     std::map<Place, std::vector<qint64>> onTheirWay() const;
     void takeAlong(const QString &from);
     void showCount(Place place);
+    void addDoubtOfPlace(EepromCount &count, Place place) const;
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);
     void warn(Place place, int before);

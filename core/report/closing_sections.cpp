@@ -41,7 +41,7 @@ QStringList writesRow(const ReportedDevice &device, const ReportInput &input)
     QStringList cells{device.shownPlace, device.planned->station};
     if (const auto found = input.writes.find(device.place()); found != input.writes.end()) {
         const EepromCount &count = found->second;
-        cells << eepromWritesText(count.writes, count.perhaps)
+        cells << eepromWritesText(count.writes, count.atMost() - count.writes)
               << (count.since.isValid() ? report_words::time(count.since, input.now) : QString())
               << toldBy(count);
     } else {

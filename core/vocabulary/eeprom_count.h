@@ -23,8 +23,9 @@ struct EepromCount
     QDateTime since{}; // of the first one; null: none yet, or the time is not kept
     CountedBy by = CountedBy::session;
     QString serialNumber{}; // if counted by serial number
+    int atPlace = 0;        // counted by its place before, perhaps of this encoder
 
-    int atMost() const { return writes + perhaps; }
+    int atMost() const { return writes + perhaps + atPlace; }
 
     friend bool operator==(const EepromCount &, const EepromCount &) = default;
 };

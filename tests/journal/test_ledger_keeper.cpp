@@ -70,6 +70,23 @@ TEST_F(LedgerKeeperTest, CountsWhatAJobWrites)
     EXPECT_EQ(countAt(baumer).writes, 0);
 }
 
+// In another run, it may have been this encoder.
+TEST_F(LedgerKeeperTest, WhatWasCountedByThePlaceIsNotLostWithTheSerialNumber)
+{
+    keep(file.place());
+    write(fraba, 255);
+    ASSERT_EQ(countAt(fraba).writes, 1);
+    keeper.reset();
+    keep(file.place());
+    readSerialNumber();
+    EXPECT_EQ(countAt(fraba).by, CountedBy::serialNumber);
+    EXPECT_EQ(countAt(fraba).writes, 0);
+    EXPECT_EQ(countAt(fraba).atPlace, 1);
+    EXPECT_EQ(countAt(fraba).atMost(), 1);
+    EXPECT_TRUE(countAt(fraba).since.isValid());
+    EXPECT_TRUE(eepromCountText(countAt(fraba)).contains(QStringLiteral("counted by its place before")));
+}
+
 TEST_F(LedgerKeeperTest, CountsWordsByHand)
 {
     keep(DatabasePlace::memory());

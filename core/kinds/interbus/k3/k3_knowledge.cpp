@@ -81,7 +81,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
             m_asked = out;
             m_inWhenAsked = m_in;
             m_askedIsProcessed = false;
-            m_wordIsOfOthers = isFirst;
+            m_wordIsOfOthers = isFirst || m_othersWrite;
         }
     }
     if (!k3::isOperation(in))
@@ -119,7 +119,7 @@ void K3Knowledge::observeMode(Word out, Instant now)
     if (!m_device.quirks.hasModes && mode() != Mode::position) // only a FRABA can have gone there
         m_mode.tell(std::nullopt);
     m_modeSince = now;
-    if (m_cams.leave())
+    if (m_cams.leave() && !m_othersWrite)
         m_known.countEepromWrite();
     const auto startUp = value(Parameter::startUpMode); // an encoder starts in the mode it was in
     if (startUp && (mode() == Mode::cam || modeAfterStartUp(*startUp) != mode()))
@@ -212,7 +212,7 @@ void K3Knowledge::observeOperation(Word in, Word out, Instant now)
             activate(number, data, now);
     if ((out & k3::startBit) != 0 && !k3::isOperation(m_in))
         observeRun(in, now);
-    else if (isConfirmed(out))
+    else if (isConfirmed(out) && !m_wordIsOfOthers)
         m_known.countEepromWrite(); // a power cycle drops what is pending; its word is still in OUT
     m_pending.clear();
     m_lastConfirmed.reset();
@@ -222,7 +222,7 @@ void K3Knowledge::observeRun(Word in, Instant now)
 {
     if (m_asked) { // its word may have been taken unnoticed
         m_pending.insert_or_assign(k3::number(*m_asked), std::nullopt);
-        if (m_askedIsProcessed)
+        if (m_askedIsProcessed && !m_wordIsOfOthers)
             m_known.countEepromWrite();
         m_asked.reset();
     }
@@ -246,7 +246,7 @@ void K3Knowledge::observePreset(Word out)
         return;
     m_known.forget(Parameter::zeroOffset);
     m_known.forget(Parameter::presetFlag);
-    m_presetIsOpen = mayStorePreset(m_device) && m_presetArmed.value_or(true);
+    m_presetIsOpen = !m_othersWrite && mayStorePreset(m_device) && m_presetArmed.value_or(true);
     m_presetArmed = false;
 }
 
@@ -256,7 +256,8 @@ void K3Knowledge::observeManufacturerPreset()
     m_known.forget(Parameter::zeroOffset);
     m_known.forget(Parameter::presetFlag);
     m_presetArmed = false;
-    m_known.countEepromWrite();
+    if (!m_othersWrite)
+        m_known.countEepromWrite();
 }
 
 // One write per parameter that was confirmed and not refused by the time its word leaves OUT.
@@ -264,6 +265,12 @@ void K3Knowledge::countConfirmed()
 {
     if (isConfirmed(m_out) && !m_wordIsOfOthers)
         m_known.countEepromWrite();
+}
+
+void K3Knowledge::countStanding()
+{
+    countConfirmed();
+    m_wordIsOfOthers = m_wordIsOfOthers || isConfirmed(m_out);
 }
 
 // A number that comes again is not, until its word is.

@@ -34,7 +34,10 @@ public:
     Word lastOut() const { return m_out; }
     // From now on a read-out answer with the low half of the last position counts only after another read-out
     // word stood between, and it came again (spec modbus-gateway.md).
+    // What is in OUT and confirmed has been written: counted before its word leaves OUT.
+    void countStanding();
     void expectTornWords() { m_wordsMayTear = true; }
+    void setOthersWrite(bool on) { m_othersWrite = on; }
     bool isDoubtful(unsigned readOut) const { return m_doubtful && m_doubtful->code == readOut; }
 
     const KnownValues &known() const { return m_known; }
@@ -99,12 +102,13 @@ private:
         bool anotherCame = false; // since
     };
     bool m_wordsMayTear = false;
+    bool m_othersWrite = false;
     std::optional<Doubtful> m_doubtful; // the last read-out that may be torn
     Word m_lastPosition = 0;            // IN in operation
     bool m_presetIsOpen = false;        // it was sent, and stores once it is there
     std::optional<bool> m_presetArmed;
     bool m_hasSeenWords = false;
-    bool m_wordIsOfOthers = false; // the last parameter word, or it was counted before sight was lost
+    bool m_wordIsOfOthers = false; // the last parameter word, or it was counted already
     Word m_out = 0;
     Word m_in = 0;
 };

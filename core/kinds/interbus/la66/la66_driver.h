@@ -15,6 +15,8 @@ public:
     explicit La66Driver(const DeviceDescription &device, La66Timing timing = {})
         : WordDriver(device, timing)
     {}
+
+    void setOthersWrite(bool on) override { m_encoder.knowledge.setOthersWrite(on); }
 };
 
 } // namespace codewheel

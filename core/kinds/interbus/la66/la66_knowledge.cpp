@@ -17,7 +17,7 @@ void La66Knowledge::observeAnswer(Word in, Instant now)
 {
     const unsigned service = la66::service(in);
     const bool written = la66::isWrite(in);
-    if (written)
+    if (written && !m_othersWrite)
         m_values.countEepromWrite();
     const ParameterDescription *parameter =
         written ? m_device.findNumber(service) : m_device.findReadOut(service);

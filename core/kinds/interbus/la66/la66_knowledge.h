@@ -16,6 +16,7 @@ public:
     {}
 
     void observe(Word in, Instant now);
+    void setOthersWrite(bool on) { m_othersWrite = on; } // as CyclicDriver
 
     KnownValues &values() { return m_values; }
     const KnownValues &values() const { return m_values; }
@@ -25,6 +26,7 @@ private:
 
     const DeviceDescription &m_device;
     KnownValues m_values;
+    bool m_othersWrite = false;
     bool m_serviceMode = true; // an answer that is there in the first cycle is to nobody we know
 };
 

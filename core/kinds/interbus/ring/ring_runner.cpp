@@ -334,6 +334,7 @@ void RingRunner::Private::step(std::size_t i)
 
     const Instant at = ring.at - *age;
     if (driver) {
+        driver->setOthersWrite(!ring.operate);
         const Word next = driver->cycle(in, out, at);
         if (ring.operate) // in Watch nothing changes OUT
             image[i] = next;

@@ -5,8 +5,8 @@ namespace codewheel {
 
 std::optional<Message> FaultWatch::look(std::size_t device, const Reading &reading)
 {
-    if (reading.state == EncoderState::service) // says nothing about the fault
-        return std::nullopt;
+    if (reading.state == EncoderState::service || reading.state == EncoderState::readOut)
+        return std::nullopt; // says nothing about the fault
     std::optional<unsigned> fault;
     if (reading.state == EncoderState::error)
         fault = reading.errorNumber.value_or(0);

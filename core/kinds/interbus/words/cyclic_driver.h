@@ -36,6 +36,10 @@ public:
     // then.
     virtual void stop(const Refusal &why, Instant now) = 0;
 
+    // Whether what comes into OUT from now on is of others, since this program sends nothing: they spend
+    // their own EEPROM writes.
+    virtual void setOthersWrite(bool /*on*/) {}
+
     // Once per bus cycle: `in` came in while `out` was on the bus. Returns what OUT shall be in the next
     // cycle: `out` itself unless a job wants something else.
     virtual Word cycle(Word in, Word out, Instant now) = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/words/make_driver.h"
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
 #include "kinds/esc/driver/esc_values.h"
+#include "kinds/interbus/make_driver.h"
 #include "tests/kinds/esc/driver/esc_bench.h"
 #include "vocabulary/hex.h"
 

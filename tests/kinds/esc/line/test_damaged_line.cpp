@@ -3,10 +3,10 @@
 // exchange and an encoder that keeps the line's timing. Compares what was damaged and what was accepted,
 // position by position.
 #include "catalog/catalog.h"
-#include "kinds/interbus/words/make_driver.h"
 #include "kinds/esc/driver/esc_driver.h"
 #include "kinds/esc/line/esc_line_runner.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
+#include "kinds/interbus/make_driver.h"
 
 #include <gtest/gtest.h>
 

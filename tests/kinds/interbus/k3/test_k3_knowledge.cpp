@@ -31,6 +31,39 @@ TEST_F(Wire, AConfirmedValueIsKnownOnceRunIsAnswered)
     EXPECT_EQ(baumer.eepromWrites(), 1);
 }
 
+// As in Watch, where this program sends nothing.
+TEST_F(Wire, WhatOthersWriteIsKnownAndNotCounted)
+{
+    baumer.setOthersWrite(true);
+    play(baumer, {{0, pos}, {0x0200'00FF, 0xC200'00FF}, {0x0400'0001, 0xC400'0001}, {0x8000'0000, pos}});
+    EXPECT_EQ(baumer.value(Parameter::steps), 255);
+    EXPECT_EQ(baumer.eepromWrites(), 0);
+    baumer.setOthersWrite(false);
+    play(baumer, {{0, pos}, {0x0200'0100, 0xC200'0100}, {0x8000'0000, pos}});
+    EXPECT_EQ(baumer.eepromWrites(), 1);
+
+    fraba.setOthersWrite(true);
+    play(fraba, {{0, pos}, {0x4000'0000, pos}, {0x4000'0000, pos}, {0, pos}});
+    EXPECT_EQ(fraba.eepromWrites(), 0) << "a preset";
+}
+
+TEST_F(Wire, AWordThatWasSentBeforeIsCountedWhoeverOverwritesIt)
+{
+    play(baumer, {{0, pos}, {0x0200'00FF, 0xC200'00FF}});
+    baumer.setOthersWrite(true);
+    play(baumer, {{0x0200'00FF, 0xC200'00FF}, {0x0400'0001, 0xC400'0001}, {0x8000'0000, pos}});
+    EXPECT_EQ(baumer.eepromWrites(), 1);
+}
+
+TEST_F(Wire, WhatStandsConfirmedIsCountedOnce)
+{
+    play(baumer, {{0, pos}, {0x0200'00FF, 0xC200'00FF}});
+    baumer.countStanding();
+    EXPECT_EQ(baumer.eepromWrites(), 1);
+    play(baumer, {{0x0200'00FF, 0xC200'00FF}, {0, 0xC200'00FF}, {0x8000'0000, pos}});
+    EXPECT_EQ(baumer.eepromWrites(), 1);
+}
+
 TEST_F(Wire, APowerCycleDropsWhatWasOnlyConfirmed)
 {
     play(baumer, {{0, pos}, {0x0200'00FF, 0xC200'00FF}, {0, pos}, {0x8000'0000, pos}});

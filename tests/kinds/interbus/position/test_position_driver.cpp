@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "kinds/interbus/words/make_driver.h"
+#include "kinds/interbus/make_driver.h"
 
 #include <gtest/gtest.h>
 

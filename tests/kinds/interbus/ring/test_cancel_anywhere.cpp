@@ -2,7 +2,7 @@
 // Every job of every cyclic driver is cancelled between every two of its cycles. However early: the job ends,
 // OUT is 0 again, and no command word goes out that was not there already.
 #include "catalog/catalog.h"
-#include "kinds/interbus/words/make_driver.h"
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/simulator/simulated_la66.h"
 #include "tests/kinds/interbus/ring/driven_encoder.h"
 

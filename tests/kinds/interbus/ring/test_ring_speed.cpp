@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The speed of a shaft on the training ring, on a machine too busy for every cycle.
 #include "catalog/catalog.h"
-#include "kinds/interbus/words/make_driver.h"
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/simulator/training_bus.h"
 
 #include <array>

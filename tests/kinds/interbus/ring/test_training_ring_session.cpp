@@ -147,6 +147,22 @@ TEST_F(TrainingBusSession, AnEncoderThatLosesItsParametersIsKnownNoMore)
     EXPECT_FALSE(encoder().known(Parameter::steps));
 }
 
+// Between two answers of a read-out the encoder shows its error again: that is not another one.
+TEST_F(TrainingBusSession, WhatIsReadInErrorIsKnown)
+{
+    m_training.controls->setFault(TrainingFault::parametersLost, firstFraba.node, 1);
+    m_bus.advance(10);
+    int errors = 0;
+    const QObject listener;
+    QObject::connect(&m_bus, &EncoderBus::messaged, &listener,
+                     [&](const Message &message) { errors += message.id == MessageId::deviceFault ? 1 : 0; });
+    finish(ReadParameters{{Parameter::serialNumber, Parameter::steps, Parameter::temperature}});
+    EXPECT_EQ(encoder().latest().state, EncoderState::error);
+    EXPECT_TRUE(encoder().known(Parameter::temperature));
+    EXPECT_TRUE(encoder().known(Parameter::serialNumber));
+    EXPECT_EQ(errors, 0);
+}
+
 TEST_F(TrainingBusSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
 {
     ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));
