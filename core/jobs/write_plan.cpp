@@ -54,6 +54,8 @@ std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &pla
     return rows;
 }
 
+} // namespace
+
 QString parameterNames(const std::vector<Parameter> &parameters)
 {
     QStringList names;
@@ -61,8 +63,6 @@ QString parameterNames(const std::vector<Parameter> &parameters)
         names << parameterNameInText(parameter);
     return names.join(QStringLiteral(", "));
 }
-
-} // namespace
 
 QString sentText(const Step &step)
 {

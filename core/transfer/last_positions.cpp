@@ -147,9 +147,18 @@ void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, c
     if (!bus.isRunning() || !encoder.freshness().isLive() || !encoder.showsPosition())
         return;
     const Reading &reading = encoder.latest();
+    if (!watched.last && isBack(watched, *reading.position))
+        watched.before.reset();
     watched.last = SeenPosition{.position = *reading.position, .at = bus.dateTime(reading.at)};
     if (std::exchange(watched.isScaleOld, false))
         watched.scale = knownScale(encoder);
+}
+
+// It shows where it was when it went away: another one would hardly do that.
+bool LastPositions::isBack(const Watched &watched, std::int64_t position)
+{
+    return watched.before && watched.before->since == Since::gone && !watched.before->scaledOtherwise &&
+           watched.before->position == position;
 }
 
 // An encoder that was seen to be away says more than one that nobody saw.

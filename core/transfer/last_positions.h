@@ -37,7 +37,8 @@ std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
 // encoder it replaces, and so that they are kept with the project. Nothing is sent. An encoder is gone once
 // it was seen to be away for a second: in a ring it shows 00000000 without power, or is behind a fault; on a
 // serial line it is silent. Its last position is kept until the next time. While nobody looks nothing is
-// seen: after a pause of the computer, or on a bus that was stopped, an encoder is not gone.
+// seen: after a pause of the computer, or on a bus that was stopped, an encoder is not gone. One that comes
+// back where it was is the same.
 class LastPositions : public QObject
 {
     Q_OBJECT
@@ -52,7 +53,8 @@ public:
     // The one to give to a new encoder: the position before the encoder went away, if it did; otherwise
     // before nobody saw it for long; otherwise the newest one.
     std::optional<SeenPosition> at(Place number) const;
-    // The newest one, of whichever encoder is there.
+    // The newest one, of whichever encoder is there. It differs from at() if the encoder, or a new one, has
+    // shown positions since it came back.
     std::optional<SeenPosition> newest(Place number) const;
 
 private:
@@ -73,6 +75,7 @@ private:
     void follow(const EncoderSession &encoder);
     void compareScale(const EncoderSession &encoder);
     void scaledAnew(Place place);
+    static bool isBack(const Watched &watched, std::int64_t position);
     static void keepBefore(Watched &watched, SeenPosition::Since since);
 
     const Buses &m_buses;

@@ -133,9 +133,12 @@ ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optio
 
 Message encoderReplacedMessage(const ProjectDevice &before, const Replacement &now)
 {
+    const auto shown = [](const QString &number) {
+        return number.isEmpty() ? QStringLiteral("\u2013") : number;
+    };
     return {.place = before.place(),
             .id = MessageId::encoderReplaced,
-            .arguments = {before.label.serialNumber, now.serialNumber}};
+            .arguments = {shown(before.label.serialNumber), shown(now.serialNumber)}};
 }
 
 } // namespace codewheel

@@ -108,6 +108,11 @@ void EncoderComparison::compare()
     m_plan.write = planWrite(m_encoder, {.wanted = m_wish.values, .setPositionTo = m_wish.position});
     for (const WriteRow &row : m_plan.write.rows)
         setHindrance(row.hindrance);
+    const bool wantsAny = !m_wish.values.empty() || !m_wish.cams.empty() || m_wish.position;
+    if (wantsAny && !m_plan.write.lostAndNotWritten.empty())
+        setHindrance(Refusal{RefusalKind::device,
+                             RefusalId::valuesMissingAfterLoss,
+                             {parameterNames(m_plan.write.lostAndNotWritten)}});
     if (!m_wish.cams.empty() && !m_encoder.can().cams)
         setHindrance(Refusal{RefusalKind::notSupported, RefusalId::camsNotSupported, {m_device.fullName()}});
     for (const CamProgram &program : m_wish.cams) {

@@ -117,6 +117,8 @@ QStringList notes(const EncoderPlan &plan)
                           {numberText(*plan.position)});
     if (plan.presetIsRearmed)
         notes << TransferWords::tr("A preset acts once: it is programmed again where it is used up.");
+    for (const ValueNote &note : plan.write.notes)
+        notes << noteText(note);
     return notes;
 }
 

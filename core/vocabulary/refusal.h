@@ -22,7 +22,7 @@ enum class RefusalKind : std::uint8_t {
     stopped,      // the user or ALARM STOP ended it (exit 1)
 };
 
-// Why something was refused. The sentence is made where it is shown (encoder/refusal_text.h). The comment
+// Why something was refused. The sentence is made where it is shown (vocabulary/refusal_text.h). The comment
 // beside each lists its arguments.
 enum class RefusalId : std::uint8_t {
     // badInput
@@ -110,6 +110,7 @@ enum class RefusalId : std::uint8_t {
     wrongParameterData,     // error 1: Parameter or number, Word IN; several where it came late
     unknownParameterNumber, // error 2
     parametersLost,         // error 3
+    valuesMissingAfterLoss, // names of the parameters
     eepromStoreError,       // Baumer 13
     batteryLow,             // Baumer 14
     codeDiscFault,          // Baumer 15
@@ -148,7 +149,7 @@ enum class RefusalId : std::uint8_t {
     // link
     linkFailed,           // text of the link
     ringDiffers,          // place, configured, found
-    busFault,             // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
+    busFault,             // error code (Word), diagnostic parameter (Word): vocabulary/bus_fault.h
     notInRing,            // place
     ringStands,           // status register of the gateway
     ringFailed,           // the same

@@ -283,6 +283,11 @@ constexpr std::array refusalRows{
                    "Refusal", "Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 "
                               "again, or reset it to factory settings.")},
     RefusalRow{
+        RefusalId::valuesMissingAfterLoss, "valuesMissingAfterLoss",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder has lost its parameters, and works again only with all of parameters "
+                          "1 to 4. Without a value: %1. Give them one; nothing is sent before.")},
+    RefusalRow{
         RefusalId::eepromStoreError, "eepromStoreError",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 13: the encoder could not store its parameters (IN %1). Write them again; "

@@ -40,6 +40,7 @@ protected:
     {
         shown->controls().setFault(TrainingFault::powerOff, replacedPlace.node, 1);
         advance(2000);
+        shown->controls().turnBy(replacedPlace.node, 1'000); // of another encoder
         shown->controls().setFault(TrainingFault::powerOff, replacedPlace.node, 0);
         advance(500);
     }

@@ -70,9 +70,13 @@ TEST_F(CliTransfer, ADryRunShowsTheDifferenceAndSendsNothing)
                        "  revolutions  unknown  1    04000001\n"
                        "  The encoder is read first; what it already has is not written again.\n"
                        "  If the encoder counts steps minus 1, the word for the steps is one less.\n"
+                       "  With another scaling the position tells another place: set it to the preset again "
+                       "afterwards.\n"
                        "  Values and cam programs to write: 2. EEPROM writes: at most 2.\n"
                        "2.0  Baumer GXP6W K3\n"
                        "  steps  unknown  4096  02001000\n"
+                       "  With another scaling the position tells another place: set it to the preset again "
+                       "afterwards.\n"
                        "  Values and cam programs to write: 1. EEPROM writes: at most 1.\n");
     EXPECT_EQ(shared.eepromWrites(), 0);
     EXPECT_EQ(devicesWithOut(shared.bus()).size(), 0u);

@@ -17,11 +17,12 @@ protected:
         for (int i = 0; i < milliseconds / 33 + 1; ++i)
             bus.advance(33);
     }
-    // The encoder goes for a moment, and comes back.
-    void goAndReturn()
+    // The encoder goes for a moment, and comes back somewhere else, as another one does.
+    void goAndReturn(std::int64_t turnedBy = 100)
     {
         training.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
         pass(2000);
+        training.controls->turnBy(fraba.node, turnedBy);
         training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
         pass(500);
     }
@@ -58,6 +59,17 @@ TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOn
     pass(3000);
     EXPECT_NE(encoder(fraba).latest().position, before);
     EXPECT_EQ(positions.at(fraba)->position, before);
+}
+
+TEST_F(LastPositionsOfTheRing, AnEncoderThatComesBackWhereItWasIsTheSame)
+{
+    pass(100);
+    goAndReturn(0);
+    training.controls->turnBy(fraba.node, 100);
+    pass(500);
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+    EXPECT_EQ(positions.at(fraba)->position, encoder(fraba).latest().position);
+    EXPECT_EQ(positions.at(fraba), positions.newest(fraba));
 }
 
 TEST_F(LastPositionsOfTheRing, APositionThatIsZeroForAMomentIsNoEncoderThatWent)

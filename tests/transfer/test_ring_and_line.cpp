@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jobs, places, positions and the report for encoders on several buses.
-#include "kinds/interbus/words/make_driver.h"
 #include "jobs/write_plan.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/plan/project_take_over.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"

@@ -2,6 +2,7 @@
 #include "jobs/write_plan.h"
 #include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"
+#include "transfer/transfer_words.h"
 #include "vocabulary/refusal_text.h"
 
 namespace codewheel {
@@ -69,6 +70,30 @@ TEST_F(TransferPlanning, TellsWhyAnEncoderCannotBeWritten)
     bus.advance(2);
     EXPECT_EQ(hindrance({.place = baumer, .values = steps100}),
               "Nothing was sent to 2.0: the program only watches. Switch to Operate first.");
+}
+
+TEST_F(TransferPlanning, AnEncoderThatHasLostItsParametersGetsAllOrNothing)
+{
+    training.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    bus.advance(50);
+    EXPECT_EQ(
+        hindrance({.place = fraba, .values = steps100, .position = 12'345}),
+        "The encoder has lost its parameters, and works again only with all of parameters 1 to 4. Without "
+        "a value: revolutions, direction. Give them one; nothing is sent before.");
+    EXPECT_EQ(hindrance({.place = fraba,
+                         .values = {{Parameter::steps, 100},
+                                    {Parameter::revolutions, 1},
+                                    {Parameter::direction, 3},
+                                    {Parameter::preset, 0}}}),
+              "");
+}
+
+TEST_F(TransferPlanning, SaysThatThePositionJumps)
+{
+    encoder(baumer).tell(Parameter::steps, 255);
+    const TransferPlan plan = planTransfer(buses, {{.place = baumer, .values = steps100}});
+    EXPECT_TRUE(transfer_words::notes(plan[0]).join(u'\n').contains(
+        QStringLiteral("With another scaling the position tells another place")));
 }
 
 TEST_F(TransferPlanning, ACloneTakesTheValuesButNotTheZeroOffset)

@@ -24,6 +24,10 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     , m_positions(positions)
     , m_last(describe(new WrappedRadioButton(tr("&Position of the previous encoder"), this), "positionLast",
                       tr("The last position of the previous encoder")))
+    , m_newest(
+          describe(new WrappedRadioButton(tr("Position since &then"), this), "positionNewest",
+                   tr("The last position that was seen: right if the encoder that came back is the previous "
+                      "one, and not the new one")))
     , m_kept(describe(new WrappedRadioButton(tr("Position kept in the pro&ject"), this), "positionKept",
                       tr("The last position of the previous encoder when the project was saved")))
     , m_typed(describe(new QRadioButton(tr("&Set the position to"), this), "positionTyped",
@@ -41,8 +45,9 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
     m_value->setMaximumWidth(160);
     m_note->setWordWrap(true);
     layOutColumn(this,
-                 {m_last, m_kept, layOutRow({m_typed, m_value, new QLabel(tr("steps"), this), Stretch{1}}),
-                  m_none, m_message, m_note, Stretch{1}},
+                 {m_last, m_newest, m_kept,
+                  layOutRow({m_typed, m_value, new QLabel(tr("steps"), this), Stretch{1}}), m_none, m_message,
+                  m_note, Stretch{1}},
                  {.spacing = grid::margin, .margins = QMargins()});
     connect(m_value, &QLineEdit::textEdited, this, [this] { m_typed->setChecked(true); });
 }
@@ -51,6 +56,9 @@ void ReplacePositionStep::enter()
 {
     m_message->withdraw();
     m_seen = m_positions.at(m_replacing.place);
+    m_since = m_positions.newest(m_replacing.place);
+    if (m_since == m_seen)
+        m_since.reset();
     showOffers();
     const bool presets = m_typed->isEnabled();
     if (chosen() == nullptr) {
@@ -65,6 +73,7 @@ void ReplacePositionStep::showOffers()
     const bool presets = m_replacing.now.device != nullptr && m_replacing.now.device->capabilities.presets;
     const auto &kept = m_replacing.before.lastPosition;
     m_last->setVisible(m_seen && presets);
+    m_newest->setVisible(m_since && presets);
     m_kept->setVisible(kept && presets);
     m_typed->setEnabled(presets);
     m_value->setEnabled(presets);
@@ -75,6 +84,12 @@ void ReplacePositionStep::showOffers()
         m_last->setText(textOf(*m_seen).arg(position, time));
         m_last->setToolTip(tipOf(*m_seen));
     }
+    if (m_since)
+        m_newest->setText(
+            tr("Position %1, shown since &then, at %2 last: of the previous encoder only if the one "
+               "that came back is not the new one")
+                .arg(locale.toString(qlonglong{m_since->position}),
+                     locale.toString(m_since->at, QLocale::ShortFormat)));
     if (kept)
         m_kept->setText(tr("Position %1, kept in the pro&ject: seen at %2")
                             .arg(locale.toString(qlonglong{kept->position}),
@@ -112,7 +127,7 @@ QString ReplacePositionStep::tipOf(const SeenPosition &seen)
 
 QRadioButton *ReplacePositionStep::chosen() const
 {
-    for (QRadioButton *one : {m_last, m_kept, m_typed, m_none})
+    for (QRadioButton *one : {m_last, m_newest, m_kept, m_typed, m_none})
         if (one->isChecked())
             return one;
     return nullptr;
@@ -140,6 +155,8 @@ bool ReplacePositionStep::leave()
         return true;
     if (m_last->isChecked() && m_seen)
         m_replacing.position = m_seen->position;
+    else if (m_newest->isChecked() && m_since)
+        m_replacing.position = m_since->position;
     else if (m_kept->isChecked() && m_replacing.before.lastPosition)
         m_replacing.position = m_replacing.before.lastPosition->position;
     else

@@ -33,7 +33,9 @@ private:
 
     const LastPositions &m_positions;
     std::optional<SeenPosition> m_seen;
+    std::optional<SeenPosition> m_since; // after it, of whichever encoder
     QRadioButton *m_last;
+    QRadioButton *m_newest;
     QRadioButton *m_kept;
     QRadioButton *m_typed;
     QRadioButton *m_none;

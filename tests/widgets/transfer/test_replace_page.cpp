@@ -74,6 +74,27 @@ TEST_F(ReplacePageTest, TheTechniciansNight)
     EXPECT_TRUE(account().startsWith(QStringLiteral("Encoder replaced")));
 }
 
+// The technician says which of the two encoders showed it.
+TEST_F(ReplacePageTest, ThePositionSinceThenIsOfferedToo)
+{
+    exchange();
+    const auto since = session.encoder(fraba).latest().position;
+    ASSERT_TRUE(since);
+    page.replace(fraba);
+    type("replaceSerial", "4711");
+    click("replaceNext");
+    auto *newest = find<QRadioButton>("positionNewest");
+    ASSERT_TRUE(newest->isVisible());
+    EXPECT_TRUE(newest->text().contains(QLocale().toString(qlonglong{*since})))
+        << newest->text().toStdString();
+    newest->click();
+    click("replaceNext");
+    click("replaceNext");
+    advanceWhileBusy(page);
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_EQ(session.encoder(fraba).latest().position, since);
+}
+
 // Another encoder may have been there then, but this one shows a position and was never away.
 TEST_F(ReplacePageTest, NothingOfThePastIsPreselectedAfterAPauseOfTheComputer)
 {
@@ -264,7 +285,7 @@ TEST_F(ReplacePageTest, ThePlanFollowsTheProject)
     EXPECT_EQ(session.encoder(fraba).known(Parameter::steps)->value, 2000);
     EXPECT_FALSE(session.encoder(fraba).known(Parameter::revolutions));
     EXPECT_EQ(messages.front(),
-              QStringLiteral("The encoder was replaced (serial number before: 20417, now: )."));
+              QStringLiteral("The encoder was replaced (serial number before: 20417, now: \u2013)."));
 }
 
 // Values of one project must not be written to an encoder of another.

@@ -208,6 +208,8 @@ TEST_F(TransferOnLine, TheChosenEncoderIsReplacedAndGetsItsPosition)
         advance(5000);
     };
     turn(true);
+    shown->line().training()->withEncoder(
+        {0x05}, [](SimulatedEscEncoder &encoder) { encoder.shaft().turnBy(1'000); }); // of another encoder
     turn(false);
     ASSERT_TRUE(actions().replaceEncoder->isEnabled());
     actions().replaceEncoder->trigger();
