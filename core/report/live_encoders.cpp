@@ -32,7 +32,8 @@ std::vector<ConnectedEncoder> connectedEncoders(const Project &project, const Bu
 void addConnected(ReportInput &input, const Buses &buses)
 {
     for (const EncoderBus *bus : buses.open())
-        if (findBus(input.project, bus->id()) != nullptr && isTheProjects(input.project, *bus))
+        if (bus->findsDevices() && // otherwise it shows those it was told
+            findBus(input.project, bus->id()) != nullptr && isTheProjects(input.project, *bus))
             input.connected.emplace(bus->id(), connectedBus(input.project, *bus));
     for (const auto &[planned, encoder] : connectedEncoders(input.project, buses)) {
         const EncoderBus &bus = *buses.busOf(encoder->place());

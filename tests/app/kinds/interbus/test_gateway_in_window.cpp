@@ -4,6 +4,7 @@
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "kinds/interbus/plan/gateway_plan.h"
 #include "kinds/interbus/plan/ring_plan.h"
+#include "report/live_encoders.h"
 #include "tests/app/kinds/interbus/gateway_test.h"
 #include "widgets/connect/check_list.h"
 #include "widgets/connect/connect_page.h"
@@ -135,6 +136,15 @@ TEST_F(GatewayInWindowTest, NothingIsComparedWhereNobodySaysWhatIsThere)
         EXPECT_FALSE(button->isVisible() && button->isEnabled() &&
                      button->text().contains(QStringLiteral("project")))
             << button->text().toStdString();
+}
+
+TEST_F(GatewayInWindowTest, NorIsItInTheReport)
+{
+    connectGateway();
+    ReportInput input;
+    input.project = shown->project().project();
+    addConnected(input, shown->buses());
+    EXPECT_FALSE(input.connected.contains(firstRing));
 }
 
 TEST_F(GatewayInWindowTest, WordsGoOutInOperateOnly)
