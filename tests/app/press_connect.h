@@ -4,6 +4,7 @@
 #include "widgets/connect/connect_page.h"
 #include "widgets/look/label_text.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QTest>
 
@@ -17,6 +18,14 @@ inline QPushButton *buttonOn(const ConnectPage &page, const QString &text)
         if (plainLabel(button->text()) == text && button->isVisibleTo(&page))
             return button;
     return nullptr;
+}
+
+// A line that is planned without a port is the training line.
+inline void chooseSerialPort(const ConnectPage &page)
+{
+    auto *link = page.findChild<QComboBox *>(QStringLiteral("link"));
+    ASSERT_NE(link, nullptr);
+    link->setCurrentText(QStringLiteral("Serial port"));
 }
 
 // If a bus is connected, agrees that it is left.

@@ -103,6 +103,21 @@ TEST_F(LeavingTest, CancelKeepsTheBusRunning)
     EXPECT_TRUE(bus().isRunning());
 }
 
+// By then what it says is not true.
+TEST_F(LeavingTest, AlarmStopTakesTheQuestionAwayAndTheUserStays)
+{
+    send(fraba, 0x0000'0001);
+    test::Question question([this](QWidget &) {
+        actions().alarmStop->trigger();
+        advance(50);
+    });
+    window().close();
+    EXPECT_TRUE(question.wasAsked());
+    EXPECT_EQ(out(fraba), 0u);
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    EXPECT_TRUE(window().isVisible());
+}
+
 TEST_F(LeavingTest, ClosingAsksHowToEndAHandshake)
 {
     startHandshake();

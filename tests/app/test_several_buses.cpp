@@ -112,6 +112,7 @@ protected:
         settings.port = path;
         for (auto *page : window().findChildren<ConnectPage *>())
             if (page->isVisible()) {
+                test::chooseSerialPort(*page);
                 page->findChild<EscLineSettingsForm *>()->setSettings(settings);
                 test::pressConnect(*page);
             }

@@ -7,6 +7,7 @@
 #include "widgets/help/help_topic.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/content_scroll_area.h"
+#include "widgets/look/folding_row.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
 #include "widgets/models/device_traits.h"
@@ -111,7 +112,9 @@ CancelQuestion::CancelQuestion(QWidget *parent)
     m_goOn->setToolTip(tr("The job goes on"));
     m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto *choices = new QWidget(this);
-    layOutColumn(choices, {m_restore, m_run, m_leave, m_goOn}, {.margins = QMargins()});
+    layOutColumn(choices,
+                 {new FoldingRow(m_restore, m_run, choices), new FoldingRow(m_leave, m_goOn, choices)},
+                 {.margins = QMargins()});
     auto *choicesArea = new ContentScrollArea(choices, this); // large ones scroll in a low window
     choicesArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     layOutColumn(this, {{new ContentScrollArea(m_text, this), 1}, choicesArea}, {.margins = QMargins()});
@@ -133,7 +136,8 @@ void CancelQuestion::ask(EncoderSession &encoder, const CancelSituation &situati
     if (!isHidden())
         return;
     show();
-    (situation.canRestore ? m_restore : m_goOn)->setFocus();
+    m_goOn->setDefault(true); // it changes nothing and costs nothing
+    m_goOn->setFocus();
 }
 
 void CancelQuestion::answer(OnCancel how)

@@ -131,7 +131,7 @@ void JobReview::addTitle(QWidget *title)
 void JobReview::showInstead(QWidget *picture)
 {
     auto *rows = static_cast<QBoxLayout *>(m_parts->layout());
-    rows->insertWidget(rows->indexOf(m_table), picture, 1);
+    rows->insertWidget(rows->indexOf(m_notes) + 1, picture, 1); // what is said comes first
     m_table->hide();
     m_area->setMinimumHeight(0);
 }

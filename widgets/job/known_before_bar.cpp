@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::size_t mostNamed = 4; // the others are in the tooltip
+constexpr std::size_t mostNamed = 2; // the others are in the tooltip
 
 ParameterValues valuesOf(const KnownBefore &before)
 {

@@ -10,6 +10,7 @@
 #include "widgets/job/job_strip.h"
 #include "widgets/job/known_before_bar.h"
 #include "widgets/job/outcome_text.h"
+#include "widgets/look/content_scroll_area.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/fonts.h"
@@ -69,24 +70,27 @@ QWidget *ParameterPanel::makeTablePage()
     auto *page = new QWidget(this);
     m_values = new QWidget(page);
     m_table = new ParameterTable(*m_model, m_values);
-    m_differences = new RoleLabel(m_values);
-    m_message = new InlineMessage(m_values);
+    auto *said = new QWidget(m_values);
+    m_differences = new RoleLabel(said);
+    m_message = new InlineMessage(said);
     m_message->setObjectName(QStringLiteral("panelMessage"));
-    m_before = new KnownBeforeBar(m_values);
-    m_bar = new ValueBar(m_values);
+    m_before = new KnownBeforeBar(said);
+    m_bar = new ValueBar(said);
     m_buttons = makeButtons();
     m_job = new JobStrip(page);
-    const auto smallText = [page] {
-        auto *text = new QLabel(page);
+    const auto smallText = [](QWidget *parent) {
+        auto *text = new QLabel(parent);
         text->setFont(textFont(TextSize::small));
         text->setWordWrap(true);
         return text;
     };
-    m_valueNotes = smallText();
-    m_note = smallText();
+    m_valueNotes = smallText(said);
+    m_note = smallText(page);
 
-    layOutColumn(m_values, {{m_table, 1}, m_before, m_message, m_bar, m_differences, m_valueNotes},
-                 {.margins = QMargins()});
+    layOutColumn(said, {m_message, m_before, m_bar, m_differences, m_valueNotes}, {.margins = QMargins()});
+    auto *saidArea = new ContentScrollArea(said, m_values); // in a low panel, what is said is not cut off
+    saidArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    layOutColumn(m_values, {{m_table, 1}, saidArea}, {.margins = QMargins()});
     layOutColumn(page, {{m_values, 1}, m_buttons, m_job, m_note}, {.margins = QMargins()});
     return page;
 }

@@ -4,6 +4,7 @@
 #include "vocabulary/sentence.h"
 #include "widgets/dial/now_and_then.h"
 #include "widgets/job/known_text.h"
+#include "widgets/look/wrapped_label.h"
 #include "widgets/parameters/position_to_set.h"
 
 #include <QHideEvent>
@@ -20,9 +21,11 @@ QString shownText(const EncoderSession &encoder)
 
 PresetReview::PresetReview(QWidget *parent)
     : JobReview("confirmPreset", parent)
+    , m_change(wrappedLabel(this, "positionChange"))
     , m_picture(new NowAndThen(this))
 {
     m_picture->hide();
+    addTitle(m_change);
     showInstead(m_picture);
     offerToWriteAll(false);
 }
@@ -53,6 +56,8 @@ void PresetReview::hideEvent(QHideEvent *event)
 
 JobReview::Contents PresetReview::contents(const EncoderSession &encoder, bool) const
 {
+    m_change->setText(tr("Position of %1: now %2, then %3.")
+                          .arg(encoder.place().shown(), shownText(encoder), numberText(m_position)));
     return {.job = SetPreset{.value = m_position},
             .rows = {{.cells = {tr("Position of %1").arg(encoder.place().shown()), shownText(encoder),
                                 numberText(m_position)}}},

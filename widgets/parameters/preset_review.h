@@ -3,6 +3,8 @@
 
 #include "widgets/job/job_review.h"
 
+class QLabel;
+
 namespace codewheel {
 
 class NowAndThen;
@@ -25,6 +27,7 @@ protected:
 private:
     Contents contents(const EncoderSession &encoder, bool writesAll) const override;
 
+    QLabel *m_change; // in words, as the first
     NowAndThen *m_picture;
     std::int64_t m_position = 0;
 };

@@ -7,6 +7,7 @@
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
+#include "widgets/functions/function_questions.h"
 #include "widgets/job/job_cancel.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
@@ -215,7 +216,7 @@ void HandshakePage::showWords()
 {
     const Reading &reading = m_setup.encoder->latest();
     const DeviceDescription &device = m_setup.encoder->device();
-    m_out->setVisible(device.hasWords());
+    m_out->setVisible(device.hasWords() && isBusy()); // afterwards others decide what is there
     m_in->setVisible(device.hasWords());
     if (!device.hasWords())
         return;
@@ -260,6 +261,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
     const bool isBroughtBack = !outcome.result && outcome.result.error().id == RefusalId::cancelled;
     m_steps.finish(outcome.result || isBroughtBack);
     showEnd();
+    showWords();
     Q_EMIT changed();
 }
 
@@ -349,6 +351,9 @@ void HandshakePage::bringBack(bool restore)
     EndParameterization job;
     if (restore)
         job.restore = valuesToRestore(m_setup.record);
+    const bool runs = !restore && wayBack(m_setup.encoder->device(), m_shownState) == WayBack::run;
+    if (runs && !askToSendRun(window(), *m_setup.encoder))
+        return;
     if (!askForEeprom(window(), *m_setup.encoder, job))
         return;
     const auto started = m_setup.encoder->start(job);

@@ -194,6 +194,14 @@ QString Leaving::title() const
     return {};
 }
 
+QStringList Leaving::statesOf(const std::vector<Place> &devices) const
+{
+    QStringList states;
+    for (const Place device : devices)
+        states.append(stateOf(device));
+    return states;
+}
+
 // "OUT 1.0 is 020000FF".
 QString Leaving::stateOf(Place device) const
 {
@@ -209,9 +217,7 @@ QString Leaving::stateOf(Place device) const
 // True: go on now. False: the user stays, or the zeros are being sent.
 bool Leaving::askForOut(const std::vector<Place> &devices)
 {
-    QStringList states;
-    for (const Place device : devices)
-        states.append(stateOf(device));
+    const QStringList states = statesOf(devices);
     const bool needsRun =
         std::ranges::any_of(devices, [this](Place device) { return isInParameterization(device); });
     QMessageBox box(QMessageBox::Question, title(),
@@ -242,7 +248,16 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
     leave->setToolTip(tr("Goes on without sending anything"));
     QPushButton *cancel = box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(maySend && !needsRun ? zeros : cancel);
+    bool isOld = false;
+    const QObject whileOpen;
+    connect(m_buses, &Buses::updated, &whileOpen, [&] {
+        isOld = devicesToAskFor() != devices || statesOf(devices) != states || canSend() != maySend;
+        if (isOld)
+            box.reject();
+    });
     box.exec();
+    if (isOld)
+        return askForWhatIsLeft();
 
     m_outAnswered = true;
     m_waitsForZero = false;
@@ -252,6 +267,15 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
         zero(devices, box.clickedButton() == run);
     else
         stay();
+    return false;
+}
+
+// What was asked about is another now: by ALARM STOP, say. Nothing is answered by that.
+bool Leaving::askForWhatIsLeft()
+{
+    if (const std::vector<Place> devices = devicesToAskFor(); !devices.empty())
+        return askForOut(devices);
+    stay();
     return false;
 }
 

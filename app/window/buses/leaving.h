@@ -39,9 +39,11 @@ private:
     bool goesOnWithoutJob(Place place);
     QString title() const;
     bool askForOut(const std::vector<Place> &devices);
+    bool askForWhatIsLeft();
     void zero(const std::vector<Place> &devices, bool runsFirst);
     std::vector<Place> devicesToAskFor() const;
     bool isInParameterization(Place device) const;
+    QStringList statesOf(const std::vector<Place> &devices) const;
     QString stateOf(Place device) const;
     EncoderSession *busyEncoder() const;
     std::vector<EncoderBus *> buses() const; // to be left, and still open

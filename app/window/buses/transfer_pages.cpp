@@ -16,7 +16,7 @@
 namespace codewheel {
 namespace {
 
-void describe(QAction &action, const QString &what)
+void explain(QAction &action, const QString &what)
 {
     action.setStatusTip(what);
     action.setToolTip(
@@ -71,16 +71,16 @@ void TransferPages::showActions()
                                                        RefusalId::writingNotSupported,
                                                        {encoder->device().fullName()}});
     m_actions.replaceEncoder->setEnabled(canBeWritten);
-    describe(*m_actions.replaceEncoder,
-             canBeWritten
-                 ? tr("Gives the new encoder at this place the values and the position of the previous one")
-                 : why);
+    explain(*m_actions.replaceEncoder,
+            canBeWritten
+                ? tr("Gives the new encoder at this place the values and the position of the previous one")
+                : why);
     const auto before = canBeWritten ? m_findBefore(*m_number) : std::vector<ValuesBefore>();
     m_actions.restoreValues->setEnabled(!before.empty());
     m_actions.restoreValues->setText(
         before.empty() ? tr("Restore earlier &values…")
                        : tr("Restore &values of %1…").arg(timeOf(before.front(), m_buses.now(*m_number))));
-    describe(
+    explain(
         *m_actions.restoreValues,
         !canBeWritten ? why
         : before.empty()

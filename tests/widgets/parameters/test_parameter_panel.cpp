@@ -458,6 +458,7 @@ TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)
     settle();
     EXPECT_GE(restore->height(), restore->sizeHint().height()); // not squeezed by the table
     EXPECT_TRUE(restore->isEnabled());
+    EXPECT_TRUE(button(QStringLiteral("Go on with the handshake"))->hasFocus()) << "it costs nothing";
     click(QStringLiteral("Leave in parameterization"));
     finishJob();
     EXPECT_EQ(bus.encoder(fraba)->latest().state, EncoderState::parameterization);

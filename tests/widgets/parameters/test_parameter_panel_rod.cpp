@@ -176,6 +176,9 @@ TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
     EXPECT_EQ(picture->state().then, RodState::Then{1000});
     EXPECT_EQ(review.index(0, 1).data().toString(), numberText(before.value_or(-1)));
     EXPECT_EQ(review.index(0, 2).data().toString(), numberText(1000));
+    EXPECT_EQ(shown->findChild<QLabel *>(QStringLiteral("positionChange"))->text(),
+              QStringLiteral("Position of %1: now %2, then %3.")
+                  .arg(rodPlace.shown(), numberText(before.value_or(-1)), numberText(1000)));
     click(QStringLiteral("Set this position"));
     finishJob();
     EXPECT_EQ(rod().latest().position, 1000);

@@ -235,6 +235,31 @@ TEST_F(WizardHandshake, WhatTheEncoderIsInByNowIsSaidOnceItIsSeen)
         << text("leftIn").toStdString();
 }
 
+TEST_F(WizardHandshake, RunIsNotSentAfterwardsWithoutAQuestion)
+{
+    begin();
+    step(1);
+    QTimer::singleShot(0, qApp, [this] {
+        bus.alarmStop();
+        bus.advance(10);
+    });
+    click("wizardCancel");
+    settle();
+    bus.setRunning(true);
+    bus.advance(50);
+    {
+        const test::Question question([](QWidget &box) { QTest::keyClick(&box, Qt::Key_Return); });
+        click("recoverRun");
+        EXPECT_TRUE(question.text().contains(QStringLiteral("it can jump"))) << question.text().toStdString();
+    }
+    settle();
+    EXPECT_EQ(fraba().latest().state, EncoderState::parameterization) << "the default is Cancel";
+    const auto question = test::Question::answeredBy(QStringLiteral("Send run"));
+    click("recoverRun");
+    settle();
+    EXPECT_EQ(fraba().latest().state, EncoderState::operation);
+}
+
 TEST_F(WizardHandshake, InWatchItSaysSoAndMayBeTriedAgain)
 {
     bus.setOperate(false);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/words/make_driver.h"
 #include "jobs/position_scale.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
+#include "kinds/interbus/make_driver.h"
 #include "tests/widgets/wizard/wizard_test.h"
 #include "widgets/monitor/position_range.h"
 #include "widgets/parameters/position_to_set.h"

@@ -90,7 +90,10 @@ EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &parts, QObjec
         new PlainLinkForm(tr("Training line"),
                           tr("Three simulated encoders, at factory settings, in this program. "
                              "Nothing leaves this computer."),
-                          {}, m_connection));
+                          {}, m_connection, [](const KindData &plan) {
+                              const auto *planned = plan.as<EscLinePlan>();
+                              return planned != nullptr && planned->settings.port.isEmpty();
+                          }));
     m_search->setObjectName(QStringLiteral("lineSearch"));
     m_search->setDevices(devicesOnLines(line.catalog()));
     parts.pages.addWidget(m_connection);

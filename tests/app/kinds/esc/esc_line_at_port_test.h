@@ -90,6 +90,7 @@ protected:
     void typePort(const QString &port)
     {
         lineActions().settings->trigger();
+        chooseSerialPort(connection());
         auto *field = form().findChild<PortField *>()->findChild<QComboBox *>()->lineEdit();
         field->selectAll();
         QTest::keyClicks(field, port);

@@ -20,6 +20,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
@@ -78,6 +79,7 @@ protected:
     void connectPort(const QString &port)
     {
         lineActions().settings->trigger();
+        test::chooseSerialPort(connection());
         auto &form = view<EscLineSettingsForm>();
         EscLineSettings settings = form.settings();
         settings.port = port;
@@ -275,6 +277,7 @@ TEST_F(EscLineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
 TEST_F(EscLineViewsTest, APortThatIsNotThereIsToldOnTheSpotAndTheLineGoesOn)
 {
     lineActions().settings->trigger();
+    test::chooseSerialPort(connection());
     auto &form = view<EscLineSettingsForm>();
     EscLineSettings settings = form.settings();
     settings.port = QStringLiteral("/dev/there-is-none");
@@ -370,6 +373,7 @@ TEST_F(EscLineViewsTest, BytesThatAreLostAreCountedAndSeen)
 TEST_F(EscLineViewsTest, APortIsPlannedWithoutBeingOpened)
 {
     lineActions().settings->trigger();
+    test::chooseSerialPort(connection());
     auto &form = view<EscLineSettingsForm>();
     EXPECT_FALSE(button(connection(), QStringLiteral("Keep in project"))->isEnabled())
         << "the training line is open";
@@ -389,6 +393,24 @@ TEST_F(EscLineViewsTest, APortIsPlannedWithoutBeingOpened)
     shown->project().undoStack().undo();
     const EscLinePlan *before = linePlan(project(), firstLine);
     EXPECT_TRUE(before == nullptr || before->settings.port.isEmpty());
+}
+
+// The project page says so of it, too.
+TEST_F(EscLineViewsTest, ALineThatIsPlannedWithoutAPortIsTheTrainingLine)
+{
+    lineActions().disconnectLine->trigger();
+    advance(50);
+    Project planned = project();
+    setLinePlan(planned, firstLine, EscLinePlan{});
+    shown->project().setProject(planned, {});
+    lineActions().settings->trigger();
+    const auto &link = *connection().findChild<QComboBox *>(QStringLiteral("link"));
+    EXPECT_EQ(link.currentText(), QStringLiteral("Training line"));
+    EscLinePlan atPort;
+    atPort.settings.port = QStringLiteral("/dev/ttyHALL");
+    setLinePlan(planned, firstLine, atPort);
+    shown->project().setProject(planned, {});
+    EXPECT_NE(link.currentText(), QStringLiteral("Training line"));
 }
 
 TEST_F(EscLineViewsTest, TheTerminalKeepsAsManyRowsAsTheSettingsSay)

@@ -30,7 +30,9 @@ constexpr FigureRow figureRows[] = {
      {},
      &AnswerTime::shortest},
     {QT_TRANSLATE_NOOP("codewheel::EscLineFiguresModel", "Answer time, median, ms"), {}, &AnswerTime::median},
-    {QT_TRANSLATE_NOOP("codewheel::EscLineFiguresModel", "Answer time, longest, ms"), {}, &AnswerTime::longest},
+    {QT_TRANSLATE_NOOP("codewheel::EscLineFiguresModel", "Answer time, longest, ms"),
+     {},
+     &AnswerTime::longest},
 };
 constexpr int figureCount = static_cast<int>(std::size(figureRows));
 

@@ -75,7 +75,7 @@ bool EscLineSettingsForm::showPlan(const KindData &plan)
     const auto *line = plan.as<EscLinePlan>();
     if (line != nullptr)
         setSettings(line->settings);
-    return line != nullptr;
+    return line != nullptr && !line->settings.port.isEmpty(); // without a port, it is the training line
 }
 
 KindData EscLineSettingsForm::plan() const

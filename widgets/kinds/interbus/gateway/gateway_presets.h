@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-// A usual register map of gateways: what it is called, and its settings by name (modbus/gateway_settings.h);
+// A usual register map of gateways: what it is called, and its settings by name (gateway_settings.h);
 // those it does not name have their defaults.
 struct GatewayPreset
 {

@@ -9,7 +9,7 @@
 
 namespace codewheel {
 
-// A setting of a gateway as a field of its form. Its values are the texts of modbus/gateway_settings.h.
+// A setting of a gateway as a field of its form. Its values are the texts of gateway_settings.h.
 struct SettingField
 {
     struct Choice
