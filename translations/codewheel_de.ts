@@ -3170,6 +3170,10 @@
         <source>No answer came from the encoder for %1 s after this was confirmed, so nothing was sent. Check the line, then start again.</source>
         <translation>Nach dem Bestätigen kam %1 s lang keine Antwort vom Geber, deshalb wurde nichts gesendet. Die Leitung prüfen, dann neu beginnen.</translation>
     </message>
+    <message>
+        <source>The encoder has lost its parameters, and works again only with all of parameters 1 to 4. Without a value: %1. Give them one; nothing is sent before.</source>
+        <translation>Der Geber hat seine Parameter verloren und arbeitet erst wieder mit allen Parametern 1 bis 4. Ohne Wert: %1. Geben Sie einen an; vorher wird nichts gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -7040,7 +7044,7 @@ Braucht keinen Bus und sendet nichts.</translation>
     </message>
     <message>
         <source>Ctrl+C ends it.</source>
-        <translation>Strg+C beendet die Aufzeichnung.</translation>
+        <translation>Mit Strg+C endet es.</translation>
     </message>
     <message>
         <source>Not everything is in %1: it could not be written until the end.</source>
@@ -9283,6 +9287,10 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>(and perhaps %1 more, which it began and did not see the end of)</source>
         <translation>(und vielleicht %1 weitere, die es begonnen und deren Ende es nicht gesehen hat)</translation>
+    </message>
+    <message>
+        <source>(and perhaps %1 more, counted by its place before its serial number was known)</source>
+        <translation>(und vielleicht noch %1, nach seinem Platz gezählt, bevor seine Seriennummer bekannt war)</translation>
     </message>
 </context>
 <context>
@@ -15194,6 +15202,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>&amp;Set this position</source>
         <translation>Diese Position &amp;setzen</translation>
     </message>
+    <message>
+        <source>Position of %1: now %2, then %3.</source>
+        <translation>Position von %1: jetzt %2, danach %3.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Printing</name>
@@ -16257,6 +16269,18 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>The computer slept, or the bus was stopped or lost: the encoder may still be the previous one</source>
         <translation>Der Rechner war im Ruhezustand, oder der Bus war angehalten oder nicht erreichbar: Es kann noch der bisherige Geber sein</translation>
+    </message>
+    <message>
+        <source>Position since &amp;then</source>
+        <translation>Position &amp;seitdem</translation>
+    </message>
+    <message>
+        <source>The last position that was seen: right if the encoder that came back is the previous one, and not the new one</source>
+        <translation>Die zuletzt gesehene Position: richtig, wenn der Geber, der wiederkam, noch der alte ist und nicht der neue</translation>
+    </message>
+    <message>
+        <source>Position %1, shown since &amp;then, at %2 last: of the previous encoder only if the one that came back is not the new one</source>
+        <translation>Position %1, &amp;seitdem gezeigt, zuletzt um %2: nur dann die des alten Gebers, wenn der, der wiederkam, nicht der neue ist</translation>
     </message>
 </context>
 <context>

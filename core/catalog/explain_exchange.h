@@ -13,7 +13,7 @@ struct ExplainedExchange
     Explanation in;
 };
 
-// `asked`: the OUT word that IN answers, if known (encoder/asked_word.h).
+// `asked`: the OUT word that IN answers, if known (vocabulary/asked_word.h).
 ExplainedExchange explainExchange(const DeviceDescription &device, const Exchange &row,
                                   std::optional<Word> asked);
 

@@ -14,7 +14,7 @@ bool hasNumber(const DeviceDescription &device, unsigned number);
 // described.
 bool takesValue(const DeviceDescription &device, unsigned number, std::int64_t value);
 
-// The parts of a meaning's sentence (encoder/meaning_text.h) as this device calls them.
+// The parts of a meaning's sentence (vocabulary/meaning_text.h) as this device calls them.
 QStringList meaningParts(const DeviceDescription &device, const Meaning &meaning);
 
 } // namespace codewheel

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replay/replay_session.h"
 
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/words/k3_cam_word.h"
-#include "kinds/interbus/words/make_driver.h"
 #include "replay/replay_bus.h"
 
 #include <utility>

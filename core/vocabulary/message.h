@@ -12,7 +12,7 @@ namespace codewheel {
 enum class Severity : std::uint8_t { information, attention, fault };
 
 // What the user is told as it happens. Kept as a code and arguments, so that the language can change; the
-// sentence is made by encoder/refusal_text.h. The comment beside each lists its arguments.
+// sentence is made by vocabulary/refusal_text.h. The comment beside each lists its arguments.
 enum class MessageId : std::uint8_t {
     refused,           // see Message::refusal
     busStarted,        //
@@ -51,7 +51,7 @@ enum class MessageId : std::uint8_t {
     deviceNamed,              // name of the device
     connected,                // link
     disconnected,             //
-    busFault,                 // error code (Word), diagnostic parameter (Word): encoder/bus_fault.h
+    busFault,                 // error code (Word), diagnostic parameter (Word): vocabulary/bus_fault.h
     busFaultGone,             //
     peripheralFault,          // error code (Word), diagnostic parameter (Word)
     peripheralFaultConfirmed, //

@@ -9,7 +9,7 @@ namespace codewheel {
 
 // `pattern` with %1..%9 replaced by the parts, in one go, so that a part may contain a % itself. A missing
 // part is shown as "?"; characters in a part that would control a terminal are escaped
-// (encoder/shown_text.h).
+// (vocabulary/shown_text.h).
 QString sentence(const QString &pattern, const QStringList &parts);
 
 // A whole number by locale.

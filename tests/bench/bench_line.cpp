@@ -3,9 +3,9 @@
 // line allows: 18 characters both ways, and never less than the 10 ms of the manual. The other end keeps the
 // line's timing.
 #include "catalog/catalog.h"
-#include "kinds/interbus/words/make_driver.h"
 #include "kinds/esc/line/esc_line_runner.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
+#include "kinds/interbus/make_driver.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,9 +4,9 @@
 // gateway is a server of libmodbus on this computer; both clients take turns: directly, and through a relay
 // that sends each answer in two parts, behind its header.
 #include "catalog/catalog.h"
-#include "kinds/interbus/words/make_driver.h"
 #include "kinds/interbus/gateway/gateway_link.h"
 #include "kinds/interbus/links/modbus_port.h"
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/links/faulty_relay.h"

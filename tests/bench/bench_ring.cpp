@@ -2,7 +2,7 @@
 // The duration of one cycle of a simulated ring with 128 moving K3 encoders, including drivers and snapshot,
 // in position mode and in cam mode.
 #include "catalog/catalog.h"
-#include "kinds/interbus/words/make_driver.h"
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/ring/cycle_time.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "kinds/interbus/simulator/training_bus.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contract of every link to a serial line (line/byte_link.h), over a real pseudo terminal and simulated.
-// Anything timed waits for its event, for up to an hour.
+// The contract of every link to a serial line (serial/byte_link.h), over a real pseudo terminal and
+// simulated. Anything timed waits for its event, for up to an hour.
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "links/serial_port_link.h"
 #include "tests/support/pty_pair.h"

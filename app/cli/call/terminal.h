@@ -8,8 +8,8 @@
 namespace codewheel {
 
 // Where the command line reads and writes. A test provides its own streams and answers the questions. All
-// output goes through here, and none of it can control a terminal (encoder/shown_text.h): JSON stays what it
-// was, since the escapes are JSON's own.
+// output goes through here, and none of it can control a terminal (vocabulary/shown_text.h): JSON stays what
+// it was, since the escapes are JSON's own.
 struct Terminal
 {
     std::istream &in;

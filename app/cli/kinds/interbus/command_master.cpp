@@ -141,7 +141,7 @@ struct Told
     std::optional<Refusal> refusal; // of the action
 };
 
-std::int64_t milliseconds(const Message &message)
+std::int64_t millisecondsOf(const Message &message)
 {
     return std::chrono::duration_cast<std::chrono::milliseconds>(message.at).count();
 }
@@ -151,7 +151,7 @@ QString messageLines(const std::vector<Message> &messages)
     using enum TextTable::Align;
     TextTable table({right, left, left});
     for (const Message &message : messages)
-        table.add({CommandLine::tr("%1 ms").arg(milliseconds(message)),
+        table.add({CommandLine::tr("%1 ms").arg(millisecondsOf(message)),
                    message.place->isEmpty() ? QStringLiteral("-") : message.place->toString(),
                    messageText(message)});
     return table.toString();
@@ -163,11 +163,12 @@ QJsonArray messagesJson(const std::vector<Message> &messages)
     for (const Message &message : messages) {
         const QJsonObject what =
             errorJson({.key = messageKey(message.id), .text = {}, .arguments = message.arguments});
-        rows.append(QJsonObject{{QStringLiteral("milliseconds"), static_cast<qint64>(milliseconds(message))},
-                                {QStringLiteral("bus"), message.place->bus.number},
-                                {QStringLiteral("place"), textJson(message.place->toString())},
-                                {QStringLiteral("key"), what[QStringLiteral("key")]},
-                                {QStringLiteral("arguments"), what[QStringLiteral("arguments")]}});
+        rows.append(
+            QJsonObject{{QStringLiteral("milliseconds"), static_cast<qint64>(millisecondsOf(message))},
+                        {QStringLiteral("bus"), message.place->bus.number},
+                        {QStringLiteral("place"), textJson(message.place->toString())},
+                        {QStringLiteral("key"), what[QStringLiteral("key")]},
+                        {QStringLiteral("arguments"), what[QStringLiteral("arguments")]}});
     }
     return rows;
 }

@@ -5,7 +5,7 @@
 
 namespace codewheel {
 
-// "Determine from device": the format of the scaling factor of a serial encoder (esc/esc_scaling.h), from its
+// "Determine from device": the format of the scaling factor of a serial encoder (esc_scaling.h), from its
 // own values. First the job that reads them ...
 ReadParameters fractionBitsJob();
 // ... then what follows from its outcome: the number of fraction bits. Refused as the job was, or with

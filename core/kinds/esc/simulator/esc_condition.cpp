@@ -4,7 +4,7 @@
 namespace codewheel {
 namespace {
 
-std::uint32_t bit(int number, bool set)
+std::uint32_t numberedBit(int number, bool set)
 {
     return set ? 1U << number : 0U;
 }
@@ -16,17 +16,19 @@ std::uint32_t escAlarms(const EscCondition &condition, const EscMotion &motion)
 {
     const bool generalFault =
         condition.temperatureExceeded || condition.batteryLimit || condition.lightControl || motion.tooFast;
-    return bit(15, condition.temperatureExceeded) | bit(14, condition.batteryFlat) | bit(12, generalFault) |
-           bit(0, condition.positionError);
+    return numberedBit(15, condition.temperatureExceeded) | numberedBit(14, condition.batteryFlat) |
+           numberedBit(12, generalFault) | numberedBit(0, condition.positionError);
 }
 
 // A position warning is taken to mean "one of the two limit switches" (assumed).
 std::uint32_t escWarnings(const EscCondition &condition, const EscMotion &motion)
 {
-    return bit(15, motion.standsStill) | bit(14, motion.aboveUpperLimit || motion.belowLowerLimit) |
-           bit(13, motion.aboveUpperLimit) | bit(12, motion.belowLowerLimit) | bit(11, motion.turnsCcw) |
-           bit(5, motion.atPreset) | bit(4, condition.batteryLimit) | bit(1, condition.lightControl) |
-           bit(0, motion.tooFast);
+    return numberedBit(15, motion.standsStill) |
+           numberedBit(14, motion.aboveUpperLimit || motion.belowLowerLimit) |
+           numberedBit(13, motion.aboveUpperLimit) | numberedBit(12, motion.belowLowerLimit) |
+           numberedBit(11, motion.turnsCcw) | numberedBit(5, motion.atPreset) |
+           numberedBit(4, condition.batteryLimit) | numberedBit(1, condition.lightControl) |
+           numberedBit(0, motion.tooFast);
 }
 
 } // namespace codewheel

@@ -10,18 +10,18 @@ using Octets = std::span<const std::uint8_t>;
 
 constexpr std::size_t unitSize = 1;
 constexpr std::size_t crcSize = 2;
-constexpr std::uint8_t exceptionBit = 0x80;
-constexpr int readHolding = 3;
-constexpr int readInput = 4;
+constexpr std::uint8_t exceptionMark = 0x80;
+constexpr int functionReadHolding = 3;
+constexpr int functionReadInput = 4;
 
 // Of an answer that tells its length; 0: none does.
 std::size_t answerLength(Octets pdu)
 {
     if (pdu.size() < 2)
         return 0;
-    if ((pdu[0] & exceptionBit) != 0)
-        return (pdu[0] & ~exceptionBit) <= 23 && pdu[1] >= 1 && pdu[1] <= 11 ? 2 : 0;
-    const bool isRead = pdu[0] == readHolding || pdu[0] == readInput;
+    if ((pdu[0] & exceptionMark) != 0)
+        return (pdu[0] & ~exceptionMark) <= 23 && pdu[1] >= 1 && pdu[1] <= 11 ? 2 : 0;
+    const bool isRead = pdu[0] == functionReadHolding || pdu[0] == functionReadInput;
     return isRead && pdu[1] > 0 && pdu[1] % 2 == 0 && pdu[1] <= 2 * modbus_limit::readRegisters ? 2U + pdu[1]
                                                                                                 : 0;
 }
@@ -69,7 +69,7 @@ std::optional<RtuAnswer> rtuAnswerIn(const QByteArray &bytes, int unit, int func
         if (rest.size() >= wholeAnswer && rest[1] == function && rest[2] == 2 &&
             modbusCrc(rest.first(wholeAnswer)) == 0)
             return RtuAnswer{0, static_cast<Register>(rest[3] << 8U | rest[4]), begin, wholeAnswer};
-        if (rest[1] == (static_cast<unsigned>(function) | exceptionBit) &&
+        if (rest[1] == (static_cast<unsigned>(function) | exceptionMark) &&
             modbusCrc(rest.first(wholeException)) == 0)
             return RtuAnswer{rest[2], 0, begin, wholeException};
     }

@@ -31,7 +31,7 @@ struct EditedRing
     friend bool operator==(const EditedRing &, const EditedRing &) = default;
 };
 
-// Edits of a planned ring. Each leaves it as valid as it was: what would break a rule (ring/ring_rules.h)
+// Edits of a planned ring. Each leaves it as valid as it was: what would break a rule (ring_rules.h)
 // that holds now, or break it further, is refused in words (structureBroken). Devices are given by their
 // indices in ring order.
 Result<EditedRing> insertDevice(const RingStructure &structure, const Participant &device,

@@ -49,7 +49,7 @@ struct WordWritten
 {
     Word word;
 };
-// A guest of the ring has changed the word (ring/ring_guests.h).
+// A guest of the ring has changed the word (ring_guests.h).
 struct GuestWrote
 {
     Word word;

@@ -38,7 +38,7 @@ public:
     using DriverFactory = std::function<std::unique_ptr<CyclicDriver>(const DeviceDescription &)>;
 
     // The catalog must outlive the session. `begin` is the date and time of Instant 0. No factory: the
-    // drivers of the program (drivers/make_driver.h).
+    // drivers of the program (make_driver.h).
     RingSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
                 QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstRing);
     ~RingSession() override;

@@ -4,6 +4,7 @@
 #include "bus/bus_engine.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/ring/crc_history.h"
 #include "kinds/interbus/ring/ring_checks.h"
 #include "kinds/interbus/ring/ring_encoder_session.h"
@@ -11,7 +12,6 @@
 #include "kinds/interbus/ring/ring_runner.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/word_doubts.h"
-#include "kinds/interbus/words/make_driver.h"
 
 #include <deque>
 #include <memory>

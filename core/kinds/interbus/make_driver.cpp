@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/make_driver.h"
+
+#include "catalog/position_format.h"
+#include "kinds/interbus/k3/k3_driver.h"
+#include "kinds/interbus/la66/la66_driver.h"
+#include "kinds/interbus/position/position_driver.h"
+
+namespace codewheel {
+
+std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device)
+{
+    if (device.profile == Profile::k3)
+        return std::make_unique<K3Driver>(device);
+    if (device.profile == Profile::la66)
+        return std::make_unique<La66Driver>(device);
+    if (onlyTellsPosition(device.profile))
+        return std::make_unique<PositionDriver>(device);
+    return nullptr;
+}
+
+} // namespace codewheel
