@@ -200,6 +200,12 @@ void DrivenEncoderSession::takeKnownBefore()
         const Instant at = instantOf(value.at);
         m_known.try_emplace(value.parameter, Known{value.parameter, value.value, value.evidence, at});
     }
+    if (before.serialNumber && !before.values.empty()) {
+        const Instant at =
+            instantOf(std::ranges::max_element(before.values, {}, &KnownBefore::Value::at)->at);
+        m_known.try_emplace(Parameter::serialNumber,
+                            Known{Parameter::serialNumber, *before.serialNumber, Evidence::read, at});
+    }
     setKnownBefore({});
     postAllKnown();
     Q_EMIT knownChanged();

@@ -99,6 +99,18 @@ TEST_F(KnownKeeperTest, WhatWasReadIsUnknownUntilItIsTheSameEncoder)
     EXPECT_FALSE(at(fraba).knownBefore()) << "it is settled";
 }
 
+TEST_F(KnownKeeperTest, TheSameEncoderHasItsSerialNumberAgain)
+{
+    read(fraba, {Parameter::steps, Parameter::serialNumber});
+    const auto number = at(fraba).known(Parameter::serialNumber);
+    ASSERT_TRUE(number);
+    reconnect();
+    EXPECT_FALSE(at(fraba).known(Parameter::serialNumber));
+    at(fraba).takeKnownBefore();
+    ASSERT_TRUE(at(fraba).known(Parameter::serialNumber));
+    EXPECT_EQ(at(fraba).known(Parameter::serialNumber)->value, number->value);
+}
+
 TEST_F(KnownKeeperTest, TheSameSerialNumberSettlesIt)
 {
     read(fraba, {Parameter::steps, Parameter::serialNumber});

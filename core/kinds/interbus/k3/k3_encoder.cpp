@@ -69,6 +69,12 @@ void K3Encoder::updateScale()
         speedScaleOf(device, [this](Parameter parameter) { return knowledge.value(parameter); }));
 }
 
+void K3Encoder::countStanding()
+{
+    knowledge.countStanding();
+    reportChanges();
+}
+
 void K3Encoder::reportChanges()
 {
     auto changes = knowledge.takeChanges();

@@ -32,6 +32,8 @@ struct K3Encoder
     Result<void> checkState(const Job &job, Word in) const;
 
     const DeviceDescription &device;
+    void countStanding(); // see CyclicDriver::leaveStanding()
+
     K3Timing timing;
     K3Knowledge knowledge;
     K3Plan plan;

@@ -35,7 +35,6 @@ private:
     void begin(Word in, Instant now) override;
     void doubt(InDoubt &doubt, bool nextMayBeSent) override;
     bool mayStillAct(bool hasGoneOut) const override;
-    void leaveStanding() override { m_encoder.knowledge.countStanding(); }
     WordAnswer answerTo(Word in, Word out, Instant now) override;
     void stepDone(Word in) override;
     void stepFailed(WordAnswer how, Word in) override;

@@ -409,9 +409,14 @@ Word RingRunner::Private::goesOn(std::size_t device, Word last) const
 
 void RingRunner::Private::endJobs(const Refusal &why)
 {
-    for (std::size_t i = 0; i < drivers.size(); ++i)
-        if (drivers[i] && drivers[i]->busy())
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+        if (!drivers[i])
+            continue;
+        if (drivers[i]->busy())
             endJob(i, why);
+        drivers[i]->leaveStanding();
+        takeDriverEvents(i);
+    }
 }
 
 void RingRunner::Private::endJob(std::size_t device, const Refusal &why)

@@ -40,6 +40,9 @@ public:
     // their own EEPROM writes.
     virtual void setOthersWrite(bool /*on*/) {}
 
+    // What stands in OUT may not be seen to leave it for long: the bus is being stopped. No job is running.
+    virtual void leaveStanding() {}
+
     // Once per bus cycle: `in` came in while `out` was on the bus. Returns what OUT shall be in the next
     // cycle: `out` itself unless a job wants something else.
     virtual Word cycle(Word in, Word out, Instant now) = 0;

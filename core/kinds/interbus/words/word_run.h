@@ -68,8 +68,6 @@ public:
         } else if (m_isPrepared && mayStillAct(hasGoneOut())) {
             doubt(inDoubt, hasGoneOut());
             inDoubt.out.clear(); // 00000000 follows, or the word of somebody else stands there
-        } else {
-            leaveStanding();
         }
         finish(tl::unexpected(why));
     }
@@ -87,8 +85,6 @@ protected:
     using Base::result;
 
     virtual Result<void> plan(Word in, Word out) = 0;
-    // It ends between two steps; what stands in OUT may not be seen to leave it for long.
-    virtual void leaveStanding() {}
     // Sees every cycle first, whatever the step is.
     virtual void watch(Word in, Word out) = 0;
     // The current step has not begun. False: the user, or what is in IN, does not allow it yet.

@@ -175,6 +175,22 @@ TEST_F(TrainingBusSession, AlarmStopInTheMiddleOfAHandshakeZeroesOut)
     EXPECT_EQ(m_outcome->result.error().id, RefusalId::alarmStop);
 }
 
+// The bus stands then, and nobody sees the word leave OUT.
+TEST_F(TrainingBusSession, WhatIsConfirmedAtAnAlarmStopIsCountedAtOnce)
+{
+    m_bus.channel(firstFraba)->stage(0x0200'0400);
+    ASSERT_TRUE(m_bus.channel(firstFraba)->write());
+    m_bus.advance(100);
+    ASSERT_EQ(encoder().eepromWrites(), 0) << "it is still in OUT";
+    m_bus.alarmStop();
+    m_bus.advance(10);
+    ASSERT_FALSE(m_bus.isRunning());
+    EXPECT_EQ(encoder().eepromWrites(), 1);
+    m_bus.setRunning(true);
+    m_bus.advance(100);
+    EXPECT_EQ(encoder().eepromWrites(), 1);
+}
+
 TEST_F(TrainingBusSession, WhatIsShownIsOldOnceTheBusStops)
 {
     std::vector<Freshness::Reason> told;
