@@ -108,7 +108,8 @@ void EncoderComparison::compare()
     m_plan.write = planWrite(m_encoder, {.wanted = m_wish.values, .setPositionTo = m_wish.position});
     for (const WriteRow &row : m_plan.write.rows)
         setHindrance(row.hindrance);
-    const bool wantsAny = !m_wish.values.empty() || !m_wish.cams.empty() || m_wish.position;
+    const bool wantsAny =
+        !m_wish.values.empty() || !m_wish.cams.empty() || m_wish.position || m_wish.toPositionMode;
     if (wantsAny && !m_plan.write.lostAndNotWritten.empty())
         setHindrance(Refusal{RefusalKind::device,
                              RefusalId::valuesMissingAfterLoss,

@@ -80,6 +80,7 @@ TEST_F(TransferPlanning, AnEncoderThatHasLostItsParametersGetsAllOrNothing)
         hindrance({.place = fraba, .values = steps100, .position = 12'345}),
         "The encoder has lost its parameters, and works again only with all of parameters 1 to 4. Without "
         "a value: revolutions, direction. Give them one; nothing is sent before.");
+    EXPECT_NE(hindrance({.place = fraba, .toPositionMode = true}), "") << "it takes no other word";
     EXPECT_EQ(hindrance({.place = fraba,
                          .values = {{Parameter::steps, 100},
                                     {Parameter::revolutions, 1},
