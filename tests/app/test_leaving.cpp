@@ -4,8 +4,10 @@
 #include "language.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
+#include "widgets/job/cancel_question.h"
 
 #include <QLabel>
+#include <QTest>
 
 namespace codewheel {
 namespace {
@@ -116,6 +118,24 @@ TEST_F(LeavingTest, AlarmStopTakesTheQuestionAwayAndTheUserStays)
     EXPECT_EQ(out(fraba), 0u);
     EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
     EXPECT_TRUE(window().isVisible());
+}
+
+TEST_F(LeavingTest, TheQuestionHowToEndAHandshakeIsWholeAndReturnSpendsNothing)
+{
+    startHandshake();
+    const int writes = bus().encoder(baumer)->eepromWrites();
+    test::Question question([](QWidget &dialog) {
+        const auto &text = *dialog.findChild<CancelQuestion *>()->findChild<QLabel *>();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return text.visibleRegion().boundingRect() == text.rect(); }));
+        EXPECT_GE(text.height(), text.heightForWidth(text.width()));
+        QTest::keyClick(&dialog, Qt::Key_Return);
+    });
+    window().close();
+    advance(200);
+    EXPECT_TRUE(question.wasAsked());
+    EXPECT_TRUE(window().isVisible());
+    EXPECT_TRUE(bus().encoder(baumer)->runningJob()) << "it goes on";
+    EXPECT_EQ(bus().encoder(baumer)->eepromWrites(), writes);
 }
 
 TEST_F(LeavingTest, ClosingAsksHowToEndAHandshake)

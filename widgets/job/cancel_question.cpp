@@ -14,6 +14,7 @@
 
 #include <QDialog>
 #include <QPushButton>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -133,8 +134,8 @@ void CancelQuestion::ask(EncoderSession &encoder, const CancelSituation &situati
     m_run->setVisible(!situation.isActive);
     m_leave->setText(situation.isActive ? tr("&Leave it with what it has")
                                         : tr("&Leave in parameterization"));
-    if (!isHidden())
-        return;
+    if (isVisible())
+        return; // it is asked already
     show();
     m_goOn->setDefault(true); // it changes nothing and costs nothing
     m_goOn->setFocus();
@@ -167,6 +168,8 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
     QObject::connect(&encoder, &EncoderSession::finished, &dialog, &QDialog::reject);
     QObject::connect(&encoder, &QObject::destroyed, &dialog, &QDialog::reject);
     question->ask(encoder, situation);
+    // Once it has a width, it is known how high its text is.
+    QTimer::singleShot(0, &dialog, [&dialog] { dialog.resize(dialog.width(), dialog.sizeHint().height()); });
     dialog.exec();
     return answer;
 }

@@ -29,6 +29,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
@@ -39,6 +40,11 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+constexpr int highPanel = 24; // lines: it holds the table beside a question
+
+} // namespace
 
 ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
     : QWidget(parent)
@@ -152,6 +158,7 @@ void ParameterPanel::connectParts()
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
     connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
     connect(m_setPosition, &QAction::triggered, this, &ParameterPanel::askWherePositionIs);
+    m_before->installEventFilter(this);
     connect(m_job, &JobStrip::asks, this, [this](bool isAsking) {
         m_values->setVisible(!isAsking);
         m_note->setVisible(!isAsking && !m_note->text().isEmpty());
@@ -171,6 +178,26 @@ void ParameterPanel::connectParts()
         connect(m_model, &QAbstractItemModel::modelReset, this, show);
         connect(m_model, &QAbstractItemModel::dataChanged, this, show);
     }
+}
+
+void ParameterPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    giveWayToQuestion();
+}
+
+bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_before &&
+        (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent))
+        giveWayToQuestion();
+    return QWidget::eventFilter(watched, event);
+}
+
+// In a low panel, the table gives way to the question whether it is the same encoder.
+void ParameterPanel::giveWayToQuestion()
+{
+    m_table->setVisible(m_before->isHidden() || height() >= highPanel * fontMetrics().lineSpacing());
 }
 
 void ParameterPanel::setEncoder(const ShownEncoder &encoder)

@@ -54,6 +54,10 @@ Q_SIGNALS:
     void wizardRequested();
     void refusalShown(); // after one of the function actions
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     enum class Cause { input, refusal, outcome };
 
@@ -63,6 +67,7 @@ private:
     void connectParts();
     void connectSession(EncoderSession &session);
     void showWhyEmpty();
+    void giveWayToQuestion();
     void showWhatIsPossible();
 
     void read();

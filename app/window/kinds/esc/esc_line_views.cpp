@@ -122,6 +122,7 @@ EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &parts, QObjec
     connect(&line.project(), &ProjectDocument::replaced, this, &EscLineViews::showPlanned);
     connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showChosen);
     connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showName);
+    connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showNewPlan);
     connect(m_training, &EscLineTrainingPanel::acted, this,
             [this](Place place, const QString &what) { tellTraining(place, what); });
     connect(m_training, &EscLineTrainingPanel::afreshWanted, this, &EscLineViews::startAfresh);
@@ -316,6 +317,15 @@ void EscLineViews::showPlanned()
     if (const EscLinePlan *planned = linePlan(m_line.project().project(), m_line.id()))
         m_connection->showPlan(KindData(*planned));
     showName();
+}
+
+// What is being entered for a line that is planned already stays.
+void EscLineViews::showNewPlan()
+{
+    const bool isPlanned = linePlan(m_line.project().project(), m_line.id()) != nullptr;
+    if (isPlanned && !std::exchange(m_isPlanned, isPlanned))
+        showPlanned();
+    m_isPlanned = isPlanned;
 }
 
 void EscLineViews::showName()

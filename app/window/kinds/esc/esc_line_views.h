@@ -98,6 +98,7 @@ private:
     void showChosen();
     void showActions();
     void showPlanned();
+    void showNewPlan();
     void showName();
 
     EscLineAtWork &m_line;
@@ -116,8 +117,9 @@ private:
     EscLineSearch *m_search;
     EscLineTrainingPanel *m_training;
     BackgroundSteps m_test;
-    bool m_isFound = false; // its port, by the finder
-    EscLinePlan m_opened;   // when a port was last to be opened
+    bool m_isPlanned = false; // in the project
+    bool m_isFound = false;   // its port, by the finder
+    EscLinePlan m_opened;     // when a port was last to be opened
     ComparisonPage *m_comparison;
 };
 

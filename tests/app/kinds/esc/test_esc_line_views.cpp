@@ -411,6 +411,12 @@ TEST_F(EscLineViewsTest, ALineThatIsPlannedWithoutAPortIsTheTrainingLine)
     setLinePlan(planned, firstLine, atPort);
     shown->project().setProject(planned, {});
     EXPECT_NE(link.currentText(), QStringLiteral("Training line"));
+
+    shown->project().setProject({}, {});
+    Project added = shown->project().project(); // as by Add on the project page
+    setLinePlan(added, firstLine, EscLinePlan{});
+    shown->project().edit(added, QStringLiteral("Add"));
+    EXPECT_EQ(link.currentText(), QStringLiteral("Training line"));
 }
 
 TEST_F(EscLineViewsTest, TheTerminalKeepsAsManyRowsAsTheSettingsSay)
