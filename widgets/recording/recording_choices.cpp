@@ -25,7 +25,7 @@ TriggerChoice::Kind triggerKind(const QString &key)
 
 const QString busPrefix = QStringLiteral("bus ");
 
-QString placeKey(Place place)
+QString keyOfPlace(Place place)
 {
     return place.isEmpty() ? busPrefix + QString::number(place.bus.number) : place.key();
 }
@@ -40,7 +40,7 @@ Place placeFromKey(const QString &key)
 QJsonObject toJson(const TriggerChoice &trigger)
 {
     return {{QStringLiteral("kind"), keyOf(trigger.kind)},
-            {QStringLiteral("place"), placeKey(trigger.place)},
+            {QStringLiteral("place"), keyOfPlace(trigger.place)},
             {QStringLiteral("channel"), channelKey(trigger.channel)},
             {QStringLiteral("bit"), static_cast<int>(trigger.bit)},
             {QStringLiteral("rising"), trigger.rising},

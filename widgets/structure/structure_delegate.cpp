@@ -7,13 +7,13 @@
 namespace codewheel {
 namespace {
 
-constexpr double paleShare =
+constexpr double shareOfPale =
     0.72; // of the text on the ground of a chosen row: more than 3 : 1 in any palette
 
 QColor mixed(const QColor &text, const QColor &ground)
 {
     const auto part = [](float of, float with) {
-        return static_cast<float>(paleShare * of + (1 - paleShare) * with);
+        return static_cast<float>(shareOfPale * of + (1 - shareOfPale) * with);
     };
     return QColor::fromRgbF(part(text.redF(), ground.redF()), part(text.greenF(), ground.greenF()),
                             part(text.blueF(), ground.blueF()));

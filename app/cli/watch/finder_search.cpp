@@ -20,9 +20,9 @@ std::jthread interruptsOn(const StopSignals &stop, PlaceFinder &finder)
 {
     return std::jthread(
         [waited = pollfd{stop.descriptor(), POLLIN, 0}, &finder](const std::stop_token &ended) mutable {
-            constexpr int betweenLooks = 20; // ms
+            constexpr int betweenPolls = 20; // ms
             while (!ended.stop_requested())
-                if (::poll(&waited, 1, betweenLooks) > 0) {
+                if (::poll(&waited, 1, betweenPolls) > 0) {
                     finder.interrupt();
                     return;
                 }

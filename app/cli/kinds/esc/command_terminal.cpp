@@ -47,11 +47,11 @@ QString terminalRow(const PassedRow &passed, const esc::ExplainOptions &explain)
     constexpr int kindWidth = 8;
     constexpr int textWidth = 24; // <1B>03GP00005200<0D><0A>
     constexpr int bytesWidth = 44;
-    const QString gap = QStringLiteral("  ");
-    return rowTime(passed.row.at).rightJustified(timeWidth) + gap +
-           rowKindWord(passed.row.kind).leftJustified(kindWidth) + gap +
-           controlText(passed.row.bytes, ControlCharacters::numbers).leftJustified(textWidth) + gap +
-           byteText(passed.row.bytes).leftJustified(bytesWidth) + gap + rowMeaning(passed, explain) + u'\n';
+    const QString space = QStringLiteral("  ");
+    return rowTime(passed.row.at).rightJustified(timeWidth) + space +
+           rowKindWord(passed.row.kind).leftJustified(kindWidth) + space +
+           controlText(passed.row.bytes, ControlCharacters::numbers).leftJustified(textWidth) + space +
+           byteText(passed.row.bytes).leftJustified(bytesWidth) + space + rowMeaning(passed, explain) + u'\n';
 }
 
 Complaint aboutNobodyKnown()
