@@ -112,6 +112,7 @@ QWidget *replacementAtWork(TrainingWindow &shown)
     wantSomething(shown, scene::fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
     shown.controls().setFault(TrainingFault::powerOff, scene::fraba.node, 1);
     shown.advance(3 * scene::whileMilliseconds);
+    shown.controls().turnBy(scene::fraba.node, 1'000); // of another encoder
     shown.controls().setFault(TrainingFault::powerOff, scene::fraba.node, 0);
     shown.advance(scene::whileMilliseconds);
     shown.window().actions().replaceEncoder->trigger();
