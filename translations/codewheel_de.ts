@@ -16282,6 +16282,11 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>Position %1, shown since &amp;then, at %2 last: of the previous encoder only if the one that came back is not the new one</source>
         <translation>Position %1, &amp;seitdem gezeigt, zuletzt um %2: nur dann die des alten Gebers, wenn der, der wiederkam, nicht der neue ist</translation>
     </message>
+    <message>
+        <source>%1 It is of another scale than the wanted one: with that, it is another position.</source>
+        <comment>a sentence, or most of one</comment>
+        <translation>%1 Sie hat eine andere Skalierung als die gewünschte: Mit dieser ist sie eine andere Position.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplaceStep</name>

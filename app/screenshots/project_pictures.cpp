@@ -110,6 +110,8 @@ QWidget *transferAtWork(TrainingWindow &shown)
 QWidget *replacementAtWork(TrainingWindow &shown)
 {
     wantSomething(shown, scene::fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
+    shown.bus().encoder(scene::fraba)->tell(Parameter::steps, 4096); // as the new one is to have
+    shown.advance(scene::whileMilliseconds);
     shown.controls().setFault(TrainingFault::powerOff, scene::fraba.node, 1);
     shown.advance(3 * scene::whileMilliseconds);
     shown.controls().turnBy(scene::fraba.node, 1'000); // of another encoder

@@ -43,6 +43,13 @@ bool scalesDiffer(const ParameterValues &before, const ParameterValues &now)
     });
 }
 
+std::optional<SeenPosition> withScale(std::optional<SeenPosition> seen, const ParameterValues &scale)
+{
+    if (seen)
+        seen->scale = scale;
+    return seen;
+}
+
 // What was not known before may have been different.
 bool changeScale(const ParameterValues &written, const ParameterValues &before)
 {
@@ -103,7 +110,8 @@ std::optional<SeenPosition> LastPositions::at(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return found->second.before ? found->second.before : found->second.last;
+    const Watched &its = found->second;
+    return its.before ? withScale(its.before, its.scaleBefore) : withScale(its.last, its.scale);
 }
 
 std::optional<SeenPosition> LastPositions::newest(Place number) const
@@ -111,7 +119,8 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
     const auto found = m_watched.find(number);
     if (found == m_watched.end())
         return std::nullopt;
-    return found->second.last ? found->second.last : found->second.before;
+    const Watched &its = found->second;
+    return its.last ? withScale(its.last, its.scale) : withScale(its.before, its.scaleBefore);
 }
 
 void LastPositions::look(const EncoderBus &bus)
@@ -222,6 +231,17 @@ void LastPositions::scaledAnew(Place place)
 {
     if (auto &before = m_watched[place].before)
         before->scaledOtherwise = true;
+}
+
+bool isOfAnotherScale(const ParameterValues &then, const ParameterValues &values)
+{
+    static constexpr Parameter setWithThePosition[] = {Parameter::preset, Parameter::zeroOffset,
+                                                       Parameter::offset};
+    ParameterValues scale = then;
+    std::erase_if(scale, [](const ParameterValue &value) {
+        return std::ranges::find(setWithThePosition, value.parameter) != std::end(setWithThePosition);
+    });
+    return scalesDiffer(scale, values);
 }
 
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder)

@@ -26,9 +26,13 @@ struct SeenPosition
     Since since = Since::there;
     // Afterwards the encoder was given another scale or zero: there it would be another position.
     bool scaledOtherwise = false;
+    ParameterValues scale{}; // known of the encoder with it
 
     friend bool operator==(const SeenPosition &, const SeenPosition &) = default;
 };
+
+// Whether it is another position with these values: what is not known of both is not compared.
+bool isOfAnotherScale(const ParameterValues &then, const ParameterValues &values);
 
 // What the encoder shows, to be kept in a project; empty if it shows no position.
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);

@@ -38,6 +38,8 @@ protected:
     // Swaps the encoder for another one.
     void exchange()
     {
+        bus().encoder(replacedPlace)->tell(Parameter::steps, 4096); // as the new one is to have
+        advance(50);
         shown->controls().setFault(TrainingFault::powerOff, replacedPlace.node, 1);
         advance(2000);
         shown->controls().turnBy(replacedPlace.node, 1'000); // of another encoder

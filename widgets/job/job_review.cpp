@@ -12,6 +12,7 @@
 #include "widgets/look/wrapped_cells.h"
 #include "widgets/look/wrapped_label.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -84,7 +85,11 @@ JobReview::JobReview(const char *id, QWidget *parent)
     layOut();
     connect(m_writeAll, &QCheckBox::toggled, this, &JobReview::showContents);
     connect(m_gate, &EepromGate::changed, this, &JobReview::allow);
-    connect(m_write, &QPushButton::clicked, this, [this] { Q_EMIT confirmed(m_job); });
+    connect(m_write, &QPushButton::clicked, this, [this] {
+        // The second of two quick presses was meant for what led here.
+        if (m_sinceBegin.elapsed() >= QApplication::doubleClickInterval())
+            Q_EMIT confirmed(m_job);
+    });
     connect(m_cancel, &QPushButton::clicked, this, &JobReview::cancelled);
     // Not in the middle of a layout, which it would begin anew.
     connect(m_table, &WholeTable::heightChanged, this, &JobReview::keepRowsInSight, Qt::QueuedConnection);
@@ -152,6 +157,7 @@ void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns
     if (m_encoder)
         m_encoder->disconnect(this);
     m_encoder = &encoder;
+    m_sinceBegin.start();
     m_area->setMinimumHeight(0);
     m_area->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_model->setColumns(std::move(columns), size);

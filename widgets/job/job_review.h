@@ -5,6 +5,7 @@
 #include "widgets/job/review_table.h"
 #include "widgets/job/whole_table.h"
 
+#include <QElapsedTimer>
 #include <QPointer>
 #include <QWidget>
 
@@ -68,6 +69,7 @@ private:
     void showCurrentRow(const QModelIndex &index);
 
     QPointer<EncoderSession> m_encoder;
+    QElapsedTimer m_sinceBegin;
     Job m_job;
     int m_writes = 0; // to the EEPROM, at most
     ReviewTable *m_model;

@@ -42,7 +42,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int highPanel = 24; // lines: it holds the table beside a question
+constexpr int highPanel = 18; // lines: it holds the table beside a question
 
 } // namespace
 
@@ -93,7 +93,7 @@ QWidget *ParameterPanel::makeTablePage()
     m_valueNotes = smallText(said);
     m_note = smallText(page);
 
-    layOutColumn(said, {m_message, m_before, m_bar, m_differences, m_valueNotes}, {.margins = QMargins()});
+    layOutColumn(said, {m_before, m_message, m_bar, m_differences, m_valueNotes}, {.margins = QMargins()});
     auto *saidArea = new ContentScrollArea(said, m_values); // in a low panel, what is said is not cut off
     saidArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     layOutColumn(m_values, {{m_table, 1}, saidArea}, {.margins = QMargins()});

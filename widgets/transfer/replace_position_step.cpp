@@ -62,7 +62,8 @@ void ReplacePositionStep::enter()
     showOffers();
     const bool presets = m_typed->isEnabled();
     if (chosen() == nullptr) {
-        const bool isOfOld = m_seen && m_seen->since == SeenPosition::Since::gone && !m_seen->scaledOtherwise;
+        const bool isOfOld = m_seen && m_seen->since == SeenPosition::Since::gone &&
+                             !m_seen->scaledOtherwise && !isWantedOtherwise(m_seen->scale);
         (presets ? isOfOld ? m_last : m_typed : m_none)->setChecked(true);
     }
     setFocusProxy(chosen() == m_typed ? static_cast<QWidget *>(m_value) : chosen());
@@ -85,18 +86,44 @@ void ReplacePositionStep::showOffers()
         m_last->setToolTip(tipOf(*m_seen));
     }
     if (m_since)
-        m_newest->setText(
+        m_newest->setText(withScale(
             tr("Position %1, shown since &then, at %2 last: of the previous encoder only if the one "
                "that came back is not the new one")
                 .arg(locale.toString(qlonglong{m_since->position}),
-                     locale.toString(m_since->at, QLocale::ShortFormat)));
+                     locale.toString(m_since->at, QLocale::ShortFormat)),
+            m_since->scale));
     if (kept)
-        m_kept->setText(tr("Position %1, kept in the pro&ject: seen at %2")
-                            .arg(locale.toString(qlonglong{kept->position}),
-                                 locale.toString(kept->at.toLocalTime(), QLocale::ShortFormat)));
+        m_kept->setText(withScale(tr("Position %1, kept in the pro&ject: seen at %2")
+                                      .arg(locale.toString(qlonglong{kept->position}),
+                                           locale.toString(kept->at.toLocalTime(), QLocale::ShortFormat)),
+                                  scaleKept()));
 }
 
-QString ReplacePositionStep::textOf(const SeenPosition &seen)
+bool ReplacePositionStep::isWantedOtherwise(const ParameterValues &scale) const
+{
+    return isOfAnotherScale(scale, m_replacing.before.wanted);
+}
+
+// As far as the project has it stored.
+ParameterValues ReplacePositionStep::scaleKept() const
+{
+    ParameterValues scale;
+    for (const StoredValue &stored : m_replacing.before.stored)
+        scale.push_back({stored.parameter, stored.value});
+    return scale;
+}
+
+// `scale`: with which the position was seen.
+QString ReplacePositionStep::withScale(const QString &text, const ParameterValues &scale) const
+{
+    if (!isWantedOtherwise(scale))
+        return text;
+    return tr("%1 It is of another scale than the wanted one: with that, it is another position.",
+              "a sentence, or most of one")
+        .arg(text.endsWith(u'.') ? text : text + u'.');
+}
+
+QString ReplacePositionStep::textOf(const SeenPosition &seen) const
 {
     const bool isThere = seen.since == SeenPosition::Since::there;
     const QString text = isThere ? tr("&Position %1, shown at %2; not away since")
@@ -108,7 +135,7 @@ QString ReplacePositionStep::textOf(const SeenPosition &seen)
                ? tr("%1 The encoder was scaled otherwise then: now this is another position.",
                     "a sentence, or most of one")
                      .arg(seen.since == SeenPosition::Since::gone ? text + u'.' : text)
-               : text;
+               : withScale(text, seen.scale);
 }
 
 QString ReplacePositionStep::tipOf(const SeenPosition &seen)

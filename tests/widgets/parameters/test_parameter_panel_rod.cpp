@@ -19,6 +19,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemModel>
 #include <QAction>
+#include <QApplication>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLabel>
@@ -179,6 +180,10 @@ TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
     EXPECT_EQ(shown->findChild<QLabel *>(QStringLiteral("positionChange"))->text(),
               QStringLiteral("Position of %1: now %2, then %3.")
                   .arg(rodPlace.shown(), numberText(before.value_or(-1)), numberText(1000)));
+    QApplication::setDoubleClickInterval(10 * 60 * 1'000);
+    click(QStringLiteral("Set this position"));
+    EXPECT_FALSE(rod().runningJob()) << "the second of two quick presses";
+    QApplication::setDoubleClickInterval(0);
     click(QStringLiteral("Set this position"));
     finishJob();
     EXPECT_EQ(rod().latest().position, 1000);

@@ -125,6 +125,20 @@ TEST_F(ReplacePageTest, APositionFromBeforeAnotherScaleIsNotPreselected)
     EXPECT_TRUE(find<QRadioButton>("positionLast")->text().contains(QStringLiteral("scaled otherwise")));
 }
 
+// What is written to the new encoder makes another position of it.
+TEST_F(ReplacePageTest, APositionOfAnotherScaleThanTheWantedOneIsNotPreselected)
+{
+    session.encoder(fraba).tell(Parameter::steps, 8'192);
+    pass(100);
+    exchange();
+    page.replace(fraba);
+    click("replaceNext");
+    EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked());
+    EXPECT_TRUE(
+        find<QRadioButton>("positionLast")->text().contains(QStringLiteral("another scale than the wanted")))
+        << find<QRadioButton>("positionLast")->text().toStdString();
+}
+
 // Nothing known of the old encoder is taken for the new one's, and nothing is forgotten before Write.
 TEST_F(ReplacePageTest, WhatIsKnownIsForgottenWhenWritingBegins)
 {
