@@ -12,19 +12,23 @@
 namespace codewheel {
 namespace {
 
-// Keeps the account informed of the project's file and the serial numbers on its labels.
+// Keeps the account informed of the project's file and the serial numbers on its labels. Simulated encoders
+// stay the same whatever project is open: their account is in memory, as they are.
 void keepAccountOf(ProjectDocument &project, LedgerKeeper &ledger)
 {
-    const auto tell = [&project, &ledger] {
-        ledger.setProject(project.file());
+    const bool isOfProject = !ledger.place().inMemory;
+    const auto tell = [&project, &ledger, isOfProject] {
+        if (isOfProject)
+            ledger.setProject(project.file());
         project.forEachDevice([&ledger](Place place, const ProjectDevice &device) {
             ledger.setLabel(place, device.label.serialNumber);
         });
     };
     QObject::connect(&project, &ProjectDocument::changed, &ledger, tell);
     // A different project has already reported its file with changed().
-    QObject::connect(&project, &ProjectDocument::fileChanged, &ledger,
-                     [&project, &ledger] { ledger.projectSavedAs(project.file()); });
+    if (isOfProject)
+        QObject::connect(&project, &ProjectDocument::fileChanged, &ledger,
+                         [&project, &ledger] { ledger.projectSavedAs(project.file()); });
     tell();
 }
 
