@@ -5,6 +5,7 @@
 #include "tests/app/window_test.h"
 #include "tests/support/cut_off.h"
 #include "widgets/job/cancel_question.h"
+#include "widgets/job/known_before_bar.h"
 #include "widgets/kinds/esc/line/esc_line_terminal.h"
 #include "widgets/kinds/esc/line/request_field.h"
 #include "widgets/look/appearance.h"
@@ -292,6 +293,27 @@ TEST_P(SmallWindow, StaysAsItIsWhenThePagesGiveWayToAnother)
     EXPECT_TRUE(QTest::qWaitFor([this] { return window().size() == smallest; }))
         << "it may grow for a moment";
     expectSmall(QStringLiteral("training bus"));
+}
+
+TEST_P(SmallWindow, HoldsTheQuestionWhetherItIsTheSameEncoder)
+{
+    auto &panel = parameterPanel();
+    EncoderSession &encoder = *bus().encoder(test::fraba);
+    encoder.setKnownBefore(
+        KnownBefore{.values = {{Parameter::steps, 8192, Evidence::read, QDateTime::currentDateTime()},
+                               {Parameter::revolutions, 1, Evidence::read, QDateTime::currentDateTime()}}});
+    advance(200);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window().size() == smallest; }))
+        << "it may grow for a moment";
+    expectSmall(QStringLiteral("question"));
+    const auto &question = *panel.findChild<KnownBeforeBar *>();
+    ASSERT_TRUE(question.isVisible());
+    for (const auto *button : question.findChildren<QPushButton *>())
+        if (button->isVisible()) {
+            expectWhole(*button);
+        }
+    for (const QString &cut : test::cutOff(panel))
+        ADD_FAILURE() << cut.toStdString();
 }
 
 TEST_P(SmallWindow, TheNameInTheTreeKeeps16Characters)

@@ -5,6 +5,7 @@
 #include "vocabulary/position_mode.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/job/known_before_bar.h"
+#include "widgets/look/content_scroll_area.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
@@ -37,12 +38,16 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     : QWidget(parent)
     , m_needed(std::move(needed))
     , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read what is missing"), this))
-    , m_message(new InlineMessage(this))
-    , m_before(new KnownBeforeBar(this))
+    , m_said(new QWidget(this))
+    , m_message(new InlineMessage(m_said))
+    , m_before(new KnownBeforeBar(m_said))
 {
+    layOutColumn(m_said, {m_before, m_message}, {.margins = QMargins()});
+    auto *said = new ContentScrollArea(m_said, this); // in a low panel
+    said->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    said->setMinimumHeight(1); // the question stands in the parameter panel, too
     auto *layout = layOut<QVBoxLayout>(this, grid::unit);
-    layout->addWidget(m_message);
-    layout->addWidget(m_before);
+    layout->addWidget(said);
     layout->addWidget(m_read, 0, Qt::AlignHCenter);
     describe(m_read, "readMissing", tr("Read what the dial needs"),
              tr("Reads what the dial needs from the encoder. That sends words, and hides the position for "

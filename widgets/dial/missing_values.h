@@ -46,6 +46,7 @@ private:
     std::vector<Parameter> m_missing; // as far as this kind of encoder has them
     QPointer<EncoderSession> m_encoder;
     QPushButton *m_read;
+    QWidget *m_said; // message and question
     InlineMessage *m_message;
     KnownBeforeBar *m_before;
     bool m_isReading = false; // by its own job

@@ -42,7 +42,8 @@
 namespace codewheel {
 namespace {
 
-constexpr int highPanel = 18; // lines: it holds the table beside a question
+constexpr int questionLines = 10; // with its buttons
+constexpr int tableLines = 10;    // that are worth having beside it
 
 } // namespace
 
@@ -94,9 +95,9 @@ QWidget *ParameterPanel::makeTablePage()
     m_note = smallText(page);
 
     layOutColumn(said, {m_before, m_message, m_bar, m_differences, m_valueNotes}, {.margins = QMargins()});
-    auto *saidArea = new ContentScrollArea(said, m_values); // in a low panel, what is said is not cut off
-    saidArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    layOutColumn(m_values, {{m_table, 1}, saidArea}, {.margins = QMargins()});
+    m_saidArea = new ContentScrollArea(said, m_values); // in a low panel, what is said is not cut off
+    m_saidArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    layOutColumn(m_values, {{m_table, 1}, m_saidArea}, {.margins = QMargins()});
     layOutColumn(page, {{m_values, 1}, m_buttons, m_job, m_note}, {.margins = QMargins()});
     return page;
 }
@@ -194,10 +195,16 @@ bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
     return QWidget::eventFilter(watched, event);
 }
 
-// In a low panel, the table gives way to the question whether it is the same encoder.
+// In a low panel, all else that is said gives way to the question whether it is the same encoder.
 void ParameterPanel::giveWayToQuestion()
 {
-    m_table->setVisible(m_before->isHidden() || height() >= highPanel * fontMetrics().lineSpacing());
+    const int question = questionLines * fontMetrics().lineSpacing();
+    const int beside = m_whose->sizeHint().height() + m_buttons->sizeHint().height() +
+                       tableLines * fontMetrics().lineSpacing();
+    const bool hasRoom = m_before->isHidden() || height() >= beside + question;
+    m_table->setVisible(hasRoom);
+    m_note->setVisible(hasRoom && !m_note->text().isEmpty());
+    m_saidArea->setMinimumHeight(hasRoom ? 0 : question);
 }
 
 void ParameterPanel::setEncoder(const ShownEncoder &encoder)

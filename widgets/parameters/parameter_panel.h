@@ -19,6 +19,7 @@ namespace codewheel {
 class CopyMenu;
 class EmptyState;
 class EncoderFunctions;
+class ContentScrollArea;
 class InlineMessage;
 class KnownBeforeBar;
 class JobStrip;
@@ -110,6 +111,7 @@ private:
     QLabel *m_valueNotes = nullptr;
     QLabel *m_note = nullptr;
     KnownBeforeBar *m_before = nullptr;
+    ContentScrollArea *m_saidArea = nullptr;
     InlineMessage *m_message = nullptr;
     ValueBar *m_bar = nullptr;
     QWidget *m_buttons = nullptr; // or, while a job runs,
