@@ -12,6 +12,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 
+#include <QEvent>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -38,16 +39,19 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     : QWidget(parent)
     , m_needed(std::move(needed))
     , m_read(new QPushButton(lineIcon(Icon::read), tr("&Read what is missing"), this))
-    , m_said(new QWidget(this))
-    , m_message(new InlineMessage(m_said))
-    , m_before(new KnownBeforeBar(m_said))
+    , m_message(new InlineMessage(this))
+    , m_question(new QWidget(this))
+    , m_before(new KnownBeforeBar(m_question))
+    , m_questionArea(new ContentScrollArea(m_question, this))
 {
-    layOutColumn(m_said, {m_before, m_message}, {.margins = QMargins()});
-    auto *said = new ContentScrollArea(m_said, this); // in a low panel
-    said->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    said->setMinimumHeight(1); // the question stands in the parameter panel, too
+    layOutColumn(m_question, {m_before}, {.margins = QMargins()});
+    m_questionArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_questionArea->setMinimumHeight(1); // in a low panel: it stands in that of the parameters, too
+    m_questionArea->hide();
+    m_before->installEventFilter(this);
     auto *layout = layOut<QVBoxLayout>(this, grid::unit);
-    layout->addWidget(said);
+    layout->addWidget(m_message);
+    layout->addWidget(m_questionArea);
     layout->addWidget(m_read, 0, Qt::AlignHCenter);
     describe(m_read, "readMissing", tr("Read what the dial needs"),
              tr("Reads what the dial needs from the encoder. That sends words, and hides the position for "
@@ -58,6 +62,14 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
         m_message->withdraw();
         tellPositionMode(*m_encoder);
     });
+}
+
+bool MissingValues::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_before &&
+        (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent))
+        m_questionArea->setVisible(event->type() == QEvent::ShowToParent);
+    return QWidget::eventFilter(watched, event);
 }
 
 void MissingValues::setEncoder(EncoderSession *encoder)

@@ -13,6 +13,7 @@ class QPushButton;
 
 namespace codewheel {
 
+class ContentScrollArea;
 class InlineMessage;
 class KnownBeforeBar;
 
@@ -38,6 +39,9 @@ public:
 Q_SIGNALS:
     void changed(); // a value has become known, or has changed
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void find();
     void tellMode();
@@ -46,9 +50,10 @@ private:
     std::vector<Parameter> m_missing; // as far as this kind of encoder has them
     QPointer<EncoderSession> m_encoder;
     QPushButton *m_read;
-    QWidget *m_said; // message and question
     InlineMessage *m_message;
+    QWidget *m_question;
     KnownBeforeBar *m_before;
+    ContentScrollArea *m_questionArea;
     bool m_isReading = false; // by its own job
 };
 
