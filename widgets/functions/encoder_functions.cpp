@@ -54,6 +54,7 @@ EncoderFunctions::EncoderFunctions(QWidget *window)
     connect(m_velocity, &QAction::triggered, this, &EncoderFunctions::goToVelocityMode);
     connect(m_frabaPreset, &QAction::triggered, this, &EncoderFunctions::setToPreset);
     connect(m_reset, &QAction::triggered, this, &EncoderFunctions::reset);
+    describeFrabaPreset();
     show();
 }
 
@@ -64,6 +65,7 @@ void EncoderFunctions::setEncoder(EncoderSession *encoder)
     m_encoder = encoder;
     m_resetJob.reset();
     m_switchJob.reset();
+    describeFrabaPreset();
     if (encoder != nullptr) {
         connect(encoder, &EncoderSession::latestChanged, this, &EncoderFunctions::show);
         connect(encoder, &EncoderSession::jobStarted, this, &EncoderFunctions::show);
@@ -86,19 +88,20 @@ void EncoderFunctions::show()
     m_reset->setVisible(can.resets);
     for (QAction *action : actions())
         action->setEnabled(isFree && action->isVisible());
-    showFrabaPreset(can.manufacturerPreset);
+    m_frabaPreset->setEnabled(m_frabaPreset->isEnabled() && can.manufacturerPreset);
     m_position->setChecked(mode == Mode::position);
     m_velocity->setChecked(mode == Mode::velocity);
     m_velocity->setText(tr("&Velocity mode (now: %1)").arg(modeName(mode)));
 }
 
 // Of a gateway, it is shown with the reason why it cannot be sent.
-void EncoderFunctions::showFrabaPreset(bool canBeSent)
+void EncoderFunctions::describeFrabaPreset()
 {
-    m_frabaPreset->setEnabled(m_frabaPreset->isEnabled() && canBeSent);
+    const bool linkForbidsIt = m_encoder && m_encoder->device().capabilities.manufacturerPreset &&
+                               !m_encoder->can().manufacturerPreset;
     describeAction(
         *m_frabaPreset, "frabaPreset",
-        canBeSent || !m_frabaPreset->isVisible()
+        !linkForbidsIt
             ? tr("Sets the position to the programmed preset, as often as wanted; asks first")
             : refusalText({RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {k3::frabaPreset}}),
         Qt::CTRL | Qt::SHIFT | Qt::Key_P);

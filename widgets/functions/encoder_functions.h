@@ -33,7 +33,7 @@ Q_SIGNALS:
 
 private:
     void show();
-    void showFrabaPreset(bool canBeSent);
+    void describeFrabaPreset();
     void tellPositionMode();
     void goToPositionMode();
     void goToVelocityMode();
