@@ -2,6 +2,7 @@
 #include "widgets/transfer/replace_position_step.h"
 
 #include "catalog/device_description.h"
+#include "transfer/transfer_wish.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/input/decimal_text.h"
 #include "widgets/input/text_fields.h"
@@ -96,21 +97,12 @@ void ReplacePositionStep::showOffers()
         m_kept->setText(withScale(tr("Position %1, kept in the pro&ject: seen at %2")
                                       .arg(locale.toString(qlonglong{kept->position}),
                                            locale.toString(kept->at.toLocalTime(), QLocale::ShortFormat)),
-                                  scaleKept()));
+                                  storedSettings(m_replacing.before, nullptr)));
 }
 
 bool ReplacePositionStep::isWantedOtherwise(const ParameterValues &scale) const
 {
     return isOfAnotherScale(scale, m_replacing.before.wanted);
-}
-
-// As far as the project has it stored.
-ParameterValues ReplacePositionStep::scaleKept() const
-{
-    ParameterValues scale;
-    for (const StoredValue &stored : m_replacing.before.stored)
-        scale.push_back({stored.parameter, stored.value});
-    return scale;
 }
 
 // `scale`: with which the position was seen.

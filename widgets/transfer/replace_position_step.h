@@ -28,7 +28,6 @@ private:
     void showOffers();
     bool isWantedOtherwise(const ParameterValues &scale) const;
     QString withScale(const QString &text, const ParameterValues &scale) const;
-    ParameterValues scaleKept() const;
     QString textOf(const SeenPosition &seen) const; // %1 the position, %2 the time
     static QString tipOf(const SeenPosition &seen);
     void takeTyped();
