@@ -305,7 +305,7 @@ void ParameterPanel::showWhatIsPossible()
         : can.readingHidesPosition ? tr("Reading hides the position for some cycles.")
                                    : QString();
     m_note->setText(note);
-    m_note->setVisible(!note.isEmpty());
+    giveWayToQuestion();
     m_read->setAccessibleDescription(note);
     m_write->setVisible(can.writes);
     m_setPosition->setVisible(can.presetNeedsValue);

@@ -251,7 +251,7 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
     bool isOld = false;
     const QObject whileOpen;
     connect(m_buses, &Buses::updated, &whileOpen, [&] {
-        isOld = devicesToAskFor() != devices || statesOf(devices) != states || canSend() != maySend;
+        isOld = isOld || devicesToAskFor() != devices || statesOf(devices) != states || canSend() != maySend;
         if (isOld)
             box.reject();
     });
