@@ -35,6 +35,7 @@ endfunction()
 
 # With CODEWHEEL_TEST_PARTS set, its tests run in that many parts, side by side; those that match CODEWHEEL_UNSANITIZED_TESTS, which take
 # long and only measure layouts or kill programs, not under a sanitizer. Programs with a large CODEWHEEL_TEST_COST (s) begin first.
+# One that computes takes two of ctest's slots; one that waits, for ports and programs, takes one: CODEWHEEL_TEST_SLOTS.
 function(codewheel_test_program name support precompiled)
     add_executable(${name})
     target_link_libraries(${name} PRIVATE ${support} codewheel_test_options ${ARGN})
@@ -51,6 +52,9 @@ function(codewheel_test_program name support precompiled)
     if(NOT CODEWHEEL_TEST_COST)
         set(CODEWHEEL_TEST_COST 1)
     endif()
+    if(NOT CODEWHEEL_TEST_SLOTS)
+        set(CODEWHEEL_TEST_SLOTS 2)
+    endif()
     foreach(part RANGE 1 ${CODEWHEEL_TEST_PARTS})
         set(test ${name})
         if(CODEWHEEL_TEST_PARTS GREATER 1)
@@ -58,7 +62,7 @@ function(codewheel_test_program name support precompiled)
         endif()
         math(EXPR index "${part} - 1")
         add_test(NAME ${test} COMMAND ${name} --gtest_brief=0 ${filter})
-        set_tests_properties(${test} PROPERTIES TIMEOUT 600 COST ${CODEWHEEL_TEST_COST} ENVIRONMENT
+        set_tests_properties(${test} PROPERTIES TIMEOUT 600 COST ${CODEWHEEL_TEST_COST} PROCESSORS ${CODEWHEEL_TEST_SLOTS} ENVIRONMENT
             "${codewheel_test_environment};GTEST_TOTAL_SHARDS=${CODEWHEEL_TEST_PARTS};GTEST_SHARD_INDEX=${index}")
     endforeach()
 endfunction()
