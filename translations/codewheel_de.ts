@@ -9253,10 +9253,6 @@ ist. Braucht keinen Bus.</translation>
         <translation>EEPROM-Schreibvorgänge durch dieses Programm bisher: %1</translation>
     </message>
     <message>
-        <source>%1 writes by Codewheel since %2</source>
-        <translation>%1-mal von Codewheel geschrieben seit %2</translation>
-    </message>
-    <message>
         <source>%1 writes by Codewheel</source>
         <translation>%1-mal von Codewheel geschrieben</translation>
     </message>
@@ -9273,10 +9269,6 @@ ist. Braucht keinen Bus.</translation>
         <translation>Mit %1 Schreibvorgängen durch dieses Programm und %2 weiteren ist das EEPROM über die %3 hinaus, die das Handbuch höchstens zusichert. Der Geber kann seine Werte jederzeit verlieren: bald ersetzen.</translation>
     </message>
     <message>
-        <source>1 write by Codewheel since %1</source>
-        <translation>1-mal von Codewheel geschrieben seit %1</translation>
-    </message>
-    <message>
         <source>1 write by Codewheel</source>
         <translation>1-mal von Codewheel geschrieben</translation>
     </message>
@@ -9291,6 +9283,15 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>(and perhaps %1 more, counted by its place before its serial number was known)</source>
         <translation>(und vielleicht noch %1, nach seinem Platz gezählt, bevor seine Seriennummer bekannt war)</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <comment>writes since a date</comment>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>, S/N not known</source>
+        <translation>, S/N nicht bekannt</translation>
     </message>
 </context>
 <context>

@@ -208,12 +208,13 @@ QString eepromCountBrief(const EepromCount &count)
     QString number = QString::number(count.writes);
     if (count.atMost() > count.writes)
         number += QStringLiteral("-%1").arg(count.atMost());
-    if (number == QStringLiteral("1"))
-        return count.since.isValid() ? Eeprom::tr("1 write by Codewheel since %1").arg(dateText(count.since))
-                                     : Eeprom::tr("1 write by Codewheel");
-    return count.since.isValid()
-               ? Eeprom::tr("%1 writes by Codewheel since %2").arg(number, dateText(count.since))
-               : Eeprom::tr("%1 writes by Codewheel").arg(number);
+    QString text = number == QStringLiteral("1") ? Eeprom::tr("1 write by Codewheel")
+                                                 : Eeprom::tr("%1 writes by Codewheel").arg(number);
+    if (count.since.isValid())
+        text += u' ' + Eeprom::tr("since %1", "writes since a date").arg(dateText(count.since));
+    if (count.by == CountedBy::place)
+        text += Eeprom::tr(", S/N not known");
+    return text;
 }
 
 QString eepromConcernText(const EncoderSession &encoder, int planned)

@@ -193,6 +193,8 @@ TEST_F(EepromCost, SaysWhoseWritesAndByWhat)
     EXPECT_EQ(eepromCountBrief(count), QStringLiteral("12-16 writes by Codewheel since 1 Mar 2026"));
     EXPECT_EQ(eepromCountBrief({.writes = 3}), QStringLiteral("3 writes by Codewheel"));
     EXPECT_EQ(eepromCountBrief({.writes = 1}), QStringLiteral("1 write by Codewheel"));
+    EXPECT_EQ(eepromCountBrief({.writes = 0, .by = CountedBy::place}),
+              QStringLiteral("0 writes by Codewheel, S/N not known"));
 }
 
 } // namespace
