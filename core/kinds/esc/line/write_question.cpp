@@ -47,7 +47,7 @@ QString writeQuestion(const esc::Request &request, const esc::ExplainOptions &op
     QStringList parts{
         sentence(WriteConsequence::tr("%1 (%2)."),
                  {esc::requestText(request, options), QString::fromLatin1(request.text())}),
-        consequence(request.command),
+        consequence(request.command), WriteConsequence::tr("It costs one EEPROM write."),
         sentence(WriteConsequence::tr("These bytes are sent once: %1."), {byteText(request.bytes())})};
     if (request.to.isMaster())
         parts << WriteConsequence::tr("The address 00 is that of every encoder: all on the line take it.");

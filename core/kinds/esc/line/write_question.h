@@ -6,7 +6,7 @@
 namespace codewheel {
 
 // What a write about to be sent does, for the confirmation before it: names the command in words, its
-// consequences, and the exact bytes.
+// consequences, its cost and the exact bytes.
 QString writeQuestion(const esc::Request &request, const esc::ExplainOptions &options);
 
 } // namespace codewheel

@@ -226,23 +226,25 @@ int MasterPanel::chosenSegment() const
     return current.isValid() ? m_segments->rowAt(current.row()).segment : 0;
 }
 
+// What it said before the connection ended is not what it says.
+const MasterStatus *MasterPanel::master() const
+{
+    return m_bus.isOpen() ? m_bus.master() : nullptr;
+}
+
 void MasterPanel::refresh()
 {
     const MasterState state = m_bus.latest().state;
-    const bool isLost = m_bus.state() == BusState::lost;
-    m_state->setState(isLost ? Role::fault : masterRole(m_bus.latest()),
-                      isLost ? tr("Link lost: as the master was before")
-                             : tr("Master %1").arg(masterStateName(state)));
-    m_bits->setEnabled(!isLost);
     const bool isReading = m_bus.isReadingIn();
     const bool isOpen = m_bus.isOpen();
-    const bool hasMaster = isOpen && m_bus.master() != nullptr;
+    showState();
+    const bool hasMaster = master() != nullptr;
     m_start->setEnabled(isOpen && state != MasterState::run && !isReading);
     m_stop->setEnabled(isOpen && state == MasterState::run);
     m_readIn->setEnabled(hasMaster && !isReading);
     m_confirm->setEnabled(hasMaster && !isReading);
-    m_bits->setVisible(m_bus.master() != nullptr);
-    m_table->setVisible(m_bus.master() != nullptr);
+    m_bits->setVisible(hasMaster);
+    m_table->setVisible(hasMaster);
     showFault();
     showReadIn();
     m_segments->show(m_bus);
@@ -252,11 +254,25 @@ void MasterPanel::refresh()
     withdrawWhatIsOver();
 }
 
+void MasterPanel::showState()
+{
+    const bool isLost = m_bus.state() == BusState::lost;
+    m_bits->setEnabled(!isLost);
+    if (isLost)
+        m_state->setState(Role::fault, tr("Link lost: as the master was before"));
+    else if (!m_bus.isOpen())
+        m_state->setState(Role::inactive, tr("Not connected"));
+    else
+        m_state->setState(masterRole(m_bus.latest()),
+                          tr("Master %1").arg(masterStateName(m_bus.latest().state)));
+}
+
 void MasterPanel::showFault()
 {
-    const MasterStatus *master = m_bus.master();
+    const MasterStatus *master = this->master();
     if (!master) {
-        m_fault->setText(tr("This link does not reach the master."));
+        m_fault->setText(m_bus.isOpen() ? tr("This link does not reach the master.")
+                                        : QString(QChar(0x2013)));
         for (QLabel *label : {m_errorCode, m_parameter, m_configuration})
             label->setText(QString(QChar(0x2013)));
         return;
@@ -284,7 +300,7 @@ void MasterPanel::showReadIn()
 void MasterPanel::showSegmentButton()
 {
     const int segment = chosenSegment();
-    m_switch->setVisible(m_bus.master() != nullptr);
+    m_switch->setVisible(master() != nullptr);
     m_switch->setEnabled(m_bus.isOpen() && segment > 0 && m_bus.latest().state != MasterState::ready);
     const SegmentRow *found = findSegment(segment);
     const bool isOff = found != nullptr && found->switchedOff;

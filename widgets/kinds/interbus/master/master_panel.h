@@ -17,6 +17,7 @@ class RingSession;
 class InlineMessage;
 class RoleLabel;
 class SegmentModel;
+struct MasterStatus;
 struct SegmentRow;
 class StatusBits;
 
@@ -48,6 +49,8 @@ private:
     void makeSegments(QVBoxLayout *column);
     QPushButton *addButton(Icon icon, const QString &text, const QString &toolTip);
     void refresh();
+    const MasterStatus *master() const; // null: not connected, or not reached
+    void showState();
     void showFault();
     void showReadIn();
     void showSegmentButton();

@@ -176,6 +176,7 @@ TEST_F(EscLineTerminalTest, AWriteIsAskedForWithItsBytes)
     EXPECT_TRUE(said().contains(QLatin1String("1B 30 35 47 50 30 30 30 30 35 32 30 30 0D 0A")))
         << said().toStdString();
     EXPECT_TRUE(said().contains(QLatin1String("The position becomes this value at once.")));
+    EXPECT_TRUE(said().contains(QLatin1String("It costs one EEPROM write.")));
     button("Do not send")->click();
     EXPECT_EQ(said(), QString());
     EXPECT_TRUE(bench.link->sent.empty());

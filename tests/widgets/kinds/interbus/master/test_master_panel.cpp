@@ -68,6 +68,15 @@ protected:
     MasterPanel panel{ring.bus};
 };
 
+TEST_F(MasterPanelTest, ShowsNothingOfTheMasterOnceDisconnected)
+{
+    ring.bus.close();
+    EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("Not connected"));
+    EXPECT_EQ(value("Stored configuration"), QStringLiteral("\u2013"));
+    EXPECT_FALSE(table().isVisible());
+    EXPECT_FALSE(button(QStringLiteral("Stop")).isEnabled());
+}
+
 TEST_F(MasterPanelTest, ShowsAHealthyMaster)
 {
     EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("Master RUN"));
