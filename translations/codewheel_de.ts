@@ -2455,6 +2455,14 @@
         <source>service 6</source>
         <translation>Dienst 6</translation>
     </message>
+    <message>
+        <source>Each command is sent once, and what was written is read back.</source>
+        <translation>Jeder Befehl wird einmal gesendet, und Geschriebenes wird zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Each word goes out for two bus cycles with its first bit, the service bit, 0; what was written is read back.</source>
+        <translation>Jedes Wort geht zwei Buszyklen lang mit dem ersten Bit, dem Dienst-Bit, 0 hinaus; Geschriebenes wird zurückgelesen.</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -3747,6 +3755,10 @@
     <message>
         <source>The address 00 is that of every encoder: all on the line take it.</source>
         <translation>Die Adresse 00 gilt für jeden Geber: Alle an der Leitung übernehmen den Wert.</translation>
+    </message>
+    <message>
+        <source>It costs one EEPROM write.</source>
+        <translation>Das kostet einen EEPROM-Schreibvorgang.</translation>
     </message>
 </context>
 <context>
@@ -5546,10 +5558,6 @@ Rückgabewert 2.</translation>
         <translation>angeben, dass der Geber nicht im Nockenbetrieb ist, in dem dasselbe Wort einen Nocken setzt</translation>
     </message>
     <message>
-        <source>Each word goes out for two bus cycles with its first bit, the service bit, 0; what was written is read back.</source>
-        <translation>Jedes Wort geht zwei Buszyklen lang mit dem ersten Bit, dem Dienst-Bit, 0 hinaus; Geschriebenes wird zurückgelesen.</translation>
-    </message>
-    <message>
         <source>Cam program %1: nothing is set</source>
         <translation>Nockenprogramm %1: nichts gesetzt</translation>
     </message>
@@ -6463,10 +6471,6 @@ ist die erste Anfrage die letzte, die falsch ist, keine Antwort bekommt oder man
     <message>
         <source>command</source>
         <translation>Befehl</translation>
-    </message>
-    <message>
-        <source>Each command is sent once, and what was written is read back.</source>
-        <translation>Jeder Befehl wird einmal gesendet, und Geschriebenes wird zurückgelesen.</translation>
     </message>
     <message>
         <source>%1: nothing was stored.</source>
@@ -8481,10 +8485,6 @@ ist. Braucht keinen Bus.</translation>
         <translation>Ein Schlüssel besteht aus den Buchstaben a bis z, Ziffern und Bindestrichen.</translation>
     </message>
     <message>
-        <source>The last two digits must be those of idCode.</source>
-        <translation>Die letzten zwei Ziffern müssen die von idCode sein.</translation>
-    </message>
-    <message>
         <source>The minimum is larger than the maximum.</source>
         <translation>Das Minimum ist größer als das Maximum.</translation>
     </message>
@@ -8499,18 +8499,6 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>The budget is larger than eepromLimit.</source>
         <translation>Das Budget ist größer als eepromLimit.</translation>
-    </message>
-    <message>
-        <source>Only a K3 has a dialect. Leave it out.</source>
-        <translation>Nur ein K3 hat einen Dialekt. Weglassen.</translation>
-    </message>
-    <message>
-        <source>Only a description of the generic dialect has no vendor.</source>
-        <translation>Nur eine Beschreibung mit dem Dialekt generic hat keinen Hersteller.</translation>
-    </message>
-    <message>
-        <source>An encoder on a serial line has none. Leave it out.</source>
-        <translation>Ein Geber an einer seriellen Leitung hat das nicht. Weglassen.</translation>
     </message>
     <message>
         <source>Only a K1 and a K2 always have the same coding. Leave it out.</source>
@@ -8691,6 +8679,22 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>A K3 has no word for the polarity of a cam. Write false.</source>
         <translation>Ein K3 hat kein Wort für die Polarität eines Nockens. false schreiben.</translation>
+    </message>
+    <message>
+        <source>Only a K3 has a dialect. Leave it out.</source>
+        <translation>Nur ein K3 hat einen Dialekt. Weglassen.</translation>
+    </message>
+    <message>
+        <source>An encoder on a serial line has none. Leave it out.</source>
+        <translation>Ein Geber an einer seriellen Leitung hat das nicht. Weglassen.</translation>
+    </message>
+    <message>
+        <source>Only a description of the generic dialect has no vendor.</source>
+        <translation>Nur eine Beschreibung mit dem Dialekt generic hat keinen Hersteller.</translation>
+    </message>
+    <message>
+        <source>The last two digits must be those of idCode.</source>
+        <translation>Die letzten zwei Ziffern müssen die von idCode sein.</translation>
     </message>
 </context>
 <context>
@@ -9288,10 +9292,6 @@ ist. Braucht keinen Bus.</translation>
         <source>since %1</source>
         <comment>writes since a date</comment>
         <translation>seit %1</translation>
-    </message>
-    <message>
-        <source>, S/N not known</source>
-        <translation>, S/N nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -13537,6 +13537,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Link lost: as the master was before</source>
         <translation>Verbindung verloren: so stand der Master zuvor</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
     </message>
 </context>
 <context>

@@ -5,15 +5,12 @@
 #include "catalog/ordering_key_reader.h"
 #include "catalog/protocol_rules.h"
 #include "catalog/tables_reader.h"
-#include "kinds/interbus/words/k3_word.h"
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
 
-constexpr NamedValue<k3::Dialect> dialects[] = {
-    {"generic", k3::Dialect::generic}, {"fraba", k3::Dialect::fraba}, {"baumer", k3::Dialect::baumer}};
 constexpr NamedValue<PositionCoding> codings[] = {{"binary", PositionCoding::binary},
                                                   {"signed", PositionCoding::signedBinary},
                                                   {"gray", PositionCoding::gray}};
@@ -39,7 +36,6 @@ constexpr NamedValue<RefusalId> errorMeanings[] = {
 constexpr std::int64_t highestNumber = 15; // D28..D25
 constexpr std::int64_t highestReadOut = 0xFF;
 constexpr std::int64_t highestBit = 31;
-constexpr std::int64_t mostWords = 32;
 constexpr std::int64_t mostStepsPerTurn = 1 << 25;
 constexpr std::int64_t mostTurns = 1 << 25;
 constexpr std::int64_t mostWrites = 1'000'000'000;
@@ -50,7 +46,6 @@ class DescriptionReader
     Q_DECLARE_TR_FUNCTIONS(codewheel::DescriptionReader)
 
 public:
-    static void readVendor(const JsonObject &json, DeviceDescription &device);
     static void readCoding(const JsonObject &json, DeviceDescription &device);
     static void readIdentity(const JsonObject &json, DeviceDescription &device);
     static void readTables(const JsonObject &json, const Catalog &catalog, DeviceDescription &device);
@@ -61,7 +56,6 @@ public:
     static Quirks readQuirks(const JsonObject &json);
 
 private:
-    static void readPlaceOnBus(const JsonObject &json, DeviceDescription &device);
     static Parameter readParameterName(const JsonObject &row);
     static void readCommands(const JsonObject &row, ParameterDescription &parameter);
     static ParameterDescription readParameter(const JsonObject &row);
@@ -78,53 +72,26 @@ bool isKey(QStringView text)
     });
 }
 
-// A K3 has the dialect of its vendor. For all other profiles the words do not depend on the vendor.
-void DescriptionReader::readVendor(const JsonObject &json, DeviceDescription &device)
-{
-    if (device.profile == Profile::k3) {
-        device.dialect = json.oneOf("dialect", dialects);
-        if (device.dialect != k3::Dialect::generic && !json.has("vendor"))
-            json.report("vendor", tr("Only a description of the generic dialect has no vendor."));
-    } else if (json.has("dialect")) {
-        json.report("dialect", tr("Only a K3 has a dialect. Leave it out."));
-    }
-    device.vendor = json.textOr("vendor", {});
-}
-
-void DescriptionReader::readPlaceOnBus(const JsonObject &json, DeviceDescription &device)
-{
-    if (!protocolRules(device.profile).hasWords()) {
-        for (const char *key : {"idCode", "deviceCode", "inWords", "outWords"})
-            if (json.has(key))
-                json.report(key, tr("An encoder on a serial line has none. Leave it out."));
-        device.inWords = device.outWords = 0;
-        return;
-    }
-    device.idCode = json.hexNumber("idCode");
-    device.deviceCode = json.hexNumber("deviceCode");
-    if ((device.deviceCode & 0xFF) != device.idCode)
-        json.report("deviceCode", tr("The last two digits must be those of idCode."));
-    device.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
-    device.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
-    checkPlaceOnBus(json, device);
-}
-
 void DescriptionReader::readCoding(const JsonObject &json, DeviceDescription &device)
 {
     if (!json.has("coding"))
         return;
     device.coding = json.oneOf("coding", codings);
-    if (device.profile != Profile::k1 && device.profile != Profile::k2)
+    if (!protocolRules(device.profile).hasFixedCoding())
         json.report("coding", tr("Only a K1 and a K2 always have the same coding. Leave it out."));
 }
 
 Profile readProfile(const JsonObject &json)
 {
     const QString name = json.text("profile");
-    const qsizetype found = profileNames().indexOf(name);
-    if (found < 0)
-        json.reportUnknownName("profile", name, profileNames());
-    return static_cast<Profile>(std::max(found, qsizetype{0}));
+    QStringList names;
+    for (const Profile profile : allProfiles()) {
+        names << profileName(profile);
+        if (names.last() == name)
+            return profile;
+    }
+    json.reportUnknownName("profile", name, names);
+    return {};
 }
 
 void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &device)
@@ -136,8 +103,10 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     device.manual = json.text("manual");
     device.notes = json.localTextOr("notes", {});
     device.profile = readProfile(json);
-    readVendor(json, device);
-    readPlaceOnBus(json, device);
+    const ProtocolRules &rules = protocolRules(device.profile);
+    rules.readDialect(json, device);
+    device.vendor = json.textOr("vendor", {});
+    rules.readPlaceOnBus(json, device);
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
     device.physicalTurns = static_cast<int>(json.number("physicalTurns", 0, mostTurns));
     readCoding(json, device);
@@ -378,7 +347,7 @@ DeviceDescription readDescription(const Json::Value &root, const Catalog &catalo
     const JsonObject quirks = json.object(
         "quirks", {"confirmsWhileProcessing", "presetNeedsRearming", "mayCountStepsMinusOne", "hasModes"});
     device.quirks = DescriptionReader::readQuirks(quirks);
-    checkQuirks(quirks, device);
+    protocolRules(device.profile).checkQuirks(quirks, device);
     DescriptionReader::readTables(json, catalog, device);
     completeCapabilities(device);
     return device;

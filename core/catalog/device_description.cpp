@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/device_description.h"
 
+#include "catalog/protocol_rules.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -67,6 +69,11 @@ DeviceDescription DeviceDescription::labelled(int turns, int stepsPerTurn) const
     device.physicalTurns = turns > 0 ? turns : physicalTurns;
     device.physicalStepsPerTurn = stepsPerTurn > 0 ? stepsPerTurn : physicalStepsPerTurn;
     return device;
+}
+
+bool DeviceDescription::mayHaveModes() const
+{
+    return quirks.hasModes || (isGeneric() && protocolRules(profile).dependsOnMake());
 }
 
 QString DeviceDescription::fullName() const

@@ -111,7 +111,7 @@ struct DeviceDescription
     QString name;    // "OCD-IB K3"
     QString manual;  // the source, with edition
     LocalText notes; // what is assumed where the manual is silent; may be empty
-    Profile profile = Profile::k3;
+    Profile profile;
     k3::Dialect dialect = k3::Dialect::generic; // of a K3
     unsigned idCode = 0;                        // 37h
     unsigned deviceCode = 0;                    // 0237h = length code << 8 | ID code
@@ -145,7 +145,7 @@ struct DeviceDescription
     bool hasWords() const { return inWords > 0; }
     // FRABA has velocity and cam mode, and a K3 of unknown make may be a FRABA: then the mode has to be known
     // before sending a word that means something else in cam mode.
-    bool mayHaveModes() const { return quirks.hasModes || (isGeneric() && profile == Profile::k3); }
+    bool mayHaveModes() const;
     // "FRABA OCD-IB K3"; "K3, make not known" for a generic description.
     QString fullName() const;
     // The resolution on a label takes precedence over the description; 0: not on the label.

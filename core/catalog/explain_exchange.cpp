@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/explain_exchange.h"
 
-#include "kinds/interbus/words/k3_word.h"
+#include "catalog/protocol_rules.h"
+#include "catalog/word_meanings.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -13,15 +16,25 @@ bool isOnly(const Explanation &explanation, MeaningId id)
     return explanation.isUnique() && explanation.first().id == id;
 }
 
+bool isInOperation(const Explanation &in)
+{
+    return std::ranges::all_of(in, [](const Meaning &meaning) { return isOfOperation(meaning.id); });
+}
+
 } // namespace
+
+std::optional<Word> askedWord(const DeviceDescription &device, const Exchange &row, const Exchange *before)
+{
+    const WordMeanings *meanings = protocolRules(device.profile).wordMeanings();
+    const bool mayBeOld = before != nullptr && before->in == row.in && before->out != row.out &&
+                          meanings != nullptr && meanings->answersUnnamed(row.in);
+    return mayBeOld ? std::nullopt : std::optional(row.out);
+}
 
 ExplainedExchange explainExchange(const DeviceDescription &device, const Exchange &row,
                                   std::optional<Word> asked)
 {
-    k3::ExplainContext context;
-    context.mode = row.mode;
-    context.coding = row.coding;
-    context.counterpart = asked;
+    WordContext context{.mode = row.mode, .coding = row.coding, .counterpart = asked};
     const Explanation in = explainWord(device, row.in, context);
     context.direction = WordDirection::out;
     context.counterpart = row.in;
@@ -39,7 +52,7 @@ QString exchangeText(const DeviceDescription &device, const Exchange &row, std::
     if (out.isUnique() && asksForParameter(out.first().id)) {
         if (isOnly(in, MeaningId::confirmed) && in.first().number == out.first().number)
             return QCoreApplication::translate("Trace", "%1: confirmed", "parameter = value").arg(question);
-        if (isOnly(in, MeaningId::oldConfirmation) || k3::isOperation(row.in))
+        if (isOnly(in, MeaningId::oldConfirmation) || isInOperation(in))
             return QCoreApplication::translate("Trace", "%1: not taken yet", "parameter = value")
                 .arg(question);
     }

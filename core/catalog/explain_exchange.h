@@ -13,7 +13,12 @@ struct ExplainedExchange
     Explanation in;
 };
 
-// `asked`: the OUT word that IN answers, if known (vocabulary/asked_word.h).
+// The OUT word that IN of this row may answer. A read-out does not say what it answers: one that was already
+// there before OUT changed may answer the previous word, and then there is none. `before`: the previous row,
+// or null.
+std::optional<Word> askedWord(const DeviceDescription &device, const Exchange &row, const Exchange *before);
+
+// `asked`: the OUT word that IN answers, if known.
 ExplainedExchange explainExchange(const DeviceDescription &device, const Exchange &row,
                                   std::optional<Word> asked);
 

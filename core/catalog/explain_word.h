@@ -3,13 +3,14 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/meaning_text.h"
+#include "vocabulary/word_context.h"
 
 namespace codewheel {
 
-// The meanings of a word of this device; what the context leaves out is taken from the description.
-Explanation explainWord(const DeviceDescription &device, Word word, k3::ExplainContext context);
+// The meanings of a word of this device; what the context leaves out is taken from the description. Of an
+// encoder without words: undefined.
+Explanation explainWord(const DeviceDescription &device, Word word, const WordContext &context);
 
 // The sentence for them, with the device's parameter names and choices: "Parameter 1 steps = 255",
 // "Running, position 76 367". Several meanings are joined with "or".

@@ -2,6 +2,7 @@
 #include "catalog/label_key.h"
 
 #include "catalog/catalog.h"
+#include "catalog/protocol_rules.h"
 
 #include <QCoreApplication>
 
@@ -10,8 +11,6 @@
 
 namespace codewheel {
 namespace {
-
-constexpr int k3PositionBits = 25;
 
 // What was typed, reduced to capital letters and digits, with a mapping back to the text as typed.
 class TypedKey
@@ -76,7 +75,7 @@ const OrderingKey::Code *codeAt(const OrderingKey::Part &part, QStringView lette
 bool holdsItsPositions(const LabelMatch &match)
 {
     const DeviceDescription &device = *match.device;
-    const int bits = device.profile == Profile::k3 ? k3PositionBits : device.inWords * 16;
+    const int bits = protocolRules(device.profile).positionBits(device);
     const std::int64_t positions = std::int64_t{match.turns} * match.stepsPerTurn;
     return !device.hasWords() || positions <= std::int64_t{1} << bits;
 }

@@ -3,15 +3,34 @@
 
 #include <QStringList>
 
-#include <cstdint>
+#include <string_view>
 
 namespace codewheel {
 
-// ENCOM profile 71 (FRABA manual 2.1), the words of the TR LA-66, and the serial protocol of Kübler, which
-// has no words and no ID code.
-enum class Profile : std::uint8_t { k1, k2, k3, k4, la66, esc };
+// The protocol of an encoder, by the name that descriptions have for it. Each kind has constants for its own;
+// protocol_rules.h and jobs/protocol.h tell what they know.
+class Profile
+{
+public:
+    constexpr Profile() = default; // of no protocol
+    explicit constexpr Profile(std::string_view name)
+        : m_name(name)
+    {}
 
-QString profileName(Profile profile); // "K1" .. "K4", "LA-66", "ESC"
-const QStringList &profileNames();    // in the order of the profiles
+    constexpr std::string_view name() const { return m_name; }
+
+    friend constexpr bool operator==(const Profile &, const Profile &) = default;
+
+private:
+    std::string_view m_name; // of a literal
+};
+
+inline QString profileName(Profile profile)
+{
+    return QString::fromLatin1(profile.name().data(), static_cast<qsizetype>(profile.name().size()));
+}
+
+// Those of all kinds (kinds/protocols.cpp), in the order in which they are named to the user.
+std::vector<Profile> allProfiles();
 
 } // namespace codewheel

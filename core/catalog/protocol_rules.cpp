@@ -16,6 +16,44 @@ void ProtocolRules::checkParameter(const JsonObject &row, const ParameterDescrip
                                 .arg(profileName(device.profile)));
 }
 
+void ProtocolRules::readDialect(const JsonObject &json, DeviceDescription & /*device*/) const
+{
+    if (json.has("dialect"))
+        json.report("dialect", DescriptionRules::tr("Only a K3 has a dialect. Leave it out."));
+}
+
+void ProtocolRules::readPlaceOnBus(const JsonObject &json, DeviceDescription &device) const
+{
+    for (const char *key : {"idCode", "deviceCode", "inWords", "outWords"})
+        if (json.has(key))
+            json.report(key, DescriptionRules::tr("An encoder on a serial line has none. Leave it out."));
+    device.inWords = device.outWords = 0;
+}
+
+void ProtocolRules::checkAbilities(const JsonObject &json, const DeviceDescription &device) const
+{
+    const Capabilities &can = device.capabilities;
+    refuseAbility(json, "resets", can.resets, device.profile);
+    refuseAbility(json, "cams", can.cams.has_value(), device.profile);
+    refuseAbility(json, "velocity", can.velocity, device.profile);
+    refuseAbility(json, "manufacturerPreset", can.manufacturerPreset, device.profile);
+}
+
+void ProtocolRules::checkQuirks(const JsonObject &json, const DeviceDescription &device) const
+{
+    const Quirks &quirks = device.quirks;
+    refuseAbility(json, "presetNeedsRearming", quirks.presetNeedsRearming, device.profile);
+    refuseAbility(json, "mayCountStepsMinusOne", quirks.mayCountStepsMinusOne, device.profile);
+    refuseAbility(json, "hasModes", quirks.hasModes, device.profile);
+}
+
+void refuseAbility(const JsonObject &json, const char *key, bool isClaimed, Profile profile)
+{
+    if (isClaimed)
+        json.report(key, DescriptionRules::tr("An encoder of the profile %1 cannot do this. Write false.")
+                             .arg(profileName(profile)));
+}
+
 void refuseCommands(const JsonObject &row)
 {
     for (const char *key : {"read", "write", "bit"})

@@ -8,9 +8,11 @@
 
 namespace codewheel {
 
+class WordMeanings;
+
 // What a description has to satisfy so that what is sent to the encoder is right, as far as its protocol
 // decides it (docs/device-descriptions.md, "What belongs together"). Violations are reported to their object.
-// One object per protocol; the base class stands for a protocol without parameters.
+// One object per protocol; the base class stands for one that knows nothing: no words, no parameters.
 class ProtocolRules
 {
 public:
@@ -19,11 +21,32 @@ public:
     // Whether an encoder has parameters that this program can write or read.
     virtual bool hasParameters() const { return false; }
     // In the process image of its bus, with an ID code; otherwise it is asked by requests.
-    virtual bool hasWords() const { return true; }
+    virtual bool hasWords() const { return false; }
+    // What its words mean; null: it has none.
+    virtual const WordMeanings *wordMeanings() const { return nullptr; }
+    // The bits that a position can have at most.
+    virtual int positionBits(const DeviceDescription &device) const { return device.inWords * 16; }
+    // It tells the place on a rod, not turns.
+    virtual bool measuresLength() const { return false; }
+    // What an encoder takes is valid only after run, not at once.
+    virtual bool activatesByRun() const { return false; }
+    // Earlier values can be written again only behind a run, which first makes valid what was taken.
+    virtual bool restoresBehindRun(const DeviceDescription & /*device*/) const { return false; }
+    // Its positions have one coding, which nobody has to be told.
+    virtual bool hasOneCoding(const DeviceDescription & /*device*/) const { return false; }
+    // The makes differ so much that one that is not known may have modes, or store its preset.
+    virtual bool dependsOnMake() const { return false; }
+    // Its positions have the same coding for ever, which the description tells.
+    virtual bool hasFixedCoding() const { return false; }
     // Whether the service or command that sets the position carries the value; a K3 has it as a parameter.
     virtual bool presetsByCommand() const { return false; }
     // The largest that can be sent to an encoder. All values start at 0.
     virtual std::int64_t largestData() const { return 0; }
+
+    // What makes of the same protocol do differently.
+    virtual void readDialect(const JsonObject &json, DeviceDescription &device) const;
+    // ID code and words.
+    virtual void readPlaceOnBus(const JsonObject &json, DeviceDescription &device) const;
 
     // For the row a parameter was read from: its range, and the words or commands the protocol has for it.
     virtual void checkParameter(const JsonObject &row, const ParameterDescription &parameter,
@@ -32,9 +55,39 @@ public:
     virtual void complete(ParameterDescription & /*parameter*/) const {}
     // For the capabilities: where the new position comes from.
     virtual void checkPresets(const JsonObject & /*json*/, const DeviceDescription & /*device*/) const {}
+    // What only some protocols and makes can do: cams, velocity, resets. Refused here.
+    virtual void checkAbilities(const JsonObject &json, const DeviceDescription &device) const;
+    // Refused here.
+    virtual void checkQuirks(const JsonObject &json, const DeviceDescription &device) const;
 };
 
+// Of a profile that no kind has: those of the base class.
 const ProtocolRules &protocolRules(Profile profile);
+
+// Its words hold the position and nothing else that this program can read or write.
+inline bool onlyTellsPosition(const DeviceDescription &device)
+{
+    return !protocolRules(device.profile).hasParameters();
+}
+
+// An encoder that tells the place on a rod, not turns.
+inline bool isRod(const DeviceDescription &device)
+{
+    return protocolRules(device.profile).measuresLength();
+}
+
+inline bool activatesByRun(const DeviceDescription &device)
+{
+    return protocolRules(device.profile).activatesByRun();
+}
+
+inline bool restoresBehindRun(const DeviceDescription &device)
+{
+    return protocolRules(device.profile).restoresBehindRun(device);
+}
+
+// "An encoder of the profile K1 cannot do this. Write false."
+void refuseAbility(const JsonObject &json, const char *key, bool isClaimed, Profile profile);
 
 // Words have no letters, while the commands of a description are letters.
 void refuseCommands(const JsonObject &row);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/position_scale.h"
 
-#include "catalog/position_format.h"
+#include "catalog/protocol_rules.h"
 #include "catalog/total_range.h"
 #include "jobs/protocol.h"
 #include "vocabulary/circle.h"
@@ -102,7 +102,7 @@ std::optional<PositionScale> scaleOf(const DeviceDescription &device, const Valu
 
 std::optional<PositionSpeed::Scale> speedScaleOf(const DeviceDescription &device, const ValueOf &valueOf)
 {
-    if (onlyTellsPosition(device.profile)) {
+    if (onlyTellsPosition(device)) {
         const std::int64_t steps = device.physicalStepsPerTurn;
         return steps < 1 ? std::nullopt
                          : std::optional(PositionSpeed::Scale{.stepsPerTurn = static_cast<double>(steps),

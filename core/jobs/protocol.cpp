@@ -4,6 +4,32 @@
 #include "catalog/value_text.h"
 
 namespace codewheel {
+namespace {
+
+class NoProtocol final : public Protocol
+{
+public:
+    Result<std::vector<Step>> planned(const DeviceDescription &device, const Job & /*job*/,
+                                      const PlanBasis & /*basis*/) const override
+    {
+        return refuse(RefusalKind::notSupported, RefusalId::jobNotSupported, {device.fullName()});
+    }
+};
+
+} // namespace
+
+const Protocol &noProtocol()
+{
+    static const NoProtocol protocol;
+    return protocol;
+}
+
+Refusal Protocol::shownError(const DeviceDescription &device, const Reading &reading) const
+{
+    const DeviceError *error = device.findError(reading.errorNumber.value_or(0));
+    return {
+        RefusalKind::device, error != nullptr ? error->meaning : RefusalId::otherDeviceError, {reading.in}};
+}
 
 ParameterDescription Protocol::narrowed(const DeviceDescription &device, Parameter parameter,
                                         const ParameterValues & /*known*/,

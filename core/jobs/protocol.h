@@ -6,6 +6,7 @@
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/event.h"
 
+#include <span>
 #include <vector>
 
 namespace codewheel {
@@ -35,6 +36,18 @@ public:
     virtual QString requestText(const QByteArray &line) const { return QString::fromLatin1(line); }
     // The command that sets the position to the value it carries.
     virtual QString presetCommand() const { return {}; }
+
+    // How the words or commands of a write go out and are checked, for its review; empty: as everybody
+    // expects.
+    virtual QString howItIsSent() const { return {}; }
+    // What to say about an encoder that shows an error number by itself: no job asked it for anything.
+    virtual Refusal shownError(const DeviceDescription &device, const Reading &reading) const;
+    // How often at most these words, sent one after the other by hand, write to its EEPROM.
+    virtual int eepromWrites(const DeviceDescription & /*device*/, std::span<const Word> /*words*/,
+                             bool /*mayBeInCamMode*/) const
+    {
+        return 0;
+    }
 
     // Whether a job that got this far has sent this value; without a parameter, the position. False: nobody
     // can tell.
@@ -74,11 +87,14 @@ public:
                                                  const ValueOf &valueOf) const;
     virtual std::optional<std::int64_t> valueAfter(Parameter parameter, const ParameterValues &written,
                                                    const ParameterValues &known) const;
-    // Where a preset is kept when the scaling changes.
-    virtual Parameter presetOffset() const { return Parameter::zeroOffset; }
+    // Where a preset is kept when the scaling changes; empty: nowhere.
+    virtual std::optional<Parameter> presetOffset() const { return Parameter::zeroOffset; }
 };
 
+// That of its profile; noProtocol() if no kind has it.
 const Protocol &protocolOf(const DeviceDescription &device);
+// Refuses every job.
+const Protocol &noProtocol();
 
 // The words that `job` will put into OUT, or the requests it will send, step by step, as far as can be told
 // beforehand: what is read on the way may remove values the encoder already has, and may turn steps into

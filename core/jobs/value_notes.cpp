@@ -52,8 +52,10 @@ std::optional<ValueNote> jumpAfter(const DeviceDescription &device, const Parame
         return std::nullopt;
     if (const auto scale = scaleAfter(device, written, withAnyDirection(device, known)))
         return jumpNote(device, *scale);
-    const auto turns = valueOf(written, Parameter::measuringRange); // of a K3 encoder
-    if (device.profile != Profile::k3 || !turns || *turns < 1 || device.physicalTurns % *turns == 0)
+    const ParameterDescription *range = device.find(Parameter::measuringRange);
+    const auto turns = valueOf(written, Parameter::measuringRange);
+    if (range == nullptr || range->unit != Unit::revolutions || !turns || *turns < 1 ||
+        device.physicalTurns % *turns == 0)
         return std::nullopt;
     return ValueNote{ValueNote::Id::rangeJumps, {*turns, std::int64_t{device.physicalTurns}, QString()}};
 }
@@ -62,8 +64,8 @@ std::optional<ValueNote> jumpAfter(const DeviceDescription &device, const Parame
 bool needsPreset(const DeviceDescription &device, const ParameterValues &written,
                  const ParameterValues &known)
 {
-    const bool hasOffset = device.capabilities.presets && device.profile != Profile::la66;
-    return hasOffset && valueOf(known, protocolOf(device).presetOffset()) != 0 &&
+    const auto offset = protocolOf(device).presetOffset();
+    return device.capabilities.presets && offset && valueOf(known, *offset) != 0 &&
            std::ranges::any_of(scalingParameters, [&](Parameter parameter) {
                const auto value = valueOf(written, parameter);
                return value && value != valueOf(known, parameter);

@@ -5,14 +5,11 @@
 #include "catalog/value_text.h"
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
-#include "kinds/interbus/words/k3_cam_word.h"
-#include "kinds/interbus/words/la66_word.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
-#include <numeric>
 
 namespace codewheel {
 namespace {
@@ -27,33 +24,6 @@ bool mayBeInCamMode(const EncoderSession &encoder)
 {
     return encoder.device().mayHaveModes() && encoder.latest().mode.value_or(Mode::cam) == Mode::cam;
 }
-
-// One word after another, as far as the effect of a word depends on earlier ones.
-class WordCost
-{
-public:
-    explicit WordCost(const EncoderSession &encoder)
-        : m_encoder(encoder)
-        , m_mayBeInCamMode(mayBeInCamMode(encoder))
-    {}
-
-    int operator()(Word out)
-    {
-        if (m_encoder.device().profile == Profile::la66)
-            return la66::isServiceMode(out) && la66::isWrite(out) ? 1 : 0;
-        if (k3::isProgramWord(out)) // leaves the current program, and stores it
-            return std::exchange(m_mayBeInCamMode, m_encoder.device().mayHaveModes()) ? 1 : 0;
-        if ((out & k3::startBit) != 0)
-            return 0;
-        if ((out & k3::presetBit) != 0) // in cam mode a cam, which is stored with its program
-            return mayStorePreset(m_encoder.device()) ? 1 : 0;
-        return k3::isParameterWord(out) ? 1 : 0;
-    }
-
-private:
-    const EncoderSession &m_encoder;
-    bool m_mayBeInCamMode;
-};
 
 struct Cost
 {
@@ -80,9 +50,8 @@ struct Cost
     }
     int operator()(const SendWords &job) const
     {
-        WordCost cost(encoder);
-        return std::accumulate(job.words.begin(), job.words.end(), 0,
-                               [&](int sum, Word word) { return sum + cost(word); });
+        return protocolOf(encoder.device())
+            .eepromWrites(encoder.device(), job.words, mayBeInCamMode(encoder));
     }
     int operator()(const EndParameterization &job) const { return size(job.restore); }
     // Leaving cam mode stores a program that was changed.
@@ -129,7 +98,7 @@ int mostEepromWrites(const EncoderSession &encoder, const Job &job)
 
 int mostEepromWrites(const EncoderSession &encoder, Word word)
 {
-    return WordCost(encoder)(word);
+    return protocolOf(encoder.device()).eepromWrites(encoder.device(), {&word, 1}, mayBeInCamMode(encoder));
 }
 
 int mostWritesToRestore(const Progress &progress)
@@ -213,7 +182,7 @@ QString eepromCountBrief(const EepromCount &count)
     if (count.since.isValid())
         text += u' ' + Eeprom::tr("since %1", "writes since a date").arg(dateText(count.since));
     if (count.by == CountedBy::place)
-        text += Eeprom::tr(", S/N not known");
+        text += QStringLiteral(", S/N?"); // the same in every language
     return text;
 }
 

@@ -32,7 +32,7 @@ QString eepromWritesText(int writes, int perhaps);
 QString eepromCountText(const EepromCount &count);
 // With the serial number as its encoder shows it: for a Kübler 8 hexadecimal digits.
 QString eepromCountText(const EncoderSession &encoder);
-// "12 writes by Codewheel since 1 Mar 2026, S/N not known": where there is little room. What was
+// "12 writes by Codewheel since 1 Mar 2026, S/N?": where there is little room. What was
 // counted by a serial number that has not been read again is not in the count of a place.
 QString eepromCountBrief(const EepromCount &count);
 // The text for a concern; empty: none. `planned` is what is added.

@@ -4,14 +4,18 @@
 #include "jobs/protocol.h"
 #include "kinds/esc/driver/esc_protocol.h"
 #include "kinds/esc/protocol/esc_line_address.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/protocol/esc_rules.h"
 #include "kinds/interbus/k3/k3_protocol.h"
 #include "kinds/interbus/k3/k3_rules.h"
 #include "kinds/interbus/la66/la66_protocol.h"
 #include "kinds/interbus/la66/la66_rules.h"
+#include "kinds/interbus/position/position_rules.h"
 #include "kinds/interbus/words/device_number.h"
+#include "kinds/interbus/words/profiles.h"
 #include "vocabulary/place.h"
 
+#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -31,38 +35,55 @@ std::span<const PlaceFormat> placeFormats()
     return formats;
 }
 
+namespace {
+
+struct ProtocolRow
+{
+    Profile profile;
+    const ProtocolRules &rules;
+    const Protocol &protocol;
+};
+
+std::span<const ProtocolRow> protocolRows()
+{
+    static const std::array rows{
+        ProtocolRow{profile::k1, k1Rules(), k3Protocol()},
+        ProtocolRow{profile::k2, k2Rules(), k3Protocol()},
+        ProtocolRow{profile::k3, k3Rules(), k3Protocol()},
+        ProtocolRow{profile::k4, k4Rules(), k3Protocol()},
+        ProtocolRow{profile::la66, la66Rules(), la66Protocol()},
+        ProtocolRow{profile::esc, escRules(), escProtocol()},
+    };
+    return rows;
+}
+
+const ProtocolRow *rowOf(Profile profile)
+{
+    const auto found = std::ranges::find(protocolRows(), profile, &ProtocolRow::profile);
+    return found == protocolRows().end() ? nullptr : &*found;
+}
+
+} // namespace
+
+std::vector<Profile> allProfiles()
+{
+    std::vector<Profile> profiles;
+    for (const ProtocolRow &row : protocolRows())
+        profiles.push_back(row.profile);
+    return profiles;
+}
+
 const ProtocolRules &protocolRules(Profile profile)
 {
-    static const ProtocolRules withoutParameters;
-    switch (profile) {
-    case Profile::k3:
-        return k3Rules();
-    case Profile::la66:
-        return la66Rules();
-    case Profile::esc:
-        return escRules();
-    case Profile::k1:
-    case Profile::k2:
-    case Profile::k4:
-        break;
-    }
-    return withoutParameters;
+    static const ProtocolRules ofNone;
+    const ProtocolRow *row = rowOf(profile);
+    return row != nullptr ? row->rules : ofNone;
 }
 
 const Protocol &protocolOf(const DeviceDescription &device)
 {
-    switch (device.profile) {
-    case Profile::la66:
-        return la66Protocol();
-    case Profile::esc:
-        return escProtocol();
-    case Profile::k1:
-    case Profile::k2:
-    case Profile::k3:
-    case Profile::k4:
-        break;
-    }
-    return k3Protocol();
+    const ProtocolRow *row = rowOf(device.profile);
+    return row != nullptr ? row->protocol : noProtocol();
 }
 
 } // namespace codewheel

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_explain.h"
 #include "vocabulary/instant.h"
+#include "vocabulary/mode.h"
+#include "vocabulary/position_coding.h"
+#include "vocabulary/word.h"
 
 #include <optional>
 

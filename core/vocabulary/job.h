@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_explain.h"
 #include "vocabulary/cam_program.h"
+#include "vocabulary/mode.h"
 #include "vocabulary/parameter.h"
+#include "vocabulary/word.h"
 
 #include <cstdint>
 #include <variant>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/profiles.h"
 
 #include <QDir>
 
@@ -247,7 +249,7 @@ TEST(BuiltInDevices, KueblerIsKnownByItsLabelAndItsTables)
     const Catalog catalog = Catalog::builtIn();
     const DeviceDescription &rs485 = device(catalog, u"kuebler-esc-rs485");
     const DeviceDescription &rs422 = device(catalog, u"kuebler-esc-rs422");
-    EXPECT_EQ(rs485.profile, Profile::esc);
+    EXPECT_EQ(rs485.profile, profile::esc);
     EXPECT_EQ(rs485.deviceCode, 0u);
     EXPECT_EQ(catalog.generic(0), nullptr);
     EXPECT_EQ(rs485.connectors[0].pins[2].signal.toString(), QStringLiteral("T/R-"));
@@ -337,16 +339,16 @@ TEST(BuiltInDevices, WhatOnlyTellsItsPositionHasTheCodesAndWordsOfItsProfile)
         int turns;
     };
     const Row rows[] = {
-        {u"fraba-ocd-ib-k1", Profile::k1, 54, 0x0136, 1, 0, 4096, 1},
-        {u"fraba-ocd-ib-k2", Profile::k2, 54, 0x0236, 2, 0, 4096, 4096},
-        {u"fraba-ocd-ib-k1-loop2", Profile::k1, 178, 0x01B2, 1, 0, 4096, 1},
-        {u"fraba-ocd-ib-k2-loop2", Profile::k2, 178, 0x02B2, 2, 0, 4096, 4096},
-        {u"generic-k1", Profile::k1, 54, 0x0136, 1, 0, 0, 0},
-        {u"generic-k2", Profile::k2, 54, 0x0236, 2, 0, 0, 0},
-        {u"generic-k1-loop2", Profile::k1, 178, 0x01B2, 1, 0, 0, 0},
-        {u"generic-k2-loop2", Profile::k2, 178, 0x02B2, 2, 0, 0, 0},
-        {u"generic-k4", Profile::k4, 247, 0x03F7, 2, 2, 0, 0},
-        {u"twk-k4", Profile::k4, 247, 0x03F7, 2, 2, 0, 0},
+        {u"fraba-ocd-ib-k1", profile::k1, 54, 0x0136, 1, 0, 4096, 1},
+        {u"fraba-ocd-ib-k2", profile::k2, 54, 0x0236, 2, 0, 4096, 4096},
+        {u"fraba-ocd-ib-k1-loop2", profile::k1, 178, 0x01B2, 1, 0, 4096, 1},
+        {u"fraba-ocd-ib-k2-loop2", profile::k2, 178, 0x02B2, 2, 0, 4096, 4096},
+        {u"generic-k1", profile::k1, 54, 0x0136, 1, 0, 0, 0},
+        {u"generic-k2", profile::k2, 54, 0x0236, 2, 0, 0, 0},
+        {u"generic-k1-loop2", profile::k1, 178, 0x01B2, 1, 0, 0, 0},
+        {u"generic-k2-loop2", profile::k2, 178, 0x02B2, 2, 0, 0, 0},
+        {u"generic-k4", profile::k4, 247, 0x03F7, 2, 2, 0, 0},
+        {u"twk-k4", profile::k4, 247, 0x03F7, 2, 2, 0, 0},
     };
     for (const Row &row : rows) {
         const DeviceDescription &found = device(catalog, row.key);

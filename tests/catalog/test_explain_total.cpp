@@ -21,9 +21,9 @@ public:
         : m_direction(direction)
     {}
 
-    k3::ExplainContext next()
+    WordContext next()
     {
-        k3::ExplainContext context{m_direction, {}, {}, {}, {}};
+        WordContext context{m_direction, {}, {}, {}};
         if (const int mode = m_source.below(4); mode < 3)
             context.mode = static_cast<Mode>(mode);
         if (const int coding = m_source.below(4); coding < 3)
@@ -65,7 +65,7 @@ private:
 TEST_F(ExplainTotal, EveryWordMeansSomethingAndAlwaysTheSame)
 {
     forEachDeviceAndDirection(
-        100'000, 16, [](const DeviceDescription &device, Word word, const k3::ExplainContext &context) {
+        100'000, 16, [](const DeviceDescription &device, Word word, const WordContext &context) {
             const Explanation explanation = explainWord(device, word, context);
             ASSERT_GE(explanation.size(), 1u) << std::hex << word;
             ASSERT_EQ(explanation, explainWord(device, word, context)) << std::hex << word;
@@ -76,7 +76,7 @@ TEST_F(ExplainTotal, EveryWordHasASentence)
 {
     static const QRegularExpression unfinished(QStringLiteral("%[1-9]|\\?|  |^ | $"));
     forEachDeviceAndDirection(
-        10'000, 1, [](const DeviceDescription &device, Word word, const k3::ExplainContext &context) {
+        10'000, 1, [](const DeviceDescription &device, Word word, const WordContext &context) {
             const QString sentence = explanationText(device, explainWord(device, word, context));
             ASSERT_FALSE(sentence.isEmpty()) << std::hex << word;
             ASSERT_TRUE(sentence.front().isUpper()) << sentence.toStdString();

@@ -13,7 +13,7 @@ TEST(FrabaAppendix, EveryRowHasItsSentenceOutAndIn)
     const Catalog catalog = Catalog::builtIn();
     const DeviceDescription &fraba = *catalog.find(u"fraba-ocd-ib");
     const auto text = [&fraba](Word word, WordDirection direction, Mode mode, Word counterpart) {
-        const Explanation explanation = explainWord(fraba, word, {direction, {}, mode, {}, counterpart});
+        const Explanation explanation = explainWord(fraba, word, {direction, mode, {}, counterpart});
         return explanationText(fraba, explanation).toStdString();
     };
     for (const AppendixRow &row : frabaAppendix()) {

@@ -194,7 +194,7 @@ TEST_F(EepromCost, SaysWhoseWritesAndByWhat)
     EXPECT_EQ(eepromCountBrief({.writes = 3}), QStringLiteral("3 writes by Codewheel"));
     EXPECT_EQ(eepromCountBrief({.writes = 1}), QStringLiteral("1 write by Codewheel"));
     EXPECT_EQ(eepromCountBrief({.writes = 0, .by = CountedBy::place}),
-              QStringLiteral("0 writes by Codewheel, S/N not known"));
+              QStringLiteral("0 writes by Codewheel, S/N?"));
 }
 
 } // namespace

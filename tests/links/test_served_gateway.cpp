@@ -8,6 +8,7 @@
 #include "kinds/interbus/links/modbus_tcp_server.h"
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
+#include "kinds/interbus/words/profiles.h"
 #include "tests/support/offered_ring.h"
 #include "vocabulary/refusal_text.h"
 
@@ -32,7 +33,7 @@ protected:
             auto encoder = std::make_unique<FrabaK3>(PhysicalResolution{}, 1'000 * segment, FrabaPlate{});
             m_encoders.push_back(encoder.get());
             ring->add(device, std::move(encoder));
-            m_planned.push_back({device, Profile::k3});
+            m_planned.push_back({device, profile::k3});
         }
         m_controls = ring;
         m_ring = std::make_unique<OfferedRing>(std::make_unique<SimulatedRingLink>(ring), m_catalog);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/profiles.h"
 #include "project/planned_device.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ TEST(PlannedDevice, OfAMakeThatIsNotKnownIsGeneric)
         const auto generic = plannedDescription(planned(0x0237, key), catalog);
         ASSERT_TRUE(generic);
         EXPECT_TRUE(generic->isGeneric());
-        EXPECT_EQ(generic->profile, Profile::k3);
+        EXPECT_EQ(generic->profile, profile::k3);
     }
     EXPECT_FALSE(plannedDescription(planned(0x81BE, {}), catalog)) << "a digital input";
 }

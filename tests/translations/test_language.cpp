@@ -26,7 +26,8 @@ protected:
     void use(const char *chosen) { m_language.use(QString::fromLatin1(chosen)); }
     std::string meaning(WordDirection direction, Word word) const
     {
-        return explanationText(m_fraba, explainWord(m_fraba, word, {direction, {}, Mode::position, {}, {}}))
+        return explanationText(m_fraba,
+                               explainWord(m_fraba, word, {.direction = direction, .mode = Mode::position}))
             .toStdString();
     }
     QString notes() const { return m_fraba.notesText(); }

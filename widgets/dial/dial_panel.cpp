@@ -2,6 +2,7 @@
 #include "widgets/dial/dial_panel.h"
 
 #include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "history/track.h"
 #include "vocabulary/encoder_session.h"
 #include "widgets/dial/dial_head.h"
@@ -62,7 +63,7 @@ void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline
     if (encoder != nullptr && encoder == m_encoder)
         return; // what is typed and told there stays
     m_encoder = encoder;
-    const bool isRod = encoder != nullptr && encoder->device().profile == Profile::la66;
+    const bool isRod = encoder != nullptr && codewheel::isRod(encoder->device());
     m_shaft->setEncoder(isRod ? nullptr : encoder);
     m_rod->setEncoder(isRod ? encoder : nullptr);
     if (offline)

@@ -2,6 +2,7 @@
 #include "widgets/dial/now_and_then.h"
 
 #include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/preset_position.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/missing_values.h"
@@ -15,7 +16,7 @@ namespace {
 
 bool hasRod(const EncoderSession &encoder)
 {
-    return encoder.device().profile == Profile::la66;
+    return isRod(encoder.device());
 }
 
 // Why the future is not known comes first: what the dial says of now stands in its panel, too.

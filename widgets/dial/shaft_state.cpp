@@ -2,7 +2,7 @@
 #include "widgets/dial/shaft_state.h"
 
 #include "catalog/device_description.h"
-#include "catalog/position_format.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/position_scale.h"
 #include "widgets/dial/missing_values.h"
 #include "widgets/dial/shaft_dial.h"
@@ -66,7 +66,7 @@ QString noteOf(const Shown &shown)
     const Reading &reading = shown.encoder.latest();
     if (!shown.missing.isEmpty())
         return ShaftDial::tr("Not known: %1. The disc needs it to turn.").arg(shown.missing);
-    if (!shown.scale && onlyTellsPosition(shown.encoder.device().profile))
+    if (!shown.scale && onlyTellsPosition(shown.encoder.device()))
         return ShaftDial::tr("The steps per turn of this encoder are not described: the disc cannot turn.");
     if (reading.coding == PositionCoding::gray)
         return ShaftDial::tr("The position comes in Gray code.");
@@ -123,7 +123,7 @@ DialState stateOf(const Shown &shown)
 
 std::optional<ShaftScale> shaftScale(const EncoderSession &encoder)
 {
-    if (onlyTellsPosition(encoder.device().profile))
+    if (onlyTellsPosition(encoder.device()))
         return physicalScale(encoder);
     const auto steps = encoder.known(Parameter::steps);
     const auto revolutions = encoder.known(Parameter::revolutions);

@@ -2,7 +2,7 @@
 #include "widgets/dial/state_note.h"
 
 #include "catalog/explain_word.h"
-#include "catalog/position_format.h"
+#include "catalog/protocol_rules.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/freshness_text.h"
@@ -34,8 +34,8 @@ QString errorNote(const DeviceDescription &device, const Reading &reading)
 // A K1 or K2 has no states: this means that bits it does not use are 1.
 QString unknownNote(const DeviceDescription &device, const Reading &reading)
 {
-    if (onlyTellsPosition(device.profile))
-        return explanationText(device, explainWord(device, reading.in, {WordDirection::in, {}, {}, {}, {}}));
+    if (onlyTellsPosition(device))
+        return explanationText(device, explainWord(device, reading.in, {}));
     return DialNote::tr("No manual describes IN %1: there is no position.").arg(hexWord(reading.in));
 }
 

@@ -52,12 +52,11 @@ QString stepText(const DeviceDescription &device, const Step &step)
     case StepKind::word:
         break;
     }
-    return explanationText(device, explainWord(device, step.out,
-                                               {.direction = WordDirection::out,
-                                                .dialect = {},
-                                                .mode = modeOf(step.kind),
-                                                .coding = {},
-                                                .counterpart = {}}));
+    return explanationText(
+        device,
+        explainWord(
+            device, step.out,
+            {.direction = WordDirection::out, .mode = modeOf(step.kind), .coding = {}, .counterpart = {}}));
 }
 
 } // namespace codewheel

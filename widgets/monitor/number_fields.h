@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "catalog/word_form.h"
 #include "widgets/monitor/monitor_display.h"
 #include "widgets/monitor/number_field.h"
 #include "widgets/monitor/word_field.h"
-#include "widgets/monitor/word_form.h"
 
 #include <QHash>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/position_range.h"
 
-#include "catalog/position_format.h"
+#include "catalog/protocol_rules.h"
 #include "catalog/total_range.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
@@ -27,7 +27,7 @@ std::optional<PositionRange> positionRange(const EncoderSession &encoder)
         const auto length = encoder.known(Parameter::measuringLength);
         return length ? std::optional(PositionRange{0, length->value}) : std::nullopt;
     }
-    if (onlyTellsPosition(device.profile)) {
+    if (onlyTellsPosition(device)) {
         const std::int64_t positions = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
         return positions < 2 ? std::nullopt : std::optional(rangeOf(positions, device.coding));
     }

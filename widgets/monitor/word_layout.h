@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/monitor/word_form.h"
+#include "catalog/word_form.h"
 
 #include <QMetaType>
 #include <QRect>

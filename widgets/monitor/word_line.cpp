@@ -150,7 +150,7 @@ QString WordLine::explain() const
                    : tr("Not known: it cannot be read back. Operate replaces it.");
     if (m_description == nullptr)
         return tr("Not explained: there is no description of this device.");
-    k3::ExplainContext context;
+    WordContext context;
     context.direction = m_direction;
     context.counterpart = isOut() ? m_channel->in() : m_channel->out();
     if (m_encoder != nullptr) {

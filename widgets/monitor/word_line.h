@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bus/word_channel.h"
+#include "catalog/word_form.h"
 #include "vocabulary/encoder_session.h"
 #include "widgets/monitor/monitor_display.h"
-#include "widgets/monitor/word_form.h"
 #include "widgets/monitor/word_format.h"
 
 #include <QPointer>

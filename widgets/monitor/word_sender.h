@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bus/word_channel.h"
-#include "widgets/monitor/word_form.h"
+#include "catalog/word_form.h"
 
 #include <QPointer>
 #include <QWidget>

@@ -92,7 +92,7 @@ QString SequenceModel::explain(Word content) const
 {
     if (!m_device)
         return {};
-    k3::ExplainContext context;
+    WordContext context;
     context.direction = WordDirection::out;
     context.mode = m_mode;
     return explanationText(*m_device, explainWord(*m_device, content, context));

@@ -2,6 +2,7 @@
 #include "widgets/trend/encoder_scales.h"
 
 #include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/position_scale.h"
 #include "vocabulary/rod_scale.h"
 
@@ -16,7 +17,7 @@ bool EncoderScales::look()
         if (encoder == nullptr)
             continue;
         Known &known = m_known[place];
-        known.isRod = encoder->device().profile == Profile::la66;
+        known.isRod = codewheel::isRod(encoder->device());
         if (known.isRod) {
             if (const auto scale = rodScale(*encoder))
                 known.millimetresPerStep = scale->millimetres(1'000'000) / 1e6;

@@ -2,6 +2,7 @@
 #include "widgets/wizard/direction_page.h"
 
 #include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/position_scale.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"

@@ -223,7 +223,6 @@ void HandshakePage::showWords()
     const auto meaning = [&](Word word, Word other, WordDirection direction) {
         return explanationText(device, explainWord(device, word,
                                                    {.direction = direction,
-                                                    .dialect = device.dialect,
                                                     .mode = reading.mode,
                                                     .coding = reading.coding,
                                                     .counterpart = other}));

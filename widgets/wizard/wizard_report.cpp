@@ -73,7 +73,6 @@ QString meaningOf(const DeviceDescription &device, const Exchange &row, bool isO
 {
     return explanationText(device, explainWord(device, isOut ? row.out : row.in,
                                                {.direction = isOut ? WordDirection::out : WordDirection::in,
-                                                .dialect = device.dialect,
                                                 .mode = row.mode,
                                                 .coding = row.coding,
                                                 .counterpart = isOut ? row.in : row.out}));

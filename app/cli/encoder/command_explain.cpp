@@ -3,6 +3,7 @@
 #include "catalog/explain_word.h"
 #include "catalog/json_object.h"
 #include "catalog/label_key.h"
+#include "catalog/protocol_rules.h"
 #include "cli/call/json.h"
 #include "cli/call/texts.h"
 #include "cli/commands.h"
@@ -113,7 +114,7 @@ Checked<std::optional<PositionCoding>> codingOf(const Call &call, const DeviceDe
     const auto given = call.arguments.value("--coding");
     if (!given)
         return std::optional<PositionCoding>();
-    if (device.dialect == k3::Dialect::fraba || device.profile == Profile::la66)
+    if (protocolRules(device.profile).hasOneCoding(device))
         return badInput(QStringLiteral("oneCodingOnly"),
                         CommandLine::tr("The %1 has one coding only. Leave --coding out."),
                         {device.fullName()});
@@ -140,9 +141,9 @@ Checked<WordDirection> directionOf(const Call &call)
     return **direction;
 }
 
-Checked<k3::ExplainContext> contextOf(const Call &call, const DeviceDescription &device)
+Checked<WordContext> contextOf(const Call &call, const DeviceDescription &device)
 {
-    k3::ExplainContext context;
+    WordContext context;
     const auto direction = directionOf(call);
     if (!direction)
         return tl::unexpected(direction.error());
@@ -165,7 +166,7 @@ Checked<k3::ExplainContext> contextOf(const Call &call, const DeviceDescription 
 }
 
 // What was not given and might narrow down the meanings.
-QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &context)
+QString whatMayHelp(const DeviceDescription &device, const WordContext &context)
 {
     QStringList missing;
     if (device.isGeneric())
@@ -175,7 +176,7 @@ QString whatMayHelp(const DeviceDescription &device, const k3::ExplainContext &c
     const bool isIn = context.direction == WordDirection::in;
     if (isIn && !context.counterpart)
         missing << QStringLiteral("--other");
-    if (isIn && device.dialect != k3::Dialect::fraba && !context.coding)
+    if (isIn && !protocolRules(device.profile).hasOneCoding(device) && !context.coding)
         missing << QStringLiteral("--coding");
     return missing.isEmpty() ? QString()
                              : sentence(CommandLine::tr("One of these. To narrow it down: %1."),

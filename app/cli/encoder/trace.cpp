@@ -2,9 +2,9 @@
 #include "cli/encoder/trace.h"
 
 #include "catalog/explain_exchange.h"
+#include "catalog/protocol_rules.h"
 #include "cli/call/json.h"
 #include "cli/call/texts.h"
-#include "vocabulary/asked_word.h"
 #include "vocabulary/hex.h"
 
 namespace codewheel {
@@ -12,7 +12,7 @@ namespace {
 
 ExplainedExchange meanings(const DeviceDescription &device, const Exchange &row, const Exchange *before)
 {
-    return explainExchange(device, row, askedWord(row, before));
+    return explainExchange(device, row, askedWord(device, row, before));
 }
 
 const Exchange *rowBefore(const std::vector<Exchange> &rows, std::size_t i)
@@ -23,7 +23,7 @@ const Exchange *rowBefore(const std::vector<Exchange> &rows, std::size_t i)
 // The position of a rod that is in IN.
 std::optional<std::int64_t> rodPosition(const DeviceDescription &device, const Explanation &in)
 {
-    if (device.profile != Profile::la66)
+    if (!isRod(device))
         return std::nullopt;
     const Meaning &meaning = in.first();
     const bool isPosition = meaning.id == MeaningId::position || meaning.id == MeaningId::positionWithError;
@@ -73,7 +73,7 @@ QJsonObject traceRowJson(const DeviceDescription &device, const Exchange &row, c
                      {QStringLiteral("in"), wordJson(row.in)},
                      {QStringLiteral("outMeanings"), row.outIsKnown ? meaningsJson(out) : QJsonArray()},
                      {QStringLiteral("inMeanings"), meaningsJson(in)}};
-    if (device.profile == Profile::la66)
+    if (isRod(device))
         json.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, in), scale));
     return json;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/encoder/write_plan_text.h"
 
-#include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/parameter_text.h"
+#include "jobs/protocol.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
@@ -25,11 +26,8 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
             "The scaling factor is computed from them: they take effect once it is sent.");
     for (const ValueNote &note : plan.notes)
         lines << noteText(note);
-    if (encoder.device().outWords == 0)
-        lines << CommandLine::tr("Each command is sent once, and what was written is read back.");
-    if (encoder.device().profile == Profile::la66)
-        lines << CommandLine::tr("Each word goes out for two bus cycles with its first bit, the service bit, "
-                                 "0; what was written is read back.");
+    if (const QString how = protocolOf(encoder.device()).howItIsSent(); !how.isEmpty())
+        lines << how;
     return lines.isEmpty() ? QString() : lines.join(u'\n') + u'\n';
 }
 
@@ -49,8 +47,7 @@ QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
                    typedValue(parameter, row.wanted.value),
                    row.step ? sentText(*row.step) : CommandLine::tr("left out: already there")});
     }
-    const bool endsWithRun = hasWords && device.profile != Profile::la66; // services need no run
-    if (!plan.jobs.empty() && endsWithRun)
+    if (!plan.jobs.empty() && activatesByRun(device))
         table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
     return sentence(CommandLine::tr("To be written to %1, %2:"),
                     {encoder.place().shown(), device.fullName()}) +

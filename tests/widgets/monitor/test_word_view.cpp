@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/device_description.h"
+#include "kinds/interbus/words/profiles.h"
 #include "widgets/look/appearance.h"
 #include "widgets/monitor/word_view.h"
 
@@ -65,7 +66,7 @@ protected:
         return {.caption = QStringLiteral("IN"), .place = QStringLiteral("IN 1.0")};
     }
 
-    const DeviceDescription k3;
+    const DeviceDescription k3{.profile = profile::k3};
     QWidget window;
     WordView view{wordForm(32, &k3), {outLine()}, &window};
     QSignalSpy toggled{&view, &WordView::bitToggled};
@@ -268,7 +269,7 @@ TEST_F(WordViewTest, GroupsStandApart)
 TEST_F(WordViewTest, GroupsAreThoseOfTheDevice)
 {
     DeviceDescription rod;
-    rod.profile = Profile::la66;
+    rod.profile = profile::la66;
     WordView ofRod(wordForm(32, &rod), {inLine()}, &window);
     ofRod.resize(500, 200); // two rows
     ofRod.show();

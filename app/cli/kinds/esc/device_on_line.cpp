@@ -5,6 +5,7 @@
 #include "catalog/label_key.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/parameter_arguments.h"
+#include "kinds/esc/protocol/esc_profile.h"
 
 #include <algorithm>
 
@@ -15,7 +16,7 @@ const QString usualDevice = QStringLiteral("kuebler-esc-rs485");
 
 bool isForLines(const DeviceDescription *device)
 {
-    return device != nullptr && device->profile == Profile::esc;
+    return device != nullptr && device->profile == profile::esc;
 }
 
 } // namespace

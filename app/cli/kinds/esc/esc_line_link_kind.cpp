@@ -11,6 +11,7 @@
 #include "cli/kinds/esc/explain_line.h"
 #include "cli/kinds/esc/scan_line.h"
 #include "cli/kinds/esc/serve_line.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
 #include "links/port_access.h"
 #include "project/bus_kind.h"
@@ -84,7 +85,7 @@ public:
     std::vector<KnownDevice> trainingDevices(const Catalog &catalog) const override;
     std::optional<Checked<Answer>> explain(const Call &call, const DeviceDescription &device) const override
     {
-        return device.profile == Profile::esc ? std::optional(explainLine(call, device)) : std::nullopt;
+        return device.profile == profile::esc ? std::optional(explainLine(call, device)) : std::nullopt;
     }
     Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device) const override;
 };
@@ -108,7 +109,7 @@ std::vector<KnownDevice> EscLineLinkKind::trainingDevices(const Catalog &) const
 // With the limits of a scaling factor in the format of the line.
 Checked<DeviceDescription> EscLineLinkKind::asOnLink(const Call &call, DeviceDescription device) const
 {
-    if (device.profile != Profile::esc || busesOf(call, bus()).empty())
+    if (device.profile != profile::esc || busesOf(call, bus()).empty())
         return device;
     const auto line = busMeant(call, bus());
     if (!line)

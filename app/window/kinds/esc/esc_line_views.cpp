@@ -15,6 +15,7 @@
 #include "catalog/catalog.h"
 #include "kinds/esc/line/esc_line_check.h"
 #include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/connect/connect_page.h"
@@ -43,7 +44,7 @@ std::vector<EscLineSearch::Device> devicesOnLines(const Catalog &catalog)
 {
     std::vector<EscLineSearch::Device> devices;
     for (const DeviceDescription &device : catalog.devices())
-        if (device.profile == Profile::esc)
+        if (device.profile == profile::esc)
             devices.push_back({device.key, device.fullName()});
     return devices;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/driver/esc_driver.h"
 
+#include "kinds/esc/protocol/esc_profile.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +10,7 @@ namespace codewheel {
 
 std::unique_ptr<RequestDriver> makeRequestDriver(const DeviceDescription &device, EscLineAddress address)
 {
-    return device.profile == Profile::esc ? std::make_unique<EscDriver>(device, address) : nullptr;
+    return device.profile == profile::esc ? std::make_unique<EscDriver>(device, address) : nullptr;
 }
 
 EscDriver::EscDriver(const DeviceDescription &device, EscLineAddress address, EscSettings settings)

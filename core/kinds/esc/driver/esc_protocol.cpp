@@ -8,6 +8,8 @@
 #include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/protocol/esc_explain.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace codewheel {
@@ -37,6 +39,11 @@ public:
     {
         return escNarrowed(device, parameter, known, fractionBitsOf(options));
     }
+    QString howItIsSent() const override
+    {
+        return QCoreApplication::translate("Protocol",
+                                           "Each command is sent once, and what was written is read back.");
+    }
     ParameterValues setAlong(const ParameterValues &written, const ParameterValues &known) const override
     {
         return escSetAlong(written, known);
@@ -51,7 +58,7 @@ public:
                                          const ValueOf &valueOf) const override;
     std::optional<std::int64_t> valueAfter(Parameter parameter, const ParameterValues &written,
                                            const ParameterValues &known) const override;
-    Parameter presetOffset() const override { return Parameter::offset; }
+    std::optional<Parameter> presetOffset() const override { return Parameter::offset; }
 
 private:
     static int fractionBitsOf(const std::optional<ValueOptions> &options)

@@ -6,6 +6,7 @@
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/protocol/esc_bits.h"
 #include "kinds/esc/protocol/esc_line_address.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "vocabulary/sentence.h"
 
 #include <QLocale>
@@ -36,7 +37,7 @@ BusNode nodeOf(NodeId node, const QString &name)
     return {.node = node,
             .parent = {},
             .name = name,
-            .profile = profileName(Profile::esc),
+            .profile = profileName(profile::esc),
             .code = EscLineAddress::of(node).shown(),
             .words = {}};
 }

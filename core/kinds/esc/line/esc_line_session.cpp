@@ -11,6 +11,7 @@
 #include "kinds/esc/line/esc_line_outline.h"
 #include "kinds/esc/line/esc_line_runner.h"
 #include "kinds/esc/line/row_text.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "vocabulary/hex.h"
 
 #include <algorithm>
@@ -237,7 +238,7 @@ Result<void> EscLineSession::add(EscLineAddress address, const QString &deviceKe
             RefusalKind::badInput, RefusalId::lineAddressNotAlone,
             {EscLineAddress::master().shown(), (address.isMaster() ? others.front() : place).shown()});
     const DeviceDescription *described = d->catalog.find(deviceKey);
-    if (!described || described->profile != Profile::esc)
+    if (!described || described->profile != profile::esc)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {deviceKey, QStringLiteral("ESC")});
 
     take(address, *described);
@@ -281,7 +282,7 @@ std::unique_ptr<EscEncoderSession> EscLineSession::leave(std::size_t index)
 
 Result<void> EscLineSession::canBe(Place place, const DeviceDescription &device) const
 {
-    if (device.profile == Profile::esc)
+    if (device.profile == profile::esc)
         return {};
     return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
 }

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "kinds/esc/protocol/esc_line_address.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -52,7 +53,7 @@ QString EscLinePlanRules::whyNotAt(NodeId place, Devices others) const
 
 bool EscLinePlanRules::isOffered(const DeviceDescription &device) const
 {
-    return device.profile == Profile::esc;
+    return device.profile == profile::esc;
 }
 
 } // namespace codewheel

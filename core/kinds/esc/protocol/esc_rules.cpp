@@ -60,7 +60,6 @@ class EscRules final : public ProtocolRules
 
 public:
     bool hasParameters() const override { return true; }
-    bool hasWords() const override { return false; }
     bool presetsByCommand() const override { return true; }
     std::int64_t largestData() const override { return 0xFFFF'FFFF; } // 8 hexadecimal digits
 

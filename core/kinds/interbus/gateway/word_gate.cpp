@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/profiles.h"
 
 #include <utility>
 
@@ -25,20 +26,11 @@ WordGate::WordGate(std::optional<Profile> profile, int registers, Instant copyTi
 // K1, K2 and K4 have nothing but their position.
 bool WordGate::mayMove(Word word) const
 {
-    if (!m_profile)
-        return false;
-    switch (*m_profile) {
-    case Profile::k3:
+    if (m_profile == profile::k3)
         return k3::isOperation(word);
-    case Profile::la66:
+    if (m_profile == profile::la66)
         return !la66::isServiceMode(word);
-    case Profile::k1:
-    case Profile::k2:
-    case Profile::k4:
-        return true;
-    default: // it has no words
-        return false;
-    }
+    return m_profile == profile::k1 || m_profile == profile::k2 || m_profile == profile::k4;
 }
 
 // The shaft was there: it came by on its way from the one to the other.

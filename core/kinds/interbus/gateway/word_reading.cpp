@@ -5,6 +5,7 @@
 #include "catalog/total_range.h"
 #include "kinds/interbus/words/k3_plausible.h"
 #include "kinds/interbus/words/position_code.h"
+#include "kinds/interbus/words/profiles.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,7 @@ Explanation explained(const DeviceDescription &device, Word word)
 
 bool isNeverSent(const DeviceDescription &device, Word word)
 {
-    if (device.profile == Profile::k3)
+    if (device.profile == profile::k3)
         return !k3::canSend(word, device.dialect);
     const MeaningId meaning = explained(device, word).first().id;
     return meaning == MeaningId::undefinedIn || meaning == MeaningId::unusedBitsSet;

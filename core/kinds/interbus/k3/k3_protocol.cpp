@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/k3/k3_protocol.h"
 
+#include "catalog/preset_storage.h"
 #include "jobs/planned_by.h"
 #include "kinds/interbus/k3/k3_plan.h"
+#include "kinds/interbus/k3/k3_refusal.h"
+#include "kinds/interbus/words/k3_cam_word.h"
+
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -23,6 +28,38 @@ public:
                 K3Plan::clearOutFirst(steps, job);
             return steps;
         });
+    }
+    Refusal shownError(const DeviceDescription &device, const Reading &reading) const override
+    {
+        const K3Step step = k3Step(StepKind::word, k3::normalRunning);
+        const ParameterValues none;
+        return k3Refusal({.device = device,
+                          .step = step,
+                          .confirmed = none,
+                          .written = none,
+                          .inCamMode = reading.mode == Mode::cam},
+                         reading.in);
+    }
+    int eepromWrites(const DeviceDescription &device, std::span<const Word> words,
+                     bool mayBeInCamMode) const override
+    {
+        int writes = 0;
+        for (const Word out : words)
+            writes += storedBy(device, out, mayBeInCamMode) ? 1 : 0;
+        return writes;
+    }
+
+private:
+    // As far as the effect of a word depends on earlier ones.
+    static bool storedBy(const DeviceDescription &device, Word out, bool &mayBeInCamMode)
+    {
+        if (k3::isProgramWord(out)) // leaves the current program, and stores it
+            return std::exchange(mayBeInCamMode, device.mayHaveModes());
+        if ((out & k3::startBit) != 0)
+            return false;
+        if ((out & k3::presetBit) != 0) // in cam mode a cam, which is stored with its program
+            return mayStorePreset(device);
+        return k3::isParameterWord(out);
     }
 };
 

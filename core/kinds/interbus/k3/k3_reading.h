@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/k3_explain.h"
 #include "vocabulary/reading.h"
 
 namespace codewheel {

@@ -3,8 +3,11 @@
 
 #include "jobs/planned_by.h"
 #include "kinds/interbus/la66/la66_plan.h"
+#include "kinds/interbus/words/la66_word.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -19,6 +22,23 @@ public:
         return plannedBy(plan, job, [&] { return plan.stepsFor(job, basis.out); });
     }
     QString presetCommand() const override { return QCoreApplication::translate("Protocol", "service 6"); }
+    QString howItIsSent() const override
+    {
+        return QCoreApplication::translate(
+            "Protocol", "Each word goes out for two bus cycles with its first bit, the service "
+                        "bit, 0; what was written is read back.");
+    }
+    Refusal shownError(const DeviceDescription & /*device*/, const Reading &reading) const override
+    {
+        return {RefusalKind::device, RefusalId::magnetOutOfRange, {reading.in}};
+    }
+    int eepromWrites(const DeviceDescription & /*device*/, std::span<const Word> words,
+                     bool /*mayBeInCamMode*/) const override
+    {
+        return static_cast<int>(std::ranges::count_if(
+            words, [](Word out) { return la66::isServiceMode(out) && la66::isWrite(out); }));
+    }
+    std::optional<Parameter> presetOffset() const override { return std::nullopt; }
 };
 
 } // namespace

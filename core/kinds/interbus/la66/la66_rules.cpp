@@ -2,7 +2,9 @@
 #include "kinds/interbus/la66/la66_rules.h"
 
 #include "catalog/rule_texts.h"
+#include "kinds/interbus/meaning/interbus_meanings.h"
 #include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/profiles.h"
 #include "kinds/interbus/words/word_rules.h"
 
 #include <algorithm>
@@ -14,6 +16,13 @@ namespace {
 class La66Rules final : public WordRules
 {
 public:
+    La66Rules()
+        : WordRules({.deviceCodes = {0x0233}})
+    {}
+
+    const WordMeanings *wordMeanings() const override { return &la66Meanings(); }
+    bool hasOneCoding(const DeviceDescription & /*device*/) const override { return true; }
+    bool measuresLength() const override { return true; }
     bool presetsByCommand() const override { return true; }
     std::int64_t largestData() const override { return la66::dataMask; } // D23..D0
 
@@ -42,9 +51,9 @@ private:
             return number ? QString::number(*number) : QString();
         };
         if (parameter.number)
-            checkPlace(row, "number", text(parameter.number), text(known.write), parameter, Profile::la66);
+            checkPlace(row, "number", text(parameter.number), text(known.write), parameter, profile::la66);
         if (parameter.readOut)
-            checkPlace(row, "readOut", text(parameter.readOut), text(known.read), parameter, Profile::la66);
+            checkPlace(row, "readOut", text(parameter.readOut), text(known.read), parameter, profile::la66);
         if (parameter.number && !parameter.readOut)
             row.report("readOut",
                        DescriptionRules::tr("What is written must be read, too: it is read back."));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/position/position_driver.h"
 
-#include "catalog/position_format.h"
 #include "jobs/job_check.h"
 #include "jobs/position_scale.h"
+#include "kinds/interbus/meaning/position_format.h"
 
 namespace codewheel {
 PositionDriver::PositionDriver(const DeviceDescription &device)

@@ -6,6 +6,7 @@
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/word_doubts.h"
 #include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/profiles.h"
 #include "vocabulary/device_error_name.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
@@ -34,7 +35,7 @@ StateWord errorWord(const EncoderSession *encoder, const Reading &reading)
     const unsigned number = reading.errorNumber.value_or(0);
     if (number == 0)
         return {Role::fault, EncoderFaultText::tr("invalid", "position")};
-    if (encoder != nullptr && encoder->device().profile == Profile::la66)
+    if (encoder != nullptr && encoder->device().profile == profile::la66)
         return {Role::fault, EncoderFaultText::tr("no magnet")};
     return {Role::fault, EncoderFaultText::tr("error %1").arg(number)};
 }

@@ -2,13 +2,12 @@
 #include "kinds/interbus/ring/ring_traffic.h"
 
 #include "catalog/explain_exchange.h"
-#include "vocabulary/asked_word.h"
 
 namespace codewheel {
 
 TrafficRow RingTraffic::row(Place place, const Exchange &exchange)
 {
-    const auto asked = askedWord(exchange, m_last ? &*m_last : nullptr);
+    const auto asked = askedWord(*m_device, exchange, m_last ? &*m_last : nullptr);
     m_last = exchange;
     return {
         .at = exchange.at,

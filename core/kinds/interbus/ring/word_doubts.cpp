@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/profiles.h"
 
 #include <algorithm>
 #include <bit>
@@ -34,9 +35,9 @@ std::optional<std::int64_t> positionIn(const Reading &reading)
 
 bool isConfirmed(Profile profile, Word out, Word in)
 {
-    if (profile == Profile::la66)
+    if (profile == profile::la66)
         return !la66::isServiceMode(out) || la66::answers(in, out);
-    const bool isAsked = profile == Profile::k3 && k3::isParameterWord(out);
+    const bool isAsked = profile == profile::k3 && k3::isParameterWord(out);
     return !isAsked || (k3::isConfirmation(in) && k3::number(in) == k3::number(out));
 }
 

@@ -7,6 +7,7 @@
 #include "kinds/interbus/simulator/simulated_ring_link.h"
 #include "kinds/interbus/simulator/simulated_words.h"
 #include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/profiles.h"
 
 namespace codewheel {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::int64_t slowTravel = 10;   // mm/s
 
 bool isK3OfAnyMake(const DeviceDescription &device)
 {
-    return device.profile == Profile::k3 && device.dialect == k3::Dialect::generic;
+    return device.profile == profile::k3 && device.dialect == k3::Dialect::generic;
 }
 
 TrainingParticipant participantOf(const ProjectDevice &planned, const DeviceDescription &device)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/training_bus.h"
 
-#include "catalog/position_format.h"
+#include "catalog/protocol_rules.h"
 #include "kinds/interbus/simulator/baumer_k3.h"
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "kinds/interbus/simulator/simulated_bus_terminal.h"
@@ -9,6 +9,7 @@
 #include "kinds/interbus/simulator/simulated_position_encoder.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
 #include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/profiles.h"
 
 #include <QFile>
 
@@ -56,7 +57,7 @@ std::unique_ptr<SimulatedDevice> encoderOf(const TrainingParticipant &planned)
     const DeviceDescription &device = *planned.device;
     const PhysicalResolution resolution{.stepsPerTurn = device.physicalStepsPerTurn,
                                         .turns = device.physicalTurns};
-    if (onlyTellsPosition(device.profile))
+    if (onlyTellsPosition(device))
         return std::make_unique<SimulatedPositionEncoder>(resolution, planned.position);
     if (device.dialect == k3::Dialect::baumer)
         return std::make_unique<BaumerK3>(resolution, planned.position);
@@ -84,7 +85,7 @@ std::unique_ptr<SimulatedDevice> simulatedDevice(const TrainingParticipant &plan
 {
     if (!planned.device)
         return std::make_unique<SimulatedBusTerminal>();
-    if (planned.device->profile == Profile::la66)
+    if (planned.device->profile == profile::la66)
         return rodOf(planned);
     auto encoder = encoderOf(planned);
     encoder->setSpeed(static_cast<double>(planned.revolutionsPerMinute));

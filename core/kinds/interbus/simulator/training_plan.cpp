@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/training_plan.h"
 
-#include "catalog/position_format.h"
+#include "catalog/protocol_rules.h"
 #include "catalog/strict_json.h"
 #include "kinds/interbus/simulator/parameter_set.h"
 #include "kinds/interbus/simulator/training_controls.h"
 #include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/profiles.h"
 
 namespace codewheel {
 namespace {
@@ -14,11 +15,6 @@ constexpr auto fastestShaft = static_cast<std::int64_t>(TrainingControls::fastes
 
 constexpr std::int64_t shortestRod = 20; // mm
 constexpr std::int64_t longestRod = 10'000;
-
-bool isRod(const DeviceDescription &device)
-{
-    return device.profile == Profile::la66;
-}
 
 // The rules of a training plan, row by row. One object per file.
 class TrainingPlanReader
@@ -160,8 +156,8 @@ bool canBeSimulated(const DeviceDescription &device)
     if (isRod(device))
         return true;
     const bool hasResolution = device.physicalStepsPerTurn > 0 && device.physicalTurns > 0;
-    const bool isK3 = device.profile == Profile::k3 && device.dialect != k3::Dialect::generic;
-    return hasResolution && (isK3 || onlyTellsPosition(device.profile));
+    const bool isK3 = device.profile == profile::k3 && device.dialect != k3::Dialect::generic;
+    return hasResolution && (isK3 || onlyTellsPosition(device));
 }
 
 tl::expected<TrainingPlan, Catalog::Fault> readTrainingPlan(const QByteArray &json, const QString &file,

@@ -3,18 +3,12 @@
 
 #include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/meaning.h"
+#include "vocabulary/mode.h"
+#include "vocabulary/position_coding.h"
 
 #include <optional>
 
-namespace codewheel {
-
-// What the FRABA encoder's words are about; other makes know position only.
-enum class Mode : std::uint8_t { position, velocity, cam };
-
-// How a position is coded in D24..D0.
-enum class PositionCoding : std::uint8_t { binary, signedBinary, gray };
-
-namespace k3 {
+namespace codewheel::k3 {
 
 // The makes differ in what D29, the errors and the manufacturer's words mean. An encoder of unknown make may
 // be FRABA, and in any of its modes.
@@ -34,5 +28,4 @@ struct ExplainContext
 // Total: every one of the 2^32 words gets at least one meaning, undefined ones as undefinedOut / undefinedIn.
 Explanation explain(Word word, const ExplainContext &context) noexcept;
 
-} // namespace k3
-} // namespace codewheel
+} // namespace codewheel::k3

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/profiles.h"
 #include "tests/app/window_test.h"
 #include "tests/support/places.h"
 #include "widgets/look/inline_message.h"
@@ -57,7 +58,7 @@ TEST_F(OtherRingTest, TheChosenEncoderAndItsMonitorsStay)
     advance(100);
     EXPECT_EQ(monitors().cards().front(), monitor);
     EXPECT_EQ(window().findChild<StructureView *>()->current(), fraba);
-    EXPECT_EQ(bus().encoder(baumer)->device().profile, Profile::k2);
+    EXPECT_EQ(bus().encoder(baumer)->device().profile, profile::k2);
     window().findChild<StructureView *>()->choose(baumer);
     advance(100);
 }

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/words/profiles.h"
 #include "tests/support/register_bank.h"
 
 namespace codewheel::test {
 
 inline GatewayDevice k3At(int segment)
 {
-    return {{DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, {}}, Profile::k3};
+    return {{DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, {}}, profile::k3};
 }
 inline GatewayDevice deviceAt(int segment, int inWords, int outWords)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/word_gate.h"
+#include "kinds/interbus/words/profiles.h"
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -19,7 +20,7 @@ std::vector<Word> believed(WordGate gate, const std::vector<Word> &reads)
     return words;
 }
 
-const WordGate k3(Profile::k3, 2, {});
+const WordGate k3(profile::k3, 2, {});
 
 TEST(WordGate, AHandshakeWordCountsAfterTwoEqualReads)
 {
@@ -35,7 +36,7 @@ TEST(WordGate, APositionThatMovesIsBelievedOneReadLater)
 // A gateway that is read more often than it copies.
 TEST(WordGate, APositionThatIsReadTwiceOnItsWayIsBelieved)
 {
-    const WordGate gate(Profile::k3, 2, std::chrono::milliseconds(3));
+    const WordGate gate(profile::k3, 2, std::chrono::milliseconds(3));
     EXPECT_EQ(believed(gate, {100, 110, 110, 120, 120, 130}), (std::vector<Word>{0, 0, 0, 110, 110, 120}));
     EXPECT_EQ(believed(gate, {100, 110, 110, 100}), (std::vector<Word>{0, 0, 0, 0})) << "it came back";
 }
@@ -43,7 +44,7 @@ TEST(WordGate, APositionThatIsReadTwiceOnItsWayIsBelieved)
 // Until then no other read has to be asked for at once.
 TEST(WordGate, APositionNearTheLastOneBelievedWaitsForTheNextRead)
 {
-    WordGate gate(Profile::k3, 2, std::chrono::milliseconds(3));
+    WordGate gate(profile::k3, 2, std::chrono::milliseconds(3));
     Instant at{};
     for (const Word read : {100U, 110U, 120U})
         gate.take(read, at += std::chrono::milliseconds(1));
@@ -138,7 +139,7 @@ TEST(WordGate, WithoutAProfileOnlyEqualReadsCount)
 
 TEST(WordGate, OneRegisterCannotBeTorn)
 {
-    EXPECT_EQ(believed(WordGate(Profile::k1, 1, {}), {100, 50'000, 7}), (std::vector<Word>{100, 50'000, 7}));
+    EXPECT_EQ(believed(WordGate(profile::k1, 1, {}), {100, 50'000, 7}), (std::vector<Word>{100, 50'000, 7}));
 }
 
 TEST(WordGate, AfterAnInterruptionWhatWasReadBeforeSaysNothing)

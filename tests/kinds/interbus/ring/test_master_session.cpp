@@ -3,6 +3,7 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/words/profiles.h"
 #include "tests/support/faulty_ring.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
@@ -484,7 +485,7 @@ TEST_F(ASessionWithAMaster, AnotherDeviceInAPlaceGetsASessionOfItsOwn)
     m_bus.advance(1);
     EXPECT_EQ(before, nullptr);
     ASSERT_NE(m_bus.encoder(second), nullptr);
-    EXPECT_EQ(m_bus.encoder(second)->device().profile, Profile::k2);
+    EXPECT_EQ(m_bus.encoder(second)->device().profile, profile::k2);
 }
 
 TEST_F(ASessionWithAMaster, AlarmStopEndsReadingIn)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/explain_word.h"
-#include "catalog/position_format.h"
+#include "kinds/interbus/meaning/bit_text.h"
+
+#include "kinds/interbus/meaning/position_format.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/la66_word.h"
 
@@ -100,16 +101,20 @@ QString BitText::positionText(const PositionWord &format, WordDirection directio
 
 } // namespace
 
-QString bitText(const DeviceDescription &device, WordDirection direction, int bit)
+QString k3BitText(const DeviceDescription &device, WordDirection direction, int bit)
 {
-    if (bit < 0 || bit > startBit)
-        return {};
-    if (device.profile == Profile::la66)
-        return BitText::rodText(direction, bit);
-    if (onlyTellsPosition(device.profile))
-        return BitText::positionText(positionFormat(device), direction, bit);
     return direction == WordDirection::out ? BitText::outText(device, bit)
                                            : BitText::inText(device.dialect, bit);
+}
+
+QString la66BitText(WordDirection direction, int bit)
+{
+    return BitText::rodText(direction, bit);
+}
+
+QString positionBitText(const DeviceDescription &device, WordDirection direction, int bit)
+{
+    return BitText::positionText(positionFormat(device), direction, bit);
 }
 
 } // namespace codewheel

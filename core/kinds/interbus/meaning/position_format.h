@@ -6,10 +6,8 @@
 
 namespace codewheel {
 
-// K1, K2 and K4: encoders whose word holds the position and nothing else that any source describes.
-bool onlyTellsPosition(Profile profile);
-
-// How such an encoder places its position in IN.
+// How a K1, K2 or K4, whose word holds the position and nothing else that any source describes, places it in
+// IN.
 PositionWord positionFormat(const DeviceDescription &device);
 
 } // namespace codewheel

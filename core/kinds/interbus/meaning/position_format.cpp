@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/position_format.h"
+#include "kinds/interbus/meaning/position_format.h"
+
+#include "kinds/interbus/words/profiles.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,19 +14,14 @@ constexpr int mostK2Bits = 25;
 
 } // namespace
 
-bool onlyTellsPosition(Profile profile)
-{
-    return profile == Profile::k1 || profile == Profile::k2 || profile == Profile::k4;
-}
-
 PositionWord positionFormat(const DeviceDescription &device)
 {
     PositionWord format;
-    const int bits = device.profile == Profile::k1 ? 16 : 32;
-    format.positionBits = device.profile == Profile::k2 ? mostK2Bits : bits;
+    const int bits = device.profile == profile::k1 ? 16 : 32;
+    format.positionBits = device.profile == profile::k2 ? mostK2Bits : bits;
     format.coding = device.coding;
-    format.hasStatusBits = device.profile == Profile::k4;
-    format.hasOut = device.profile == Profile::k4;
+    format.hasStatusBits = device.profile == profile::k4;
+    format.hasOut = device.profile == profile::k4;
     const auto range = static_cast<std::uint64_t>(device.physicalStepsPerTurn) *
                        static_cast<std::uint64_t>(device.physicalTurns);
     if (range > 0 && !format.hasStatusBits)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/meaning_parts.h"
+#include "kinds/interbus/meaning/meaning_parts.h"
 
 #include "catalog/explain_word.h"
 #include "kinds/interbus/words/k3_cam_word.h"
@@ -197,7 +197,8 @@ QString MeaningParts::serviceData(const Meaning &meaning) const
 
 QString MeaningParts::outText(Word word, Mode mode) const
 {
-    return explanationText(m_device, explainWord(m_device, word, {WordDirection::out, {}, mode, {}, {}}));
+    return explanationText(m_device,
+                           explainWord(m_device, word, {.direction = WordDirection::out, .mode = mode}));
 }
 
 QStringList MeaningParts::of(const Meaning &meaning) const
