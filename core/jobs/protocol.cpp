@@ -2,6 +2,7 @@
 #include "jobs/protocol.h"
 
 #include "catalog/value_text.h"
+#include "jobs/step_text.h"
 
 namespace codewheel {
 namespace {
@@ -29,6 +30,11 @@ Refusal Protocol::shownError(const DeviceDescription &device, const Reading &rea
     const DeviceError *error = device.findError(reading.errorNumber.value_or(0));
     return {
         RefusalKind::device, error != nullptr ? error->meaning : RefusalId::otherDeviceError, {reading.in}};
+}
+
+QString Protocol::stepText(const DeviceDescription & /*device*/, const Step &step) const
+{
+    return sentText(step);
 }
 
 ParameterDescription Protocol::narrowed(const DeviceDescription &device, Parameter parameter,

@@ -18,7 +18,8 @@ struct PlanBasis
     std::vector<KnownCams> cams{};
     Word out = 0; // currently in OUT
     std::optional<ValueOptions> options{};
-    NodeId node{}; // where it is
+    NodeId node{};                    // where it is
+    std::optional<Reading> reading{}; // what it shows: the mode it is in comes before that known of its start
 };
 
 // What the protocol of an encoder makes of jobs and values before anything is sent. One object per protocol;
@@ -32,8 +33,8 @@ public:
     // See plannedSteps().
     virtual Result<std::vector<Step>> planned(const DeviceDescription &device, const Job &job,
                                               const PlanBasis &basis) const = 0;
-    // What a request asks or says, for the user: "03: preset := 5200h = 20992".
-    virtual QString requestText(const QByteArray &line) const { return QString::fromLatin1(line); }
+    // The line of a step in the wizard: "Parameter 1 steps = 255", "03: preset := 5200h = 20992".
+    virtual QString stepText(const DeviceDescription &device, const Step &step) const;
     // The command that sets the position to the value it carries.
     virtual QString presetCommand() const { return {}; }
 

@@ -4,8 +4,6 @@
 #include "catalog/preset_storage.h"
 #include "jobs/protocol.h"
 #include "jobs/shown_error.h"
-#include "kinds/interbus/k3/k3_mode.h"
-#include "kinds/interbus/words/la66_word.h"
 
 #include <algorithm>
 
@@ -55,20 +53,6 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
 {
     const auto known = encoder.known(parameter);
     return known && known->evidence == Evidence::read;
-}
-
-// A plan takes in the current mode as a start-up mode that was told; the known one may be out of date.
-std::vector<Known> knownNow(const EncoderSession &encoder)
-{
-    std::vector<Known> known = allKnown(encoder);
-    if (!encoder.device().mayHaveModes())
-        return known;
-    std::erase_if(known, [](const Known &one) { return one.parameter == Parameter::startUpMode; });
-    const Reading &reading = encoder.latest();
-    const auto startUp = reading.mode ? startUpModeFor(*reading.mode, reading.camProgram) : std::nullopt;
-    if (startUp)
-        known.push_back({Parameter::startUpMode, *startUp, Evidence::told, reading.at});
-    return known;
 }
 
 std::vector<KnownCams> allKnownCams(const EncoderSession &encoder)
@@ -170,13 +154,13 @@ std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wis
 Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out)
 {
     std::vector<Step> all;
-    PlanBasis basis{knownNow(encoder), allKnownCams(encoder), out, encoder.valueOptions(),
-                    encoder.place().node};
+    PlanBasis basis{allKnown(encoder),      allKnownCams(encoder), out,
+                    encoder.valueOptions(), encoder.place().node,  encoder.latest()};
     for (const Job &job : jobs) {
         auto steps = plannedSteps(encoder.device(), job, basis);
         if (!steps)
             return steps;
-        basis.out = k3::normalRunning;
+        basis.out = 0;
         all.insert(all.end(), steps->begin(), steps->end());
     }
     return all;
@@ -193,8 +177,7 @@ std::vector<Known> allKnown(const EncoderSession &encoder)
 
 bool takesValue(const Step &step)
 {
-    return step.kind == StepKind::parameter ||
-           (step.kind == StepKind::serviceBit && la66::isWrite(step.out)) || step.data;
+    return step.effect == Effect::takes;
 }
 
 bool writesValue(const Step &step)
@@ -204,13 +187,13 @@ bool writesValue(const Step &step)
 
 bool readsCams(const Step &step)
 {
-    return step.kind == StepKind::camReadOut || step.kind == StepKind::endReadOut;
+    return step.effect == Effect::readsCams || step.effect == Effect::reads;
 }
 
 int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device)
 {
     return static_cast<int>(std::ranges::count_if(steps, [&](const Step &step) {
-        return takesValue(step) || (step.kind == StepKind::initialisePreset && mayStorePreset(device));
+        return takesValue(step) || (step.effect == Effect::setsPosition && mayStorePreset(device));
     }));
 }
 

@@ -64,11 +64,6 @@ QString parameterNames(const std::vector<Parameter> &parameters)
     return names.join(QStringLiteral(", "));
 }
 
-QString sentText(const Step &step)
-{
-    return step.kind == StepKind::request ? QString::fromLatin1(step.line) : hexWord(step.out);
-}
-
 QString readsFirstText()
 {
     return WriteWords::tr("The encoder is read first; what it already has is not written again.");

@@ -37,9 +37,6 @@ struct WritePlan
     std::vector<ValueNote> notes{}; // what else the values bring about
 };
 
-// What goes out with a step: its word, "020000FF", or its request, "03GP00005200".
-QString sentText(const Step &step);
-
 QString parameterNames(const std::vector<Parameter> &parameters); // "steps, preset"
 
 // How the values are written, one sentence each: what is read before, what the words may turn out to be.

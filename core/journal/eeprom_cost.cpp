@@ -107,8 +107,8 @@ int mostWritesToRestore(const Progress &progress)
     const auto end = progress.steps.begin() + done;
     const auto count = [&](auto counts) { return std::count_if(progress.steps.begin(), end, counts); };
     const auto values = count([](const Step &step) { return takesValue(step); });
-    const auto cams = count([](const Step &step) { return step.kind == StepKind::camParameter; });
-    const auto programs = count([](const Step &step) { return step.kind == StepKind::switchMode; });
+    const auto cams = count([](const Step &step) { return step.effect == Effect::takesCams; });
+    const auto programs = count([](const Step &step) { return step.effect == Effect::switchesMode; });
     return static_cast<int>(values + (cams > 0 ? std::max(programs, std::ptrdiff_t{1}) : 0));
 }
 

@@ -6,43 +6,14 @@
 #include "vocabulary/known.h"
 #include "vocabulary/reading.h"
 #include "vocabulary/refusal.h"
+#include "vocabulary/step.h"
 
-#include <QByteArray>
 #include <QString>
 
 #include <variant>
 #include <vector>
 
 namespace codewheel {
-
-// What one step of a job is about; determines its line in the wizard.
-enum class StepKind : std::uint8_t {
-    toNormal,
-    parameter,
-    run,
-    initialisePreset,
-    readOut,
-    endReadOut,
-    word,
-    manufacturerPreset, // one bus cycle long
-    switchMode,
-    camParameter, // start, stop, cam configuration, shift_iw: acknowledged in cam parameterization
-    camReadOut,
-    service,    // LA-66: service number and data, the service bit still 0
-    serviceBit, // LA-66: the same with D31 = 1, until the encoder acknowledges
-    request,    // a request on a serial line, until it is answered
-};
-
-struct Step
-{
-    StepKind kind = StepKind::word;
-    Word out = 0;                       // the word this step puts into OUT
-    std::optional<Parameter> parameter; // parameter and readOut steps, where the description names it
-    QByteArray line{};                  // request: what is sent, "03GP00005200"
-    std::optional<std::int64_t> data{}; // request: the value it writes, as sent
-
-    friend bool operator==(const Step &, const Step &) = default;
-};
 
 // Sent when a step begins, starts waiting, or is done.
 struct Progress

@@ -5,6 +5,7 @@
 #include "journal/eeprom_cost.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
+#include "kinds/interbus/words/word_step.h"
 #include "tests/support/places.h"
 
 #include <gtest/gtest.h>
@@ -166,7 +167,9 @@ TEST_F(EepromCost, OfAnUnnamedK3IsThatOfAFraba)
 
 TEST_F(EepromCost, OfWritingBackWhatWasBefore)
 {
-    const auto step = [](StepKind kind, Word out) { return Step{kind, out, {}}; };
+    const auto step = [](StepKind kind, Word out) {
+        return Step{.effect = effectOf(kind, out), .kind = kind, .out = out};
+    };
     Progress progress{.index = 2,
                       .steps = {step(StepKind::readOut, 0x20210001), step(StepKind::parameter, 0x020000FF),
                                 step(StepKind::parameter, 0x04000001), step(StepKind::parameter, 0x06000003)},

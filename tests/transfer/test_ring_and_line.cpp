@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jobs, places, positions and the report for encoders on several buses.
+#include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/plan/esc_line_plan.h"

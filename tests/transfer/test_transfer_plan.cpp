@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "tests/support/places.h"
 #include "tests/transfer/transfer_bus.h"

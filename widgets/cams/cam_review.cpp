@@ -2,11 +2,11 @@
 #include "widgets/cams/cam_review.h"
 
 #include "cams/cam_fields.h"
+#include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "vocabulary/hex.h"
 #include "widgets/cams/cam_texts.h"
-#include "widgets/job/step_text.h"
 #include "widgets/look/describe.h"
 
 #include <QComboBox>
@@ -32,7 +32,7 @@ QString fieldText(CamField field, std::int64_t value)
 
 bool setsCams(const Step &step)
 {
-    return step.kind == StepKind::camParameter;
+    return step.effect == Effect::takesCams;
 }
 
 // The encoder's value of what the word sets; nothing: not known.

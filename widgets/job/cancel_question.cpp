@@ -2,7 +2,6 @@
 #include "widgets/job/cancel_question.h"
 
 #include "journal/eeprom_cost.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/job/known_text.h"
@@ -73,15 +72,14 @@ bool isTakingValue(const Progress &progress)
     if (progress.waitsForUser || progress.index >= std::ssize(progress.steps))
         return false;
     const Step &step = progress.steps[static_cast<std::size_t>(progress.index)];
-    return takesValue(step) || step.kind == StepKind::camParameter ||
-           (step.kind == StepKind::word && k3::isParameterWord(step.out));
+    return takesValue(step) || step.effect == Effect::takesCams || step.effect == Effect::takesByHand;
 }
 
 bool tookCams(const Progress &progress)
 {
     const auto done = std::min(std::ssize(progress.steps), std::ptrdiff_t{progress.index});
     return std::any_of(progress.steps.begin(), progress.steps.begin() + done,
-                       [](const Step &step) { return step.kind == StepKind::camParameter; });
+                       [](const Step &step) { return step.effect == Effect::takesCams; });
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/job/job_strip.h"
 
+#include "jobs/step_text.h"
 #include "widgets/job/job_cancel.h"
-#include "widgets/job/step_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"

@@ -2,9 +2,9 @@
 #include "widgets/job/step_table.h"
 
 #include "catalog/device_description.h"
+#include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "vocabulary/hex.h"
-#include "widgets/job/step_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"

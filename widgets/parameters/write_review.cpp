@@ -2,6 +2,7 @@
 #include "widgets/parameters/write_review.h"
 
 #include "catalog/value_text.h"
+#include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "widgets/job/known_text.h"
 #include "widgets/models/device_traits.h"

@@ -38,8 +38,8 @@ void SequenceJob::takeProgress(const Progress &progress)
 {
     if (progress.job != m_job || progress.index >= m_words)
         return;
-    const StepKind kind = progress.steps.at(static_cast<std::size_t>(progress.index)).kind;
-    if (kind != StepKind::word && kind != StepKind::manufacturerPreset)
+    const Effect effect = progress.steps.at(static_cast<std::size_t>(progress.index)).effect;
+    if (effect != Effect::byHand && effect != Effect::takesByHand)
         return;
     m_index = progress.index;
     Q_EMIT reached(m_index);

@@ -3,6 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/catalog.h"
+#include "jobs/step_text.h"
 #include "jobs/values_to_write.h"
 #include "jobs/write_plan.h"
 #include "transfer/project_places.h"

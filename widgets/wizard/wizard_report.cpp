@@ -4,11 +4,11 @@
 #include "catalog/device_description.h"
 #include "catalog/explain_word.h"
 #include "jobs/job_report.h"
+#include "jobs/step_text.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/job/known_text.h"
-#include "widgets/job/step_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

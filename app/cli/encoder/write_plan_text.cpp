@@ -7,6 +7,7 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/parameter_text.h"
 #include "jobs/protocol.h"
+#include "jobs/step_text.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"

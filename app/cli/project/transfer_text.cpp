@@ -9,6 +9,7 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/cam_text.h"
 #include "cli/encoder/parameter_text.h"
+#include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "journal/eeprom_cost.h"
 #include "transfer/transfer_words.h"
@@ -97,7 +98,7 @@ QJsonObject valueJsonOf(const DeviceDescription *device, const ParameterValue &v
 // A word, or the command of a serial encoder.
 void addSent(QJsonObject &json, const std::optional<Step> &step)
 {
-    const bool isRequest = step && step->kind == StepKind::request;
+    const bool isRequest = step && !step->line.isEmpty();
     json.insert(QStringLiteral("word"), step && !isRequest ? wordJson(step->out) : QJsonValue());
     if (isRequest)
         json.insert(QStringLiteral("command"), sentText(*step));

@@ -9,8 +9,8 @@ namespace {
 TEST(DoneJobs, TheJobOnItsWayIsSeenBehindThoseThatAreDone)
 {
     DoneJobs done;
-    const Step written{.kind = StepKind::serviceBit, .out = 0xC200'1388, .parameter = {}};
-    const Step set{.kind = StepKind::serviceBit, .out = 0xC600'03E8, .parameter = {}};
+    const Step written{.effect = Effect::takes, .out = 0xC200'1388};
+    const Step set{.effect = Effect::takes, .out = 0xC600'03E8};
     Outcome first;
     first.eepromWrites = 1;
     first.positionBefore = 4661;

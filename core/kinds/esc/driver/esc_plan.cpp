@@ -182,11 +182,11 @@ EscStep EscPlan::writing(const ParameterValue &value) const
 EscStep EscPlan::step(EscStep::Task task, esc::Command command, std::uint32_t data) const
 {
     EscStep step;
-    step.kind = StepKind::request;
     step.task = task;
     step.request = {m_address, command, data};
     step.line = step.request.text();
-    if (esc::shapeOf(command).writes)
+    step.effect = esc::shapeOf(command).writes ? Effect::takes : Effect::reads;
+    if (step.effect == Effect::takes)
         step.data = data;
     return step;
 }

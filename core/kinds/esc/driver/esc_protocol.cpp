@@ -20,7 +20,7 @@ class EscProtocol final : public Protocol
 public:
     Result<std::vector<Step>> planned(const DeviceDescription &device, const Job &job,
                                       const PlanBasis &basis) const override;
-    QString requestText(const QByteArray &line) const override;
+    QString stepText(const DeviceDescription &device, const Step &step) const override;
     QString presetCommand() const override { return QStringLiteral("GP"); }
 
     bool wasSent(const Progress &job, std::optional<Parameter> parameter) const override
@@ -81,10 +81,10 @@ Result<std::vector<Step>> EscProtocol::planned(const DeviceDescription &device, 
     return plannedBy(plan, job, [&] { return plan.stepsFor(job); });
 }
 
-QString EscProtocol::requestText(const QByteArray &line) const
+QString EscProtocol::stepText(const DeviceDescription &device, const Step &step) const
 {
-    const auto request = esc::parseRequest(line);
-    return request ? esc::requestText(*request) : Protocol::requestText(line);
+    const auto request = esc::parseRequest(step.line);
+    return request ? esc::requestText(*request) : Protocol::stepText(device, step);
 }
 
 // The scaling factor is sent along with what takes effect through it.

@@ -54,7 +54,7 @@ K3State K3Handshake::cycle(Word in, Word out, Instant now)
 K3State K3Handshake::answerTo(Word in)
 {
     const bool answered = [&] {
-        switch (m_step.kind) {
+        switch (m_step.kind.as<StepKind>()) {
         case StepKind::parameter:
             return confirmsStep(in);
         case StepKind::run:
@@ -71,7 +71,7 @@ K3State K3Handshake::answerTo(Word in)
         m_answeredSince = m_now;
     m_answered = answered;
 
-    switch (m_step.kind) {
+    switch (m_step.kind.as<StepKind>()) {
     case StepKind::parameter:
         return confirmation(in);
     case StepKind::run:

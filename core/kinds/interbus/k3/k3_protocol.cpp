@@ -3,9 +3,11 @@
 
 #include "catalog/preset_storage.h"
 #include "jobs/planned_by.h"
+#include "kinds/interbus/k3/k3_mode.h"
 #include "kinds/interbus/k3/k3_plan.h"
 #include "kinds/interbus/k3/k3_refusal.h"
 #include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/word_step.h"
 
 #include <utility>
 
@@ -19,7 +21,7 @@ public:
                                       const PlanBasis &basis) const override
     {
         K3Knowledge knowledge(device);
-        knowledge.set(basis.known);
+        knowledge.set(knownNow(device, basis));
         knowledge.setCams(basis.cams);
         const K3Plan plan(device, knowledge);
         return plannedBy(plan, job, [&] {
@@ -28,6 +30,10 @@ public:
                 K3Plan::clearOutFirst(steps, job);
             return steps;
         });
+    }
+    QString stepText(const DeviceDescription &device, const Step &step) const override
+    {
+        return wordStepText(device, step);
     }
     Refusal shownError(const DeviceDescription &device, const Reading &reading) const override
     {
@@ -50,6 +56,20 @@ public:
     }
 
 private:
+    // A plan takes in the current mode as a start-up mode that was told; the known one may be out of date.
+    static std::vector<Known> knownNow(const DeviceDescription &device, const PlanBasis &basis)
+    {
+        std::vector<Known> known = basis.known;
+        if (!basis.reading || !device.mayHaveModes())
+            return known;
+        std::erase_if(known, [](const Known &one) { return one.parameter == Parameter::startUpMode; });
+        const Reading &reading = *basis.reading;
+        const auto startUp = reading.mode ? startUpModeFor(*reading.mode, reading.camProgram) : std::nullopt;
+        if (startUp)
+            known.push_back({Parameter::startUpMode, *startUp, Evidence::told, reading.at});
+        return known;
+    }
+
     // As far as the effect of a word depends on earlier ones.
     static bool storedBy(const DeviceDescription &device, Word out, bool &mayBeInCamMode)
     {

@@ -131,7 +131,7 @@ void K3Run::stepDone(Word in)
     m_steps.goOn();
     if (isPresetShown)
         judgePreset(in);
-    switch (step.kind) {
+    switch (step.kind.as<StepKind>()) {
     case StepKind::parameter:
         if (step.parameter)
             replaceValue(m_confirmed.values, {*step.parameter, step.value});

@@ -22,7 +22,7 @@ std::optional<Parameter> missingForPreset(const DeviceDescription &device, const
 // The current step is the one in which the new position shows.
 bool K3Run::showsPreset() const
 {
-    const StepKind kind = m_steps.current().kind;
+    const OwnKind kind = m_steps.current().kind;
     return kind == StepKind::initialisePreset ||
            (kind == StepKind::toNormal && follows(StepKind::manufacturerPreset));
 }

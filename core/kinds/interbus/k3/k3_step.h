@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/interbus/words/word_step.h"
 #include "vocabulary/event.h"
 
 namespace codewheel {
@@ -45,6 +46,7 @@ inline bool setsPosition(const K3Step &step)
 inline K3Step k3Step(StepKind kind, Word out)
 {
     K3Step step;
+    step.effect = effectOf(kind, out);
     step.kind = kind;
     step.out = out;
     return step;

@@ -47,7 +47,7 @@ La66State La66Handshake::cycle(Word in, Word out, Instant now)
 
 La66State La66Handshake::answerTo(Word in)
 {
-    switch (m_step.kind) {
+    switch (m_step.kind.as<StepKind>()) {
     case StepKind::serviceBit:
         return answerToService(in, m_step.out);
     case StepKind::service: // an old answer must be gone before the next service is asked for

@@ -22,6 +22,7 @@ La66Steps service(Word request, std::optional<Parameter> parameter)
     La66Step bit = data;
     bit.kind = StepKind::serviceBit;
     bit.out = request | la66::serviceBit;
+    bit.effect = effectOf(StepKind::serviceBit, bit.out);
     La66Step end = La66Plan::endOfService(request);
     end.parameter = parameter;
     return {data, bit, end};
@@ -46,6 +47,7 @@ La66Step wordStep(Word out, int holdCycles)
 {
     La66Step step;
     step.kind = StepKind::word;
+    step.effect = effectOf(StepKind::word, out);
     step.out = out;
     step.holdCycles = holdCycles;
     return step;

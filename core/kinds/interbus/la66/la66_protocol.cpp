@@ -4,6 +4,7 @@
 #include "jobs/planned_by.h"
 #include "kinds/interbus/la66/la66_plan.h"
 #include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/word_step.h"
 
 #include <QCoreApplication>
 
@@ -27,6 +28,10 @@ public:
         return QCoreApplication::translate(
             "Protocol", "Each word goes out for two bus cycles with its first bit, the service "
                         "bit, 0; what was written is read back.");
+    }
+    QString stepText(const DeviceDescription &device, const Step &step) const override
+    {
+        return wordStepText(device, step);
     }
     Refusal shownError(const DeviceDescription & /*device*/, const Reading &reading) const override
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/interbus/words/word_step.h"
 #include "vocabulary/event.h"
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
 #include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/word_step.h"
 
 namespace codewheel {
 namespace {

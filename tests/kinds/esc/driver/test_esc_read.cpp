@@ -176,7 +176,7 @@ TEST(EscRead, StepsAreTheRequests)
     bench.settle();
     bench.finish(ReadParameters{{Parameter::steps, Parameter::direction}});
     ASSERT_EQ(bench.progress.steps.size(), 2u);
-    EXPECT_EQ(bench.progress.steps[0].kind, StepKind::request);
+    EXPECT_EQ(bench.progress.steps[0].effect, Effect::reads);
     EXPECT_EQ(bench.progress.steps[0].line, "03D");
     EXPECT_EQ(bench.progress.steps[1].line, "03O");
     EXPECT_EQ(bench.progress.steps[1].parameter, Parameter::direction);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/word_step.h"
 #include "tests/widgets/kinds/esc/line/esc_line_bench.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/job/job_strip.h"
@@ -22,7 +23,7 @@ QString told(EncoderSession &encoder, const Step &step)
 
 Step request(const char *line)
 {
-    return {.kind = StepKind::request, .parameter = {}, .line = line};
+    return {.line = line};
 }
 
 TEST(JobStrip, TellsTheRequestsOfASerialEncoderAsWhatTheyAre)
@@ -40,9 +41,12 @@ TEST(JobStrip, TellsWordsAsTheWizardDoes)
 {
     test::TrainingBusSession ring;
     EncoderSession &encoder = ring.encoder(test::fraba);
-    EXPECT_EQ(told(encoder, {.kind = StepKind::parameter, .out = 0x0200'00FF, .parameter = Parameter::steps}),
+    EXPECT_EQ(told(encoder, {.effect = Effect::takes,
+                             .kind = StepKind::parameter,
+                             .out = 0x0200'00FF,
+                             .parameter = Parameter::steps}),
               QStringLiteral("Step 1 of 1: Parameter 1 steps = 255"));
-    EXPECT_EQ(told(encoder, {.kind = StepKind::run, .out = 0x8000'0000, .parameter = {}}),
+    EXPECT_EQ(told(encoder, {.effect = Effect::activates, .kind = StepKind::run, .out = 0x8000'0000}),
               QStringLiteral("Step 1 of 1: Run: the values become valid"));
 }
 

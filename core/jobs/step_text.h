@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "vocabulary/event.h"
-
-#include <QString>
+#include "jobs/protocol.h"
 
 namespace codewheel {
 
-struct DeviceDescription;
-
 // What a step of a job does, whatever the bus: "Steps = 255", "Read steps", "Run: the values become valid",
 // "Read the position of 05". Used by the wizard, the panels' job strip and the reports.
-QString stepText(const DeviceDescription &device, const Step &step);
+inline QString stepText(const DeviceDescription &device, const Step &step)
+{
+    return protocolOf(device).stepText(device, step);
+}
+
+// What is sent: "020000FF", "03GP00005200".
+QString sentText(const Step &step);
 
 } // namespace codewheel

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/job/step_text.h"
+#include "kinds/interbus/words/word_step.h"
 
 #include "catalog/explain_word.h"
-#include "jobs/protocol.h"
+#include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/la66_word.h"
 
 #include <QCoreApplication>
 
@@ -22,9 +23,40 @@ Mode modeOf(StepKind kind)
 
 } // namespace
 
-QString stepText(const DeviceDescription &device, const Step &step)
+Effect effectOf(StepKind kind, Word out)
 {
-    switch (step.kind) {
+    switch (kind) {
+    case StepKind::parameter:
+        return Effect::takes;
+    case StepKind::serviceBit:
+        return la66::isWrite(out) ? Effect::takes : Effect::reads;
+    case StepKind::run:
+        return Effect::activates;
+    case StepKind::initialisePreset:
+    case StepKind::manufacturerPreset:
+        return Effect::setsPosition;
+    case StepKind::readOut:
+    case StepKind::endReadOut:
+        return Effect::reads;
+    case StepKind::camReadOut:
+        return Effect::readsCams;
+    case StepKind::camParameter:
+        return Effect::takesCams;
+    case StepKind::switchMode:
+        return Effect::switchesMode;
+    case StepKind::word:
+        return k3::isParameterWord(out) ? Effect::takesByHand : Effect::byHand;
+    case StepKind::toNormal:
+    case StepKind::service:
+        break;
+    }
+    return Effect::none;
+}
+
+QString wordStepText(const DeviceDescription &device, const Step &step)
+{
+    const auto kind = step.kind.as<StepKind>();
+    switch (kind) {
     case StepKind::toNormal:
         return step.out == 0 ? StepText::tr("Back to normal running")
                              : StepText::tr("Take the service bit back");
@@ -41,8 +73,6 @@ QString stepText(const DeviceDescription &device, const Step &step)
         return StepText::tr("End the read-out");
     case StepKind::manufacturerPreset:
         return StepText::tr("Set the position to the preset, for one bus cycle");
-    case StepKind::request:
-        return protocolOf(device).requestText(step.line);
     case StepKind::service:
     case StepKind::serviceBit:
     case StepKind::switchMode:
@@ -56,7 +86,7 @@ QString stepText(const DeviceDescription &device, const Step &step)
         device,
         explainWord(
             device, step.out,
-            {.direction = WordDirection::out, .mode = modeOf(step.kind), .coding = {}, .counterpart = {}}));
+            {.direction = WordDirection::out, .mode = modeOf(kind), .coding = {}, .counterpart = {}}));
 }
 
 } // namespace codewheel

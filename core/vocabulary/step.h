@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/parameter.h"
+#include "vocabulary/word.h"
+
+#include <QByteArray>
+
+#include <optional>
+#include <type_traits>
+
+namespace codewheel {
+
+// What a step does to the encoder. Progress, EEPROM writes and the ways back follow from it, whatever the
+// protocol.
+enum class Effect : std::uint8_t {
+    none,  // it prepares or ends another
+    reads, // a value, or ends a reading
+    readsCams,
+    takes,        // the encoder takes a value; whether it is in force at once, its protocol says
+    takesCams,    // the encoder takes a word of a cam program
+    byHand,       // a word of the user, whatever it does
+    takesByHand,  // one that gives the encoder a value
+    activates,    // what it has taken is in force from now on
+    setsPosition, // to what it has as a preset
+    switchesMode, // a cam program that was changed is stored
+};
+
+// A number that tells the steps of one protocol apart. It means nothing to anybody else.
+class OwnKind
+{
+public:
+    constexpr OwnKind() = default;
+    template <typename Kind>
+    requires std::is_enum_v<Kind>
+    constexpr OwnKind(Kind kind) // NOLINT(google-explicit-constructor)
+        : m_number(static_cast<std::uint8_t>(kind))
+    {}
+
+    template <typename Kind>
+    requires std::is_enum_v<Kind>
+    constexpr Kind as() const { return static_cast<Kind>(m_number); }
+
+    friend constexpr bool operator==(OwnKind, OwnKind) = default;
+
+private:
+    std::uint8_t m_number = 0;
+};
+
+struct Step
+{
+    Effect effect = Effect::none;
+    OwnKind kind{};
+    Word out = 0;                         // the word this step puts into OUT
+    std::optional<Parameter> parameter{}; // that it reads or writes, where the description names it
+    QByteArray line{};                    // what is sent instead of a word: "03GP00005200"
+    std::optional<std::int64_t> data{};   // the value that a line writes, as sent
+
+    friend bool operator==(const Step &, const Step &) = default;
+};
+
+} // namespace codewheel
