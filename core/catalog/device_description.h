@@ -4,9 +4,10 @@
 #include "catalog/device_tables.h"
 #include "catalog/ordering_key.h"
 #include "catalog/profile.h"
-#include "kinds/interbus/words/k3_explain.h"
 #include "vocabulary/capabilities.h"
+#include "vocabulary/own_kind.h"
 #include "vocabulary/parameter.h"
+#include "vocabulary/position_coding.h"
 #include "vocabulary/refusal.h"
 
 #include <QByteArray>
@@ -112,10 +113,10 @@ struct DeviceDescription
     QString manual;  // the source, with edition
     LocalText notes; // what is assumed where the manual is silent; may be empty
     Profile profile;
-    k3::Dialect dialect = k3::Dialect::generic; // of a K3
-    unsigned idCode = 0;                        // 37h
-    unsigned deviceCode = 0;                    // 0237h = length code << 8 | ID code
-    int inWords = 2;                            // 16 bit each
+    OwnKind dialect;         // where makes of one protocol differ
+    unsigned idCode = 0;     // 37h
+    unsigned deviceCode = 0; // 0237h = length code << 8 | ID code
+    int inWords = 2;         // 16 bit each
     int outWords = 2;
     int physicalStepsPerTurn = 0; // 0: not known
     int physicalTurns = 0;        // 0: not known

@@ -26,6 +26,11 @@ public:
     virtual const WordMeanings *wordMeanings() const { return nullptr; }
     // The bits that a position can have at most.
     virtual int positionBits(const DeviceDescription &device) const { return device.inWords * 16; }
+    // The positions that this are.
+    std::int64_t largestTotalRange(const DeviceDescription &device) const
+    {
+        return std::int64_t{1} << positionBits(device);
+    }
     // It tells the place on a rod, not turns.
     virtual bool measuresLength() const { return false; }
     // What an encoder takes is valid only after run, not at once.

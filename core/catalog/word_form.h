@@ -23,4 +23,11 @@ struct WordForm
 // bits: 16 or 32; device: null if not known, in which case every bit may have any meaning.
 WordForm wordForm(int bits, const DeviceDescription *device);
 
+// The data of a word of 32 bits of this device.
+inline Word dataOf(const DeviceDescription &device, Word word)
+{
+    const int unused = 32 - wordForm(32, &device).dataBits;
+    return word << unused >> unused;
+}
+
 } // namespace codewheel

@@ -43,6 +43,19 @@ public:
     virtual QString howItIsSent() const { return {}; }
     // What to say about an encoder that shows an error number by itself: no job asked it for anything.
     virtual Refusal shownError(const DeviceDescription &device, const Reading &reading) const;
+    // The word that this job begins with where no mode changes it; 0: it has none.
+    virtual Word firstWord(const DeviceDescription & /*device*/, const Job & /*job*/) const { return 0; }
+    // The value that this OUT word gives the encoder, and the one that this IN word confirms.
+    virtual std::optional<ParameterValue> valueIn(const DeviceDescription & /*device*/, Word /*out*/) const
+    {
+        return {};
+    }
+    virtual std::optional<ParameterValue> confirmedIn(const DeviceDescription & /*device*/, Word /*in*/) const
+    {
+        return {};
+    }
+    // Whether another position may belong to the same place after this OUT word.
+    virtual bool mayChangeScale(Word /*out*/) const { return true; }
     // How often at most these words, sent one after the other by hand, write to its EEPROM.
     virtual int eepromWrites(const DeviceDescription & /*device*/, std::span<const Word> /*words*/,
                              bool /*mayBeInCamMode*/) const

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/what_run_makes_valid.h"
 
-#include "catalog/device_description.h"
-#include "kinds/interbus/words/k3_word.h"
+#include "jobs/protocol.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -21,13 +20,11 @@ struct RunText
 // "IN (C2001000) confirms Steps with the data 4,096."
 QString confirmed(const DeviceDescription &device, Word in)
 {
-    const ParameterDescription *parameter =
-        k3::isConfirmation(in) ? device.findNumber(k3::number(in)) : nullptr;
-    if (parameter == nullptr)
+    const auto value = protocolOf(device).confirmedIn(device, in);
+    if (!value)
         return {};
-    return sentence(
-               RunText::tr("IN (%1) confirms %2 with the data %3.", "a name, a number"),
-               {hexWord(in), parameterName(parameter->parameter), numberText(std::int64_t{k3::data(in)})}) +
+    return sentence(RunText::tr("IN (%1) confirms %2 with the data %3.", "a name, a number"),
+                    {hexWord(in), parameterName(value->parameter), numberText(value->value)}) +
            u' ';
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is sent by hand: words, and writes that are typed.
 #include "bus/word_channel.h"
-#include "catalog/device_description.h"
+#include "jobs/protocol.h"
 #include "journal/eeprom_cost.h"
 #include "journal/ledger_keeper.h"
-#include "kinds/interbus/words/k3_word.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,10 +17,9 @@ void LedgerKeeper::beginByHand(Place place, Word word)
     if (noted == nullptr)
         return;
     noted->at = m_bus.now();
-    const auto *parameter =
-        k3::isParameterWord(word) ? watched.encoder->device().findNumber(k3::number(word)) : nullptr;
-    if (parameter != nullptr)
-        replaceValue(noted->sent, {parameter->parameter, k3::data(word)});
+    const DeviceDescription &device = watched.encoder->device();
+    if (const auto value = protocolOf(device).valueIn(device, word))
+        replaceValue(noted->sent, *value);
 }
 
 void LedgerKeeper::beginTyped(const TypedWrite &write)

@@ -3,7 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
-#include "kinds/interbus/words/k3_word.h"
+#include "jobs/protocol.h"
 #include "transfer/project_places.h"
 
 #include <algorithm>
@@ -58,16 +58,11 @@ bool changeScale(const ParameterValues &written, const ParameterValues &before)
     });
 }
 
-bool mayChangeScale(Word word)
-{
-    return k3::isParameterWord(word) || (word & k3::presetBit) != 0;
-}
-
 // Apart from the values it writes, which are seen when it has ended.
-bool mayChangeScale(const Job &job)
+bool mayChangeScale(const DeviceDescription &device, const Job &job)
 {
     const auto *send = std::get_if<SendWords>(&job);
-    const auto changes = [](Word word) { return mayChangeScale(word); };
+    const auto changes = [&](Word word) { return protocolOf(device).mayChangeScale(word); };
     return initialisesPreset(job) || std::holds_alternative<ResetToDefault>(job) ||
            (send != nullptr && std::ranges::any_of(send->words, changes));
 }
@@ -204,11 +199,11 @@ void LastPositions::follow(const EncoderSession &encoder)
     connect(its, &QObject::destroyed, this, [this, its] { m_followed.erase(its); });
     connect(its, &EncoderSession::knownChanged, this, [this, its] { compareScale(*its); });
     connect(its, &EncoderSession::jobAboutToStart, this, [this, its](const Job &job) {
-        if (mayChangeScale(job))
+        if (mayChangeScale(its->device(), job))
             scaledAnew(its->place());
     });
     connect(its, &EncoderSession::wordAboutToBeSent, this, [this, its](Word word) {
-        if (mayChangeScale(word))
+        if (protocolOf(its->device()).mayChangeScale(word))
             scaledAnew(its->place());
     });
     connect(its, &EncoderSession::finished, this, [this, its](const Outcome &outcome) {

@@ -4,7 +4,6 @@
 #include "bus/encoder_bus.h"
 #include "bus/word_channel.h"
 #include "jobs/values_to_write.h"
-#include "kinds/interbus/words/k3_word.h"
 
 #include <utility>
 
@@ -41,7 +40,7 @@ std::optional<ValueOptions> NewEncoder::valueOptions() const
 Result<std::vector<Step>> NewEncoder::planned(const std::vector<Job> &jobs) const
 {
     const WordChannel *channel = m_bus.channel(m_place);
-    return stepsForJobs(*this, jobs, channel ? channel->out() : k3::normalRunning);
+    return stepsForJobs(*this, jobs, channel ? channel->out() : 0);
 }
 
 Result<JobId> NewEncoder::start(const Job & /*job*/, Pace /*pace*/)

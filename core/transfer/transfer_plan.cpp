@@ -5,9 +5,9 @@
 #include "bus/participant.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
+#include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
 #include "journal/eeprom_cost.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "transfer/new_encoder.h"
 
 #include <algorithm>
@@ -87,7 +87,6 @@ private:
     void addPositionMode();
     void addCams();
     void add(const Job &job);
-    Word firstWord() const;
     void setHindrance(const std::optional<Refusal> &hindrance);
     SwitchMode modeAfterwards() const;
 
@@ -148,16 +147,13 @@ void EncoderComparison::addPositionMode()
         add(SwitchMode{});
         m_plan.eepromWrites += mostEepromWrites(m_encoder, SwitchMode{}); // may leave a cam program
     } else if (m_encoder.latest().mode == Mode::cam && !m_wish.values.empty())
-        setHindrance(Refusal{RefusalKind::notSupported, RefusalId::inCamMode, {firstWord()}});
+        setHindrance(Refusal{RefusalKind::notSupported,
+                             RefusalId::inCamMode,
+                             {protocolOf(m_device).firstWord(m_device, m_plan.write.job)}});
     else if (m_wish.position && isElsewhere)
-        setHindrance(Refusal{RefusalKind::notSupported, RefusalId::modeNotKnown, {k3::initialisePreset}});
-}
-
-Word EncoderComparison::firstWord() const
-{
-    const ParameterValue &value = m_plan.write.rows.front().wanted;
-    const ParameterDescription *parameter = m_device.find(value.parameter);
-    return k3::parameterWord(parameter ? parameter->number.value_or(0) : 0, static_cast<Word>(value.value));
+        setHindrance(Refusal{RefusalKind::notSupported,
+                             RefusalId::modeNotKnown,
+                             {protocolOf(m_device).firstWord(m_device, SetPreset{})}});
 }
 
 // A changed program is stored when it is left (FRABA manual 5.4.4).

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vocabulary/own_kind.h"
 #include "vocabulary/parameter.h"
 #include "vocabulary/word.h"
 
 #include <QByteArray>
 
 #include <optional>
-#include <type_traits>
 
 namespace codewheel {
 
@@ -26,31 +26,10 @@ enum class Effect : std::uint8_t {
     switchesMode, // a cam program that was changed is stored
 };
 
-// A number that tells the steps of one protocol apart. It means nothing to anybody else.
-class OwnKind
-{
-public:
-    constexpr OwnKind() = default;
-    template <typename Kind>
-    requires std::is_enum_v<Kind>
-    constexpr OwnKind(Kind kind) // NOLINT(google-explicit-constructor)
-        : m_number(static_cast<std::uint8_t>(kind))
-    {}
-
-    template <typename Kind>
-    requires std::is_enum_v<Kind>
-    constexpr Kind as() const { return static_cast<Kind>(m_number); }
-
-    friend constexpr bool operator==(OwnKind, OwnKind) = default;
-
-private:
-    std::uint8_t m_number = 0;
-};
-
 struct Step
 {
     Effect effect = Effect::none;
-    OwnKind kind{};
+    OwnKind kind{};                       // of its protocol
     Word out = 0;                         // the word this step puts into OUT
     std::optional<Parameter> parameter{}; // that it reads or writes, where the description names it
     QByteArray line{};                    // what is sent instead of a word: "03GP00005200"

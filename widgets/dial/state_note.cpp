@@ -3,7 +3,7 @@
 
 #include "catalog/explain_word.h"
 #include "catalog/protocol_rules.h"
-#include "kinds/interbus/words/k3_word.h"
+#include "catalog/word_form.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"
@@ -95,7 +95,7 @@ QString whyNoPosition(const EncoderSession &encoder)
         return noteOfState(device, reading).sentence;
     if (reading.velocity)
         return DialNote::tr("No position while the encoder sends its velocity.");
-    const QString raw = hexWord(k3::data(reading.in));
+    const QString raw = hexWord(dataOf(device, reading.in));
     if (device.isGeneric())
         return DialNote::tr("Raw word %1. The make of the encoder is not known, and so neither is its "
                             "coding: name it in the bus structure.")

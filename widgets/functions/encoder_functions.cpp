@@ -2,7 +2,7 @@
 #include "widgets/functions/encoder_functions.h"
 
 #include "catalog/device_description.h"
-#include "kinds/interbus/words/k3_word.h"
+#include "jobs/protocol.h"
 #include "vocabulary/position_mode.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
@@ -15,6 +15,8 @@
 
 namespace codewheel {
 namespace {
+
+const SetPreset manufacturerPreset{{}, PresetCommand::manufacturer};
 
 void describeAction(QAction &action, const char *name, const QString &what, const QKeySequence &key = {})
 {
@@ -99,12 +101,13 @@ void EncoderFunctions::describeFrabaPreset()
 {
     const bool linkForbidsIt = m_encoder && m_encoder->device().capabilities.manufacturerPreset &&
                                !m_encoder->can().manufacturerPreset;
-    describeAction(
-        *m_frabaPreset, "frabaPreset",
-        !linkForbidsIt
-            ? tr("Sets the position to the programmed preset, as often as wanted; asks first")
-            : refusalText({RefusalKind::notSupported, RefusalId::linkDoesNotBoundCycles, {k3::frabaPreset}}),
-        Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+    describeAction(*m_frabaPreset, "frabaPreset",
+                   !linkForbidsIt
+                       ? tr("Sets the position to the programmed preset, as often as wanted; asks first")
+                       : refusalText({RefusalKind::notSupported,
+                                      RefusalId::linkDoesNotBoundCycles,
+                                      {firstWord(manufacturerPreset)}}),
+                   Qt::CTRL | Qt::SHIFT | Qt::Key_P);
 }
 
 void EncoderFunctions::tellPositionMode()
@@ -128,13 +131,13 @@ void EncoderFunctions::goToVelocityMode()
     if (mode == Mode::velocity)
         start(SwitchMode{Mode::position});
     else if (mode != Mode::cam || askToLeaveCamMode(m_window, *m_encoder))
-        startInPositionMode(SwitchMode{Mode::velocity}, k3::velocityOn);
+        startInPositionMode(SwitchMode{Mode::velocity});
 }
 
 void EncoderFunctions::setToPreset()
 {
     if (askForFrabaPreset(m_window, *m_encoder))
-        startInPositionMode(SetPreset{{}, PresetCommand::manufacturer}, k3::frabaPreset);
+        startInPositionMode(manufacturerPreset);
 }
 
 void EncoderFunctions::reset()
@@ -143,8 +146,15 @@ void EncoderFunctions::reset()
         m_resetJob = start(ResetToDefault{});
 }
 
+// In position mode.
+Word EncoderFunctions::firstWord(const Job &job) const
+{
+    const DeviceDescription &device = m_encoder->device();
+    return protocolOf(device).firstWord(device, job);
+}
+
 // Asks for the mode if it is not known.
-void EncoderFunctions::startInPositionMode(const Job &job, Word out)
+void EncoderFunctions::startInPositionMode(const Job &job)
 {
     if (!m_encoder)
         return;
@@ -152,7 +162,7 @@ void EncoderFunctions::startInPositionMode(const Job &job, Word out)
         start(job);
         return;
     }
-    switch (askForMode(m_window, *m_encoder, out)) {
+    switch (askForMode(m_window, *m_encoder, firstWord(job))) {
     case ModeAnswer::isInPositionMode:
         tellPositionMode();
         start(job);

@@ -39,7 +39,8 @@ private:
     void goToVelocityMode();
     void setToPreset();
     void reset();
-    void startInPositionMode(const Job &job, Word out);
+    void startInPositionMode(const Job &job);
+    Word firstWord(const Job &job) const;
     std::optional<JobId> start(const Job &job);
     void finished(const Outcome &outcome);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/word_format.h"
 
-#include "kinds/interbus/words/k3_word.h"
-#include "kinds/interbus/words/position_code.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/number_code.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -43,12 +42,12 @@ QString decimalText(Word word, int bits)
 
 QString signedText(Word word, int bits)
 {
-    return plainNumber(k3::signedNumber(lowBits(word, bits), bits));
+    return plainNumber(signedNumber(lowBits(word, bits), bits));
 }
 
 QString grayText(Word word, int bits)
 {
-    return plainNumber(k3::binaryFromGray(lowBits(word, bits)));
+    return plainNumber(binaryFromGray(lowBits(word, bits)));
 }
 
 QString binaryText(Word word, int bits)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/position_to_set.h"
 
+#include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
-#include "kinds/interbus/words/la66_word.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -27,7 +27,7 @@ ParameterDescription positionToSet(const EncoderSession &encoder)
                                            encoder.valueOptions());
     ParameterDescription position;
     position.parameter = Parameter::preset;
-    position.maximum = la66::dataMask;
+    position.maximum = protocolRules(device.profile).largestData();
     position.unit = Unit::steps;
     return position;
 }

@@ -3,8 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "catalog/protocol_rules.h"
+#include "catalog/word_form.h"
 #include "jobs/position_scale.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"
 #include "widgets/dial/state_note.h"
 #include "widgets/look/describe.h"
@@ -123,10 +123,11 @@ void DirectionPage::enter()
 
 void DirectionPage::begin()
 {
-    const auto scale =
-        scaleOf(m_setup.encoder->device(), [this](Parameter p) { return m_setup.valueNow(p); });
+    const DeviceDescription &device = m_setup.encoder->device();
+    const auto scale = scaleOf(device, [this](Parameter p) { return m_setup.valueNow(p); });
     m_usesRawWord = !m_setup.encoder->latest().position.has_value();
-    m_check.begin(scale && !m_usesRawWord ? std::optional(scale->total()) : std::nullopt);
+    m_check.begin(scale && !m_usesRawWord ? scale->total()
+                                          : protocolRules(device.profile).largestTotalRange(device));
     showLatest();
 }
 
@@ -178,7 +179,7 @@ void DirectionPage::showNow()
         m_problem->showMessage(Role::attention,
                                tr("The position is not known, since mode or coding of the encoder is not. "
                                   "The raw word is watched instead; trust it only for slow, small moves."));
-        m_check.take(k3::data(reading.in));
+        m_check.take(dataOf(m_setup.encoder->device(), reading.in));
     } else {
         m_problem->withdraw();
         m_position->setText(QLocale().toString(qlonglong{*reading.position}));

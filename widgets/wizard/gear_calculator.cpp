@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/gear_calculator.h"
 
-#include "kinds/interbus/words/k3_word.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +16,7 @@ bool isPositive(double number)
 
 std::int64_t mostSteps(const GearLimits &limits, std::int64_t revolutions)
 {
-    std::int64_t most = std::min(limits.maxSteps, k3::largestTotalRange * revolutions / limits.turns);
+    std::int64_t most = std::min(limits.maxSteps, limits.totalRange * revolutions / limits.turns);
     if (limits.physicalStepsPerTurn > 0)
         most = std::min(most, limits.physicalStepsPerTurn * revolutions);
     return most;

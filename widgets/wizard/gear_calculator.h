@@ -26,6 +26,7 @@ struct GearLimits
     std::int64_t maxRevolutions = 4096;
     std::int64_t physicalStepsPerTurn = 0; // 0: not known
     std::int64_t turns = 4096;             // measuring range, or the physical turns
+    std::int64_t totalRange = 33'554'432;
 };
 
 struct GearResult

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/la66_word.h"
 #include "widgets/wizard/rod_calculator.h"
 
 #include <QGroupBox>
@@ -35,7 +34,7 @@ private:
     QDoubleSpinBox *m_mmPerStep;
     QLabel *m_answer;
     QPushButton *m_take;
-    std::int64_t m_most = la66::dataMask;
+    std::int64_t m_most = 0;
     std::optional<RodResult> m_result;
 };
 

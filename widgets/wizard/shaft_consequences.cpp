@@ -2,8 +2,8 @@
 #include "widgets/wizard/shaft_consequences.h"
 
 #include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/write_plan.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/look/folding_row.h"
@@ -32,7 +32,8 @@ ShaftConsequences::ShaftConsequences(Setup &setup, QWidget *parent)
 void ShaftConsequences::showLimits()
 {
     const DeviceDescription &device = m_setup.encoder->device();
-    GearLimits limits{.physicalStepsPerTurn = device.physicalStepsPerTurn};
+    GearLimits limits{.physicalStepsPerTurn = device.physicalStepsPerTurn,
+                      .totalRange = protocolRules(device.profile).largestTotalRange(device)};
     if (!device.hasWords()) { // its steps are per turn
         limits.maxRevolutions = 1;
         limits.turns = device.physicalTurns;
@@ -93,9 +94,10 @@ QString ShaftConsequences::warningFor(const PositionScale &scale) const
         return refusalText({RefusalKind::badInput,
                             RefusalId::tooManyStepsPerTurn,
                             {scale.steps, scale.revolutions, scale.physicalStepsPerTurn}});
-    if (scale.total() > k3::largestTotalRange)
-        return refusalText(
-            {RefusalKind::badInput, RefusalId::totalRangeTooLarge, {scale.total(), k3::largestTotalRange}});
+    const DeviceDescription &device = m_setup.encoder->device();
+    const std::int64_t largest = protocolRules(device.profile).largestTotalRange(device);
+    if (scale.total() > largest)
+        return refusalText({RefusalKind::badInput, RefusalId::totalRangeTooLarge, {scale.total(), largest}});
     for (const Parameter parameter : {Parameter::preset, Parameter::offset})
         if (const auto value = m_setup.valueAfter(parameter);
             value && *value >= scale.total() && m_setup.encoder->device().hasWords())

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/turn_check.h"
 
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/circle.h"
 
 namespace codewheel {
 
-void TurnCheck::begin(std::optional<std::int64_t> totalRange)
+void TurnCheck::begin(std::int64_t totalRange)
 {
     *this = {};
-    m_total = totalRange.value_or(k3::largestTotalRange);
+    m_total = totalRange;
 }
 
 void TurnCheck::take(std::int64_t position)

@@ -13,8 +13,8 @@ class TurnCheck
 public:
     enum class Verdict : std::uint8_t { doesNotMove, countsUp, countsDown, goesBothWays };
 
-    // Total range in steps; 25 bits if it is not known.
-    void begin(std::optional<std::int64_t> totalRange);
+    // In steps.
+    void begin(std::int64_t totalRange);
     void take(std::int64_t position);
 
     Verdict verdict() const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/protocol_rules.h"
 #include "cli/bus/places.h"
 #include "cli/call/json.h"
 #include "cli/call/texts.h"
@@ -10,7 +11,6 @@
 #include "cli/encoder/told_mode.h"
 #include "cli/encoder/trace.h"
 #include "cli/encoder/value_lines.h"
-#include "kinds/interbus/words/la66_word.h"
 #include "vocabulary/sentence.h"
 
 #include <array>
@@ -41,13 +41,10 @@ Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
     if (call.arguments.rest.size() < 2)
         return job;
     // An LA-66 has no preset as a parameter: the value is the position itself.
-    static const ParameterDescription anyPosition{.parameter = Parameter::preset,
-                                                  .number = {},
-                                                  .readOut = {},
-                                                  .maximum = la66::dataMask,
-                                                  .factory = {},
-                                                  .unit = Unit::steps,
-                                                  .choices = {}};
+    ParameterDescription anyPosition;
+    anyPosition.parameter = Parameter::preset;
+    anyPosition.maximum = protocolRules(device.profile).largestData();
+    anyPosition.unit = Unit::steps;
     const ParameterDescription *preset = device.find(Parameter::preset);
     if (!preset && device.capabilities.presetNeedsValue)
         preset = &anyPosition;

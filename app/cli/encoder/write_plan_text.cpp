@@ -8,7 +8,6 @@
 #include "cli/encoder/parameter_text.h"
 #include "jobs/protocol.h"
 #include "jobs/step_text.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
@@ -48,8 +47,9 @@ QString writePlanText(const EncoderSession &encoder, const WritePlan &plan)
                    typedValue(parameter, row.wanted.value),
                    row.step ? sentText(*row.step) : CommandLine::tr("left out: already there")});
     }
-    if (!plan.jobs.empty() && activatesByRun(device))
-        table.add({CommandLine::tr("run"), {}, {}, hexWord(k3::run)});
+    const auto run = std::ranges::find(plan.steps, Effect::activates, &Step::effect);
+    if (!plan.jobs.empty() && run != plan.steps.end())
+        table.add({CommandLine::tr("run"), {}, {}, sentText(*run)});
     return sentence(CommandLine::tr("To be written to %1, %2:"),
                     {encoder.place().shown(), device.fullName()}) +
            u'\n' + table.toString(2) + notesText(encoder, plan);

@@ -60,6 +60,7 @@ class EscRules final : public ProtocolRules
 
 public:
     bool hasParameters() const override { return true; }
+    int positionBits(const DeviceDescription & /*device*/) const override { return 25; }
     bool presetsByCommand() const override { return true; }
     std::int64_t largestData() const override { return 0xFFFF'FFFF; } // 8 hexadecimal digits
 

@@ -3,6 +3,7 @@
 
 #include "catalog/explain_word.h"
 #include "catalog/total_range.h"
+#include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_plausible.h"
 #include "kinds/interbus/words/position_code.h"
 #include "kinds/interbus/words/profiles.h"
@@ -48,7 +49,7 @@ Explanation explained(const DeviceDescription &device, Word word)
 bool isNeverSent(const DeviceDescription &device, Word word)
 {
     if (device.profile == profile::k3)
-        return !k3::canSend(word, device.dialect);
+        return !k3::canSend(word, device.dialect.as<k3::Dialect>());
     const MeaningId meaning = explained(device, word).first().id;
     return meaning == MeaningId::undefinedIn || meaning == MeaningId::unusedBitsSet;
 }

@@ -97,8 +97,8 @@ void K3Encoder::observe(Word in, Word out, Instant now)
     knowledge.observe(in, out, now);
     reportChanges();
     reading = decodeReading(in, now,
-                            {device.dialect, device.mayHaveModes(), knowledge.mode(), knowledge.coding(),
-                             knowledge.camProgram()});
+                            {device.dialect.as<k3::Dialect>(), device.mayHaveModes(), knowledge.mode(),
+                             knowledge.coding(), knowledge.camProgram()});
     const bool isSetting = (out & k3::presetBit) != 0;
     reading.stepsPerSecond = m_speed.after(isSetting ? std::nullopt : reading.position, now);
     reading.mayMissTurns = m_speed.mayMissTurns();

@@ -23,8 +23,8 @@ struct K3Encoder
     // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there.
     // Returns how many writes that may cost which are not counted.
     int loseSight(Word out);
-    EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect); }
-    bool isError(Word in) const { return isErrorAnswer(in, device.dialect); }
+    EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect.as<k3::Dialect>()); }
+    bool isError(Word in) const { return isErrorAnswer(in, device.dialect.as<k3::Dialect>()); }
 
     // Whether the job suits this encoder, in the mode it is in as far as that is known.
     Result<void> check(const Job &job) const;

@@ -86,7 +86,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     }
     if (!k3::isOperation(in))
         m_unproven.clear();
-    switch (stateOf(in, m_device.dialect)) {
+    switch (stateOf(in, m_device.dialect.as<k3::Dialect>())) {
     case EncoderState::operation:
         observeOperation(in, out, now);
         break;
@@ -106,7 +106,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     case EncoderState::notSeen:
         break;
     }
-    if (stateOf(in, m_device.dialect) != EncoderState::readOut)
+    if (stateOf(in, m_device.dialect.as<k3::Dialect>()) != EncoderState::readOut)
         m_answerIsFresh = true;
     m_in = in;
     m_out = out;

@@ -3,6 +3,7 @@
 
 #include "jobs/job_check.h"
 #include "kinds/interbus/k3/k3_cam_plan.h"
+#include "kinds/interbus/words/k3_explain.h"
 
 #include <algorithm>
 

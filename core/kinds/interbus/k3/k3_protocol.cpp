@@ -46,6 +46,32 @@ public:
                           .inCamMode = reading.mode == Mode::cam},
                          reading.in);
     }
+    Word firstWord(const DeviceDescription &device, const Job &job) const override
+    {
+        if (const auto *preset = std::get_if<SetPreset>(&job))
+            return preset->command == PresetCommand::manufacturer ? k3::frabaPreset : k3::initialisePreset;
+        if (const auto *mode = std::get_if<SwitchMode>(&job))
+            return mode->mode == Mode::velocity ? k3::velocityOn : k3::programWord;
+        const auto *write = std::get_if<WriteParameters>(&job);
+        if (write == nullptr || write->values.empty())
+            return k3::normalRunning;
+        const ParameterValue &first = write->values.front();
+        const ParameterDescription *parameter = device.find(first.parameter);
+        return k3::parameterWord(parameter != nullptr ? parameter->number.value_or(0) : 0,
+                                 static_cast<Word>(first.value));
+    }
+    std::optional<ParameterValue> valueIn(const DeviceDescription &device, Word out) const override
+    {
+        return k3::isParameterWord(out) ? valueOf(device, out) : std::nullopt;
+    }
+    std::optional<ParameterValue> confirmedIn(const DeviceDescription &device, Word in) const override
+    {
+        return k3::isConfirmation(in) ? valueOf(device, in) : std::nullopt;
+    }
+    bool mayChangeScale(Word out) const override
+    {
+        return k3::isParameterWord(out) || (out & k3::presetBit) != 0;
+    }
     int eepromWrites(const DeviceDescription &device, std::span<const Word> words,
                      bool mayBeInCamMode) const override
     {
@@ -56,6 +82,13 @@ public:
     }
 
 private:
+    static std::optional<ParameterValue> valueOf(const DeviceDescription &device, Word word)
+    {
+        const ParameterDescription *parameter = device.findNumber(k3::number(word));
+        return parameter != nullptr ? std::optional(ParameterValue{parameter->parameter, k3::data(word)})
+                                    : std::nullopt;
+    }
+
     // A plan takes in the current mode as a start-up mode that was told; the known one may be out of date.
     static std::vector<Known> knownNow(const DeviceDescription &device, const PlanBasis &basis)
     {

@@ -20,7 +20,8 @@ std::optional<Refusal> camRefusal(const K3Circumstances &at, Word in)
     if (at.foundParameterizing && onlyAsksForCams(step) && number == wrongCommand)
         return Refusal{RefusalKind::device, RefusalId::camsInParameterization, {step.out, in}};
     if (k3::isCamReadOutRequest(step.out)) {
-        if (stateOf(in, at.device.dialect) == EncoderState::readOut || number == wrongCommand)
+        if (stateOf(in, at.device.dialect.as<k3::Dialect>()) == EncoderState::readOut ||
+            number == wrongCommand)
             return Refusal{RefusalKind::device, RefusalId::readOutUnknown, {step.out, in}};
         return std::nullopt;
     }
@@ -65,7 +66,7 @@ Refusal k3Refusal(const K3Circumstances &at, Word in)
     if (auto aboutCams = camRefusal(at, in))
         return *std::move(aboutCams);
     if (at.step.kind == StepKind::readOut || k3::isReadOutRequest(at.step.out)) {
-        if (stateOf(in, at.device.dialect) == EncoderState::readOut)
+        if (stateOf(in, at.device.dialect.as<k3::Dialect>()) == EncoderState::readOut)
             return {RefusalKind::device, RefusalId::readOutUnknown, {std::int64_t{at.step.out & 0xFFFF}, in}};
     }
     const unsigned number = k3::number(in);

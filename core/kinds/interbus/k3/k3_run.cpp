@@ -24,7 +24,7 @@ Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &dev
 K3Run::K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder)
     : WordRun(id, job, pace, encoder.knowledge.known(), encoder.reading, encoder.events)
     , m_encoder(encoder)
-    , m_handshake(encoder.device.dialect, encoder.timing)
+    , m_handshake(encoder.device.dialect.as<k3::Dialect>(), encoder.timing)
     , m_cams(encoder)
 {}
 

@@ -89,7 +89,7 @@ void K3Run::lookForLateAnswer(Word in)
 {
     if (!m_late)
         return;
-    const auto fate = m_late->fate(in, m_encoder.device.dialect);
+    const auto fate = m_late->fate(in, m_encoder.device.dialect.as<k3::Dialect>());
     if (fate == K3LateAnswer::Fate::open)
         return;
     const K3Step step = std::exchange(m_late, std::nullopt)->step();

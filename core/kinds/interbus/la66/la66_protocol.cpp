@@ -37,6 +37,7 @@ public:
     {
         return {RefusalKind::device, RefusalId::magnetOutOfRange, {reading.in}};
     }
+    bool mayChangeScale(Word out) const override { return la66::isWrite(out); }
     int eepromWrites(const DeviceDescription & /*device*/, std::span<const Word> words,
                      bool /*mayBeInCamMode*/) const override
     {

@@ -2,6 +2,7 @@
 #include "kinds/interbus/meaning/bit_text.h"
 
 #include "kinds/interbus/meaning/position_format.h"
+#include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/la66_word.h"
 
@@ -104,7 +105,7 @@ QString BitText::positionText(const PositionWord &format, WordDirection directio
 QString k3BitText(const DeviceDescription &device, WordDirection direction, int bit)
 {
     return direction == WordDirection::out ? BitText::outText(device, bit)
-                                           : BitText::inText(device.dialect, bit);
+                                           : BitText::inText(device.dialect.as<k3::Dialect>(), bit);
 }
 
 QString la66BitText(WordDirection direction, int bit)

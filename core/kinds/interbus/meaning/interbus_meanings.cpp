@@ -63,8 +63,8 @@ class K3Meanings final : public InterbusMeanings
 public:
     Explanation explain(const DeviceDescription &device, Word word, const WordContext &context) const override
     {
-        k3::ExplainContext known{context.direction, device.dialect, context.mode, context.coding,
-                                 context.counterpart};
+        k3::ExplainContext known{context.direction, device.dialect.as<k3::Dialect>(), context.mode,
+                                 context.coding, context.counterpart};
         if (!device.mayHaveModes())
             known.mode = Mode::position;
         // A FRABA has a single coding; with a Baumer it is a parameter.

@@ -3,6 +3,7 @@
 
 #include "catalog/explain_word.h"
 #include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/position_code.h"
 #include "vocabulary/device_error_name.h"

@@ -6,6 +6,7 @@
 #include "kinds/interbus/simulator/simulated_bus_terminal.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
 #include "kinds/interbus/simulator/simulated_words.h"
+#include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
 

@@ -8,6 +8,7 @@
 #include "kinds/interbus/simulator/simulated_la66.h"
 #include "kinds/interbus/simulator/simulated_position_encoder.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
+#include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
 

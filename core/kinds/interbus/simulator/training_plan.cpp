@@ -5,6 +5,7 @@
 #include "catalog/strict_json.h"
 #include "kinds/interbus/simulator/parameter_set.h"
 #include "kinds/interbus/simulator/training_controls.h"
+#include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
 

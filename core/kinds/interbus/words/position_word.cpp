@@ -11,9 +11,9 @@ std::int64_t decoded(Word in, const PositionWord &format) noexcept
 {
     switch (format.coding) {
     case PositionCoding::gray:
-        return k3::binaryFromGray(in);
+        return binaryFromGray(in);
     case PositionCoding::signedBinary:
-        return k3::signedNumber(in, format.positionBits);
+        return signedNumber(in, format.positionBits);
     case PositionCoding::binary:
         break;
     }

@@ -125,7 +125,7 @@ std::int64_t DrivenEncoder::actual(Parameter parameter) const
 
 EncoderState DrivenEncoder::state() const
 {
-    return stateOf(m_in, m_device.dialect);
+    return stateOf(m_in, m_device.dialect.as<k3::Dialect>());
 }
 
 std::optional<CamProgram> DrivenEncoder::knownCams(unsigned program) const
