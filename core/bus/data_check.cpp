@@ -122,6 +122,9 @@ DataCheck noPositionCheck(const EncoderSession &encoder, const QString &what, co
 {
     const DeviceDescription &device = encoder.device();
     const QString came = DataCheckText::tr("no position");
+    if (const EncoderState state = encoder.latest().state;
+        state != EncoderState::operation && state != EncoderState::notSeen) // the state says why
+        return failedCheck(DataCheck::Id::position, what, expected, came, stateRemedy(encoder));
     if (device.isGeneric())
         return failedCheck(DataCheck::Id::position, what, expected, came,
                            DataCheckText::tr("The make of the encoder is not known, and so neither is the "

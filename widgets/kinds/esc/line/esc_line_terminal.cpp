@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/esc/line/esc_line_terminal.h"
 
+#include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/line/typed_request.h"
 #include "kinds/esc/line/write_question.h"
@@ -181,9 +182,22 @@ void EscLineTerminal::askBeforeWrite(const esc::Request &request)
                                   "it has ended, or cancel it."));
     else {
         m_asked = request;
-        m_question->showMessage(Role::attention, writeQuestion(request, m_options), tr("Send and &write"),
-                                tr("Do &not send"));
+        m_question->showMessage(Role::attention, whoIsAt(request) + writeQuestion(request, m_options),
+                                tr("Send and &write"), tr("Do &not send"));
     }
+}
+
+// If it gives an encoder the address of another one. Empty: it does not.
+QString EscLineTerminal::whoIsAt(const esc::Request &request) const
+{
+    if (request.command == esc::Command::writeAddress)
+        for (const EscLineAddress reading : escReadingsOf({static_cast<std::uint8_t>(request.data)}))
+            if (const EncoderSession *there = m_line->encoder(reading.node()); there && reading != request.to)
+                return refusalText({RefusalKind::badInput,
+                                    RefusalId::lineAddressTaken,
+                                    {reading.shown(), there->device().fullName()}}) +
+                       u' ';
+    return {};
 }
 
 void EscLineTerminal::sendNow(const esc::Request &request)

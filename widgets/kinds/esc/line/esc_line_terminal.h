@@ -73,6 +73,7 @@ private:
     void send();
     void sendNow(const esc::Request &request);
     void askBeforeWrite(const esc::Request &request);
+    QString whoIsAt(const esc::Request &request) const;
     void takeAnswer(const TypedAnswered &answer);
     void showAnswer(const TypedAnswered &answer);
     void askSave();

@@ -168,6 +168,16 @@ TEST_F(EscLineTerminalTest, AWriteIsRefusedInWatch)
     EXPECT_TRUE(bench.link->sent.empty());
 }
 
+TEST_F(EscLineTerminalTest, TheQuestionNamesWhoHasTheAddressAlready)
+{
+    bench.open(EscLineSession::Start::operating);
+    bench.addEncoder();
+    type("03X05");
+    EXPECT_TRUE(said().contains(QLatin1String("Address 05h (5) is taken"))) << said().toStdString();
+    type("05X05");
+    EXPECT_FALSE(said().contains(QLatin1String("is taken"))) << "its own";
+}
+
 TEST_F(EscLineTerminalTest, AWriteIsAskedForWithItsBytes)
 {
     bench.open(EscLineSession::Start::operating);
