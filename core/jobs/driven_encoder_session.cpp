@@ -182,10 +182,10 @@ void DrivenEncoderSession::take(const KnowledgeChanged &change)
 // By the serial number that it has just reported.
 void DrivenEncoderSession::compareWithBefore()
 {
-    const auto number = known(Parameter::serialNumber);
-    if (!knownBefore() || !knownBefore()->serialNumber || !number || number->evidence != Evidence::read)
+    const auto number = reportedSerialNumber(*this);
+    if (!knownBefore() || !knownBefore()->serialNumber || !number)
         return;
-    if (number->value == *knownBefore()->serialNumber)
+    if (number == knownBefore()->serialNumber)
         takeKnownBefore();
     else
         setKnownBefore({});
@@ -206,6 +206,7 @@ void DrivenEncoderSession::takeKnownBefore()
         m_known.try_emplace(Parameter::serialNumber,
                             Known{Parameter::serialNumber, *before.serialNumber, Evidence::read, at});
     }
+    Q_EMIT isSameAsBefore();
     setKnownBefore({});
     postAllKnown();
     Q_EMIT knownChanged();

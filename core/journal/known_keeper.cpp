@@ -15,12 +15,6 @@ bool lasts(const ParameterDescription &parameter)
     return parameter.canBeWritten() || parameter.onLabel;
 }
 
-std::optional<std::int64_t> reportedSerialNumber(const EncoderSession &encoder)
-{
-    const auto known = encoder.known(Parameter::serialNumber);
-    return known && known->evidence == Evidence::read ? std::optional(known->value) : std::nullopt;
-}
-
 bool has(const KnownBefore &known, Parameter parameter)
 {
     return std::ranges::count(known.values, parameter, &KnownBefore::Value::parameter) > 0;

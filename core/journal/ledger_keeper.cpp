@@ -49,6 +49,7 @@ void LedgerKeeper::watchBus()
 {
     connect(&m_bus, &EncoderBus::nodesChanged, this, &LedgerKeeper::watchDevices);
     connect(&m_bus, &EncoderBus::structureChanged, this, &LedgerKeeper::doubtUnassigned);
+    connect(&m_bus, &EncoderBus::meetsAgain, this, &LedgerKeeper::meetAgain);
     connect(&m_bus, &EncoderBus::named, this, &LedgerKeeper::watchNamed);
     connect(&m_bus, &EncoderBus::moved, this, &LedgerKeeper::move);
     connect(&m_bus, &EncoderBus::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
@@ -147,6 +148,38 @@ void LedgerKeeper::doubtUnassigned()
         watched.unassigned.clear();
 }
 
+// Whoever is there now need not be the one that was written to.
+void LedgerKeeper::meetAgain()
+{
+    for (auto &[place, watched] : m_watched) {
+        watched.beforeItMet.insert(watched.beforeItMet.end(), watched.unassigned.begin(),
+                                   watched.unassigned.end());
+        watched.unassigned.clear();
+        watched.isAsked = false;
+    }
+}
+
+void LedgerKeeper::isSame(Place place)
+{
+    Watched &watched = m_watched[place];
+    watched.unassigned.insert(watched.unassigned.begin(), watched.beforeItMet.begin(),
+                              watched.beforeItMet.end());
+    watched.beforeItMet.clear();
+    watched.isAsked = false;
+}
+
+// Answered without being the same: it is another one, and what was in doubt about the first stays so.
+void LedgerKeeper::followQuestion(Place place)
+{
+    Watched &watched = m_watched[place];
+    const bool isOpen = watched.encoder && watched.encoder->knownBefore().has_value();
+    if (std::exchange(watched.isAsked, isOpen) && !isOpen) {
+        watched.beforeItMet.clear();
+        watched.doubtful.reset();
+        showCount(place);
+    }
+}
+
 // What was counted by its place since the connection was made goes along.
 void LedgerKeeper::move(Place from, Place to)
 {
@@ -189,6 +222,8 @@ void LedgerKeeper::watch(Place place)
         settleDoubtful(place);
         identify(place);
     });
+    connect(encoder, &EncoderSession::isSameAsBefore, this, [this, place] { isSame(place); });
+    connect(encoder, &EncoderSession::knownBeforeChanged, this, [this, place] { followQuestion(place); });
     showCount(place);
 }
 
@@ -200,10 +235,9 @@ EncoderIdentity LedgerKeeper::identity(Place place) const
     if (encoder == nullptr)
         return identity;
     identity.vendor = encoder->device().vendor;
-    const auto serial = encoder->known(Parameter::serialNumber);
-    if (serial && serial->evidence == Evidence::read) {
+    if (const auto serial = reportedSerialNumber(*encoder)) {
         identity.by = CountedBy::serialNumber;
-        identity.serialNumber = QString::number(serial->value);
+        identity.serialNumber = QString::number(*serial);
     } else if (const auto label = m_labels.find(place); label != m_labels.end() && !label->second.isEmpty()) {
         identity.by = CountedBy::labelSerialNumber;
         identity.serialNumber = label->second;
@@ -329,7 +363,7 @@ void LedgerKeeper::settle(Place place, const Outcome &outcome)
 void LedgerKeeper::settleDoubtful(Place place)
 {
     Watched &watched = m_watched[place];
-    if (!watched.doubtful || !watched.encoder)
+    if (!watched.doubtful || !watched.encoder || watched.isAsked)
         return;
     const Doubtful &job = *watched.doubtful;
     ParameterValues written = job.outcome.written;

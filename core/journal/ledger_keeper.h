@@ -24,8 +24,9 @@ namespace codewheel {
 // The encoder is identified by the serial number it reported, otherwise by that on its label, otherwise by
 // its place. What was noted at a place before a serial number was reported belongs to the encoder that
 // reports it, unless something speaks against it: from the moment the number was forgotten or the bus became
-// another one. An encoder that moves to another place is the same one. What was typed for a place where none
-// is known is noted by that place, for the encoder that is added there later.
+// another one, or its link was lost, unless it is then found to be the same encoder. An encoder that moves to
+// another place is the same one. What was typed for a place where none is known is noted by that place, for
+// the encoder that is added there later.
 class LedgerKeeper : public QObject
 {
     Q_OBJECT
@@ -91,7 +92,9 @@ private:
         Progress progress{};         // of the job
         std::optional<ByHand> byHand{};
         std::optional<Doubtful> doubtful{};
-        std::vector<qint64> unassigned{}; // entries of an encoder that has not reported a serial number
+        std::vector<qint64> unassigned{};  // entries of an encoder that has not reported a serial number
+        std::vector<qint64> beforeItMet{}; // likewise, before the link was lost: perhaps of another encoder
+        bool isAsked = false;              // whether it is the same
     };
 
     void listenToBook();
@@ -100,6 +103,9 @@ private:
     void watch(Place place);
     void watchNamed(Place place);
     void doubtUnassigned();
+    void meetAgain();
+    void isSame(Place place);
+    void followQuestion(Place place);
     void move(Place from, Place to);
     void begin(Place place, const Job &job);
     std::optional<qint64> beginEntry(Watched &watched, int planned);

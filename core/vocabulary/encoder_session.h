@@ -112,6 +112,8 @@ Q_SIGNALS:
     void freshnessChanged(); // live, old or unknown, or the reason for it
     void knownChanged();
     void knownBeforeChanged();
+    // It is the one of which that was known; before knownBeforeChanged().
+    void isSameAsBefore();
     // The encoder stored to its EEPROM this many times because of what this program sent.
     void eepromWritten(int writes);
     void eepromCountChanged();
@@ -139,6 +141,15 @@ private:
     std::optional<EepromCount> m_count;
     std::optional<KnownBefore> m_before;
 };
+
+// The serial number that the encoder has reported. Empty: it has not, or reports 0 as one does that was given
+// none: that identifies nobody.
+inline std::optional<std::int64_t> reportedSerialNumber(const EncoderSession &encoder)
+{
+    const auto known = encoder.known(Parameter::serialNumber);
+    return known && known->evidence == Evidence::read && known->value != 0 ? std::optional(known->value)
+                                                                           : std::nullopt;
+}
 
 inline std::optional<ValueOptions> valueOptionsOf(const EncoderSession *encoder)
 {

@@ -2,6 +2,7 @@
 // What was known of an encoder before its bus was connected anew.
 #include "catalog/catalog.h"
 #include "journal/known_keeper.h"
+#include "journal/ledger_keeper.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/passing_link.h"
@@ -261,6 +262,77 @@ TEST_F(KnownOfSimulated, IsNotOfferedForARealOne)
     openRing();
     EXPECT_FALSE(ring.encoder(baumer)->knownBefore());
     EXPECT_FALSE(ring.encoder(baumer)->known(Parameter::steps));
+}
+
+// What was written by the place alone, without the serial number having been read.
+class LedgerAfterLossTest : public KnownKeeperTest
+{
+protected:
+    LedgerAfterLossTest()
+    {
+        at(fraba).tell(Parameter::startUpMode, 1);
+        write();
+        EXPECT_EQ(at(fraba).eepromCount().writes, 1);
+    }
+    void write()
+    {
+        EXPECT_TRUE(at(fraba).start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
+        for (int i = 0; i < 1'000 && at(fraba).runningJob(); ++i)
+            bus.advance(10);
+    }
+    int writesOfReadNumber()
+    {
+        bus.setOperate(true);
+        bus.advance(10);
+        read(fraba, {Parameter::serialNumber});
+        EXPECT_EQ(at(fraba).eepromCount().by, CountedBy::serialNumber);
+        return at(fraba).eepromCount().writes;
+    }
+
+    LedgerKeeper ledger{bus, DatabasePlace::memory()};
+};
+
+TEST_F(LedgerAfterLossTest, TheNumberOfWhoeverIsThereThenGetsNothingWhileNobodyHasSaidThatItIsTheSame)
+{
+    loseForAMoment();
+    ASSERT_TRUE(at(fraba).knownBefore());
+    EXPECT_EQ(writesOfReadNumber(), 0);
+    EXPECT_EQ(at(fraba).eepromCount().atPlace, 1) << "perhaps";
+}
+
+TEST_F(LedgerAfterLossTest, NorDoesAnotherOne)
+{
+    loseForAMoment();
+    at(fraba).setKnownBefore({});
+    EXPECT_EQ(writesOfReadNumber(), 0);
+    EXPECT_EQ(at(fraba).eepromCount().atMost(), 1);
+}
+
+TEST_F(LedgerAfterLossTest, TheSameOneGetsItsWrites)
+{
+    loseForAMoment();
+    at(fraba).takeKnownBefore();
+    EXPECT_EQ(writesOfReadNumber(), 1);
+    EXPECT_EQ(at(fraba).eepromCount().atPlace, 0);
+}
+
+// As encoders have that were given none, and those of a served project without labels.
+TEST(SerialNumberZero, IdentifiesNobody)
+{
+    const Catalog catalog = Catalog::builtIn();
+    TrainingPlan plan = trainingPlan(catalog);
+    plan.front().serialNumber = 0;
+    RingSession bus{std::make_unique<RealLink>(makeTrainingBus(plan).link), catalog, begun};
+    ASSERT_TRUE(bus.open(RingSession::Start::operating));
+    bus.advance(10);
+    LedgerKeeper ledger{bus, DatabasePlace::memory()};
+    EncoderSession &encoder = *bus.encoder("1.0"_ring);
+    ASSERT_TRUE(encoder.start(ReadParameters{{Parameter::serialNumber}}));
+    for (int i = 0; i < 1'000 && encoder.runningJob(); ++i)
+        bus.advance(10);
+    ASSERT_EQ(encoder.known(Parameter::serialNumber)->value, 0);
+    EXPECT_EQ(encoder.eepromCount().by, CountedBy::place);
+    EXPECT_FALSE(reportedSerialNumber(encoder));
 }
 
 } // namespace
