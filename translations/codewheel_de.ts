@@ -16322,6 +16322,10 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>&amp;Write</source>
         <translation>&amp;Schreiben</translation>
     </message>
+    <message>
+        <source>The project has no values for it, neither wanted nor stored: what the previous encoder had is not written.</source>
+        <translation>Das Projekt hat keine Werte dafür, weder gewünschte noch gespeicherte: Was der vorige Geber hatte, wird nicht geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplayBar</name>

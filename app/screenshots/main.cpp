@@ -15,6 +15,7 @@ int main(int argc, char **argv)
     qputenv("TZ", "UTC"); // the same time everywhere
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);
+    QApplication::setDoubleClickInterval(0); // a page that has just come is clicked at once
     QApplication::setApplicationDisplayName(QStringLiteral("Codewheel"));
     QApplication::setApplicationVersion(QStringLiteral(CODEWHEEL_VERSION));
     const QStringList arguments = QApplication::arguments();

@@ -199,6 +199,7 @@ Soak soakOf(const QStringList &arguments)
 int main(int argc, char **argv)
 {
     QApplication application(argc, argv);
+    QApplication::setDoubleClickInterval(0); // a page that has just come is clicked at once
     const Soak soak = soakOf(QApplication::arguments());
     std::printf("seed %u; again with --seed %u\n", soak.seed, soak.seed);
     const QTemporaryDir folder;

@@ -13,6 +13,7 @@
 #include "widgets/transfer/replace_position_step.h"
 #include "widgets/transfer/replace_write_steps.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -146,6 +147,7 @@ void ReplacePage::showList()
 void ReplacePage::showStep(int step)
 {
     m_pages->setCurrentIndex(step);
+    m_sinceStep.start();
     m_list->setCurrent(step);
     current()->enter();
     showButtons();
@@ -194,6 +196,9 @@ void ReplacePage::leave()
 void ReplacePage::next()
 {
     const int step = m_pages->currentIndex();
+    // The second of two quick presses was meant for what led here.
+    if (step == write && m_sinceStep.elapsed() < QApplication::doubleClickInterval())
+        return;
     if (step == account) {
         Q_EMIT closeRequested();
     } else if (!current()->leave()) {

@@ -6,6 +6,8 @@
 #include "widgets/look/page.h"
 #include "widgets/transfer/replace_step.h"
 
+#include <QElapsedTimer>
+
 #include <array>
 
 class QLabel;
@@ -68,7 +70,8 @@ private:
     std::array<ReplaceStep *, stepCount> m_steps{};
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;
-    bool m_hasBegun = false; // writing: what was reviewed is fixed from then on
+    QElapsedTimer m_sinceStep; // the current one is shown
+    bool m_hasBegun = false;   // writing: what was reviewed is fixed from then on
     StepList *m_list = nullptr;
     QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;

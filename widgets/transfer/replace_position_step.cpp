@@ -2,6 +2,7 @@
 #include "widgets/transfer/replace_position_step.h"
 
 #include "catalog/device_description.h"
+#include "catalog/total_range.h"
 #include "transfer/transfer_wish.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/input/decimal_text.h"
@@ -166,6 +167,24 @@ void ReplacePositionStep::takeTyped()
                 : position.error());
 }
 
+// With what is written to it the encoder counts no further: it would refuse the position, with the rest
+// written.
+void ReplacePositionStep::refuseBeyondRange()
+{
+    ParameterValues values = storedSettings(m_replacing.before, m_replacing.now.device);
+    for (const ParameterValue &wanted : m_replacing.before.wanted)
+        replaceValue(values, wanted);
+    const auto total =
+        m_replacing.now.device->hasWords() ? totalRange(*m_replacing.now.device, values) : std::nullopt;
+    if (!total || *m_replacing.position < *total)
+        return;
+    m_message->showMessage(Role::attention,
+                           refusalText({RefusalKind::badInput,
+                                        RefusalId::valueAboveTotalRange,
+                                        {Parameter::preset, *m_replacing.position, *total - 1}}));
+    m_replacing.position.reset();
+}
+
 bool ReplacePositionStep::leave()
 {
     m_message->withdraw();
@@ -180,6 +199,8 @@ bool ReplacePositionStep::leave()
         m_replacing.position = m_replacing.before.lastPosition->position;
     else
         takeTyped();
+    if (m_replacing.position)
+        refuseBeyondRange();
     return m_replacing.position.has_value();
 }
 

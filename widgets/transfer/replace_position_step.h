@@ -31,6 +31,7 @@ private:
     QString textOf(const SeenPosition &seen) const; // %1 the position, %2 the time
     static QString tipOf(const SeenPosition &seen);
     void takeTyped();
+    void refuseBeyondRange();
     QRadioButton *chosen() const;
 
     const LastPositions &m_positions;

@@ -79,11 +79,22 @@ void ReplaceWriteStep::showPlan()
                      {wishToReplace(m_replacing.before, m_replacing.now, m_replacing.position, places())});
     m_model->show(linesOf(m_replacing.buses, m_plan));
     m_gate->setWrites(writesOf(m_replacing.buses, m_plan));
-    m_note->setText(m_plan.front().isWritten() || m_plan.front().hindrance
-                        ? transfer_words::summary(m_plan.front())
-                        : tr("There are no values for it, neither wanted nor stored. Write puts the new "
-                             "encoder into the project."));
+    m_note->setText(noteOf(m_plan.front()));
     Q_EMIT changed();
+}
+
+QString ReplaceWriteStep::noteOf(const EncoderPlan &plan)
+{
+    if (!plan.isWritten() && !plan.hindrance)
+        return tr(
+            "There are no values for it, neither wanted nor stored. Write puts the new encoder into the "
+            "project.");
+    const bool hasValues = !plan.write.rows.empty() || !plan.cams.empty();
+    return hasValues || plan.hindrance ? transfer_words::summary(plan)
+                                       : transfer_words::summary(plan) + u' ' +
+                                             tr("The project has no values for it, neither wanted nor "
+                                                "stored: what the previous encoder "
+                                                "had is not written.");
 }
 
 bool ReplaceWriteStep::mayGoOn() const

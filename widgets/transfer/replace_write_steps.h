@@ -43,6 +43,7 @@ Q_SIGNALS:
 
 private:
     void showPlan();
+    static QString noteOf(const EncoderPlan &plan);
     void followEncoder();
     ProjectPlaces places() const;
 

@@ -16,6 +16,7 @@
 #include "widgets/wizard/review_page.h"
 #include "widgets/wizard/values_page.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QLayout>
 #include <QPushButton>
@@ -189,6 +190,7 @@ void ParameterWizard::showPage(int page)
     const QWidget *focus = window()->focusWidget();
     const bool isElsewhere = focus != nullptr && !isAncestorOf(focus);
     m_pages->setCurrentIndex(page);
+    m_sincePage.start();
     m_stepList->setCurrent(page);
     if (m_setup->encoder || page == device)
         current()->enter();
@@ -207,6 +209,9 @@ void ParameterWizard::next()
         return;
     }
     const bool starts = page() == review;
+    // The second of two quick presses was meant for what led here.
+    if ((starts || page() == handshake) && m_sincePage.elapsed() < QApplication::doubleClickInterval())
+        return;
     current()->leave();
     if (!current()->mayGoOn())
         return;

@@ -5,6 +5,8 @@
 #include "widgets/wizard/handshake_page.h"
 #include "widgets/wizard/setup.h"
 
+#include <QElapsedTimer>
+
 #include <functional>
 #include <memory>
 
@@ -88,6 +90,7 @@ private:
     StepList *m_stepList;
     QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;
+    QElapsedTimer m_sincePage;
     QPushButton *m_cancel;
     QPushButton *m_back;
     QPushButton *m_next;

@@ -2,8 +2,11 @@
 #include "journal/known_keeper.h"
 #include "tests/widgets/transfer/transfer_test.h"
 #include "vocabulary/refusal_text.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/transfer/replace_page.h"
+#include "widgets/transfer/replace_position_step.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QRadioButton>
 #include <QScrollArea>
@@ -72,6 +75,40 @@ TEST_F(ReplacePageTest, TheTechniciansNight)
     EXPECT_EQ(messages.front(),
               QStringLiteral("The encoder was replaced (serial number before: 20417, now: 4711)."));
     EXPECT_TRUE(account().startsWith(QStringLiteral("Encoder replaced")));
+}
+
+TEST_F(ReplacePageTest, TheSecondOfTwoQuickPressesDoesNotWrite)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    QApplication::setDoubleClickInterval(10 * 60 * 1'000);
+    click("replaceNext");
+    click("replaceNext");
+    EXPECT_FALSE(page.isBusy());
+    EXPECT_TRUE(messages.isEmpty());
+    QApplication::setDoubleClickInterval(0);
+    click("replaceNext");
+    EXPECT_TRUE(page.isBusy());
+    advanceWhileBusy(page);
+}
+
+// It would refuse it, with the scale written.
+TEST_F(ReplacePageTest, APositionBeyondTheWantedRangeIsRefusedBeforeAnythingIsWritten)
+{
+    project.editDevice(fraba, QStringLiteral("plan"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 8'192}, {Parameter::revolutions, 4'096}};
+    });
+    page.replace(fraba);
+    click("replaceNext");
+    type("positionValue", "8192");
+    click("replaceNext");
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 2/4"));
+    const QString said = page.findChild<ReplacePositionStep *>()->findChild<InlineMessage *>()->sentence();
+    EXPECT_TRUE(said.contains(QStringLiteral("8191"))) << said.toStdString();
+    type("positionValue", "8191");
+    click("replaceNext");
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 3/4"));
 }
 
 // The technician says which of the two encoders showed it.

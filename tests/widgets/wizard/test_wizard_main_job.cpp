@@ -61,6 +61,28 @@ TEST_F(WizardMainJob, ByMouse)
     EXPECT_TRUE(find<QPlainTextEdit>("account")->toPlainText().contains(QStringLiteral("020000FF")));
 }
 
+TEST_F(WizardMainJob, TheSecondOfTwoQuickPressesStartsNothing)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("steps", "255");
+    leaveField();
+    QApplication::setDoubleClickInterval(10 * 60 * 1'000);
+    next();
+    next();
+    EXPECT_EQ(wizard.page(), ParameterWizard::review);
+    EXPECT_FALSE(wizard.isBusy());
+    QApplication::setDoubleClickInterval(0);
+    next();
+    EXPECT_EQ(wizard.page(), ParameterWizard::handshake);
+    EXPECT_TRUE(wizard.isBusy());
+    bus.close();
+}
+
 TEST_F(WizardMainJob, UnreadValuesAreReadFirstAndWhatIsThereIsNotWritten)
 {
     wizard.setEncoder(&fraba());
