@@ -64,11 +64,6 @@ const QString traceRowsKey = QStringLiteral("trace/mostRows");
 const QString trendMemoryKey = QStringLiteral("trend/memory");
 const QString trendKey = QStringLiteral("window/trend");
 const QString lastLinkKey = QStringLiteral("connect/last/");
-const QString offerAddressKey = QStringLiteral("offer/address");
-const QString offerPortKey = QStringLiteral("offer/port");
-const QString offerHasSeatsKey = QStringLiteral("offer/hasSeats");
-const QString offerSeatsKey = QStringLiteral("offer/seats");
-const QString offerReadOnlyKey = QStringLiteral("offer/readOnly");
 const QString recordingKey = QStringLiteral("window/recording");
 const QString keepingKey = QStringLiteral("recovery/seconds");
 const QString noticesKey = QStringLiteral("notices/faults");
@@ -245,25 +240,6 @@ void WindowSettings::setLastLink(const QString &kind, const std::map<QString, QS
     for (const auto &[name, text] : settings)
         json.insert(name, text);
     m_settings->setValue(lastLinkKey + kind, QJsonDocument(json).toJson(QJsonDocument::Compact));
-}
-
-OfferWish WindowSettings::offer() const
-{
-    const OfferWish usual;
-    return {.address = m_settings->value(offerAddressKey, usual.address).toString(),
-            .port = number(offerPortKey, usual.port, {0, OfferWish::lastPort}),
-            .hasSeats = m_settings->value(offerHasSeatsKey, usual.hasSeats).toBool(),
-            .seats = number(offerSeatsKey, usual.seats, {1, OfferWish::mostSeats}),
-            .readOnly = m_settings->value(offerReadOnlyKey, usual.readOnly).toBool()};
-}
-
-void WindowSettings::setOffer(const OfferWish &wish)
-{
-    m_settings->setValue(offerAddressKey, wish.address);
-    m_settings->setValue(offerPortKey, wish.port);
-    m_settings->setValue(offerHasSeatsKey, wish.hasSeats);
-    m_settings->setValue(offerSeatsKey, wish.seats);
-    m_settings->setValue(offerReadOnlyKey, wish.readOnly);
 }
 
 std::optional<Place> WindowSettings::pinnedDial() const

@@ -3,7 +3,6 @@
 
 #include "app/window/look/window_size.h"
 #include "vocabulary/place.h"
-#include "widgets/kinds/interbus/offer/offer_wish.h"
 #include "widgets/settings/program_settings.h"
 
 #include <QByteArray>
@@ -56,8 +55,7 @@ public:
     std::map<QString, QString> lastLink(const QString &kind) const;
     void setLastLink(const QString &kind, const std::map<QString, QString> &settings);
 
-    OfferWish offer() const; // how a ring was offered last
-    void setOffer(const OfferWish &wish);
+    QSettings &ofKinds() { return *m_settings; } // what a kind of bus keeps of its own
 
     std::optional<Place> pinnedDial() const; // by the user
     void setPinnedDial(std::optional<Place> place);

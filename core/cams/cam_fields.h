@@ -2,13 +2,12 @@
 #pragma once
 
 #include "vocabulary/cam_program.h"
-#include "vocabulary/word.h"
 
 #include <bitset>
 #include <optional>
 
-// A cam program value by value, as a K3 takes and reports it: one word each (FRABA manual 10.5); plus what
-// cams of other kinds have in addition.
+// A cam program value by value: first what a K3 has, which takes and reports each with a word of its own,
+// then what cams of other kinds have in addition.
 namespace codewheel {
 
 enum class CamValue : std::uint8_t { start, stop, activeCams, shift, hysteresis, invertedCams };
@@ -38,15 +37,6 @@ constexpr CamField camField(std::size_t index)
     return {CamValue::invertedCams, 0};
 }
 std::size_t indexOf(CamField field);
-
-// The word that sets the field, and the one that reads it out; only for fields a K3 has.
-Word settingWord(CamField field, std::int64_t data);
-Word readOutWord(CamField field);
-// The field that OUT sets in cam mode, or reads out. Empty: none, or of a cam that does not exist.
-std::optional<CamField> fieldSetBy(Word out);
-std::optional<CamField> fieldReadBy(Word out);
-// The data of a word that sets a field.
-std::int64_t dataOf(CamField field, Word out);
 
 // Active and inverted cams as bits; bits of the 16 that belong to no cam are dropped.
 std::int64_t valueOf(const CamProgram &program, CamField field);

@@ -5,7 +5,6 @@
 #include "cams/check_cams.h"
 #include "catalog/json_writer.h"
 #include "catalog/strict_json.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/sentence.h"
 
 #include <QStringList>
@@ -51,7 +50,7 @@ CamFile CamFileReader::read(const JsonObject &json) const
         json.report("version", tr("Only version %1 of the format can be read.").arg(camVersion));
     CamFile file;
     file.device = json.text("device");
-    file.totalRange = json.optionalNumber("totalRange", 1, k3::largestTotalRange);
+    file.totalRange = json.optionalNumber("totalRange", 1, largestCamPosition + 1);
 
     CamProgramReader programs(file.totalRange ? std::min(m_largestPosition, *file.totalRange - 1)
                                               : m_largestPosition);

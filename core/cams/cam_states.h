@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_cam_word.h"
 #include "vocabulary/cam_program.h"
 
 #include <optional>
@@ -71,13 +70,6 @@ constexpr std::uint8_t invertedCams(const CamProgram &program) noexcept
     for (std::size_t n = 0; n < CamProgram::cams; ++n)
         inverted |= (program.cam[n].isInverted ? 1U : 0U) << n;
     return static_cast<std::uint8_t>(inverted);
-}
-
-// What IN will show: the cams in D7..D0, (position >> shift) & 1FFFFh in D24..D8.
-constexpr Word camWord(const CamProgram &program, std::int64_t position) noexcept
-{
-    const Word shifted = (static_cast<Word>(position) & k3::dataMask) >> program.shift;
-    return k3::camWord(states(program, position), shifted);
 }
 
 } // namespace codewheel

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/cam_program.h"
 #include "vocabulary/refusal.h"
 
@@ -10,7 +9,7 @@
 namespace codewheel {
 
 // The largest position 25 bits hold: the limit where the total range is not known.
-inline constexpr std::int64_t largestCamPosition = k3::largestTotalRange - 1;
+inline constexpr std::int64_t largestCamPosition = (std::int64_t{1} << 25) - 1;
 
 // All programs: 1 and up.
 std::vector<unsigned> programNumbers(const CamAbilities &abilities);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cams/cam_fields.h"
 #include "catalog/device_description.h"
 #include "jobs/position_scale.h"
 #include "vocabulary/encoder_session.h"
@@ -20,6 +21,14 @@ struct PlanBasis
     std::optional<ValueOptions> options{};
     NodeId node{};                    // where it is
     std::optional<Reading> reading{}; // what it shows: the mode it is in comes before that known of its start
+};
+
+struct CamStep
+{
+    bool choosesProgram = false;
+    std::optional<unsigned> program{}; // empty: none from now on
+    std::optional<CamField> field{};
+    std::int64_t value = 0;
 };
 
 // What the protocol of an encoder makes of jobs and values before anything is sent. One object per protocol;
@@ -45,12 +54,32 @@ public:
     virtual Refusal shownError(const DeviceDescription &device, const Reading &reading) const;
     // The word that this job begins with where no mode changes it; 0: it has none.
     virtual Word firstWord(const DeviceDescription & /*device*/, const Job & /*job*/) const { return 0; }
+    // What IN shows to somebody who has seen nothing before it, and knows these values. Empty: the encoder
+    // has no words.
+    virtual std::optional<Reading> readingOf(const DeviceDescription & /*device*/,
+                                             const std::vector<Known> & /*known*/, Word /*in*/, Word /*out*/,
+                                             Instant /*at*/) const
+    {
+        return {};
+    }
+    // The part of the position that IN holds beside cams.
+    virtual Word positionBesideCams(Word /*in*/) const { return 0; }
     // The value that this OUT word gives the encoder, and the one that this IN word confirms.
     virtual std::optional<ParameterValue> valueIn(const DeviceDescription & /*device*/, Word /*out*/) const
     {
         return {};
     }
     virtual std::optional<ParameterValue> confirmedIn(const DeviceDescription & /*device*/, Word /*in*/) const
+    {
+        return {};
+    }
+    // What a step of a cam job says: the program it chooses, the field it sets and to what.
+    virtual CamStep camStep(const Step & /*step*/) const { return {}; }
+    // The word that sets a field of a cam program; 0: it has none.
+    virtual Word camWord(CamField /*field*/, std::int64_t /*value*/) const { return 0; }
+    // The coding that its parameter of that name stands for; empty: none, or it has no such parameter.
+    virtual std::optional<PositionCoding> codingFor(const DeviceDescription & /*device*/,
+                                                    std::int64_t /*value*/) const
     {
         return {};
     }

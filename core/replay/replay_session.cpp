@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replay/replay_session.h"
 
-#include "kinds/interbus/make_driver.h"
-#include "kinds/interbus/words/k3_cam_word.h"
+#include "jobs/protocol.h"
 #include "replay/replay_bus.h"
 
 #include <utility>
@@ -105,7 +104,7 @@ Reading ReplayEncoderSession::readingOf(const RecordedEncoder::Moment &moment, I
         reading.stepsPerSecond = static_cast<double>(*speed) / speedUnits;
     if (const auto &cams = moment.of(Channel::cams))
         reading.cams = {static_cast<std::uint8_t>(*cams),
-                        in ? k3::camPositionPart(static_cast<Word>(*in)) : 0};
+                        in ? protocolOf(m_device).positionBesideCams(static_cast<Word>(*in)) : 0};
     if (!in && (reading.position || reading.cams))
         reading.state = EncoderState::operation;
     if (reading.cams)
@@ -117,12 +116,7 @@ Reading ReplayEncoderSession::readingOf(const RecordedEncoder::Moment &moment, I
 
 Reading ReplayEncoderSession::ofWords(Word in, Word out, Instant at) const
 {
-    const auto driver = makeDriver(m_device);
-    if (driver == nullptr)
-        return unexplained(in);
-    driver->setKnown(allKnown());
-    driver->cycle(in, out, at);
-    return driver->reading();
+    return protocolOf(m_device).readingOf(m_device, allKnown(), in, out, at).value_or(unexplained(in));
 }
 
 } // namespace codewheel

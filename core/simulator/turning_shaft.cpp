@@ -30,15 +30,6 @@ double TurningShaft::speed() const
     return static_cast<double>(revolutions) / thousandths;
 }
 
-TrainingControls::Shaft TurningShaft::state() const
-{
-    return {.number = {},
-            .raw = raw(),
-            .stepsPerTurn = m_resolution.stepsPerTurn,
-            .turns = m_resolution.turns,
-            .revolutionsPerMinute = speed()};
-}
-
 void TurningShaft::turnTo(std::int64_t raw)
 {
     m_position = wrapped(raw, m_resolution.range()) * unitsPerStep;

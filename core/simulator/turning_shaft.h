@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/simulator/training_controls.h"
-
 #include <chrono>
+#include <cstdint>
 
 namespace codewheel {
 
@@ -21,14 +20,13 @@ struct PhysicalResolution
 class TurningShaft
 {
 public:
-    static constexpr double fastest = TrainingControls::fastest; // rpm
+    static constexpr double fastest = 12'000; // rpm, mechanical limit
 
     explicit TurningShaft(PhysicalResolution resolution, std::int64_t raw = 0);
 
     PhysicalResolution resolution() const { return m_resolution; }
     std::int64_t raw() const { return m_position / unitsPerStep; } // steps, 0..range - 1
     double speed() const;                                          // rpm, clockwise positive
-    TrainingControls::Shaft state() const;                         // all that depends on the shaft alone
 
     void turnTo(std::int64_t raw); // any number; wraps
     void turnBy(std::int64_t steps);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cams/cam_fields.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 #include "vocabulary/hex.h"
 
 #include <gtest/gtest.h>

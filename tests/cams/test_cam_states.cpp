@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cams/cam_states.h"
+#include "kinds/interbus/words/k3_cam_word.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +101,9 @@ TEST(CamWord, HoldsTheCamsAndAPartOfThePosition)
     };
     for (const WordRow &row : rows) {
         program.shift = row.shift;
-        EXPECT_EQ(camWord(program, row.position), row.in) << "shift " << row.shift << ", " << row.position;
+        EXPECT_EQ(k3::camWord(states(program, row.position), static_cast<Word>(row.position >> row.shift)),
+                  row.in)
+            << "shift " << row.shift << ", " << row.position;
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "jobs/plc_words.h"
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
-#include "kinds/interbus/words/plc_words.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

@@ -13,7 +13,9 @@ namespace {
 class UnknownProfile : public testing::Test
 {
 protected:
-    DeviceDescription device{.profile = Profile("X9")};
+    UnknownProfile() { device.profile = Profile("X9"); }
+
+    DeviceDescription device;
 };
 
 TEST_F(UnknownProfile, EveryJobIsRefused)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "links/project_adapter.h"
+#include "kinds/esc/links/project_adapter.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include "cams/cam_fields.h"
 #include "jobs/step_text.h"
 #include "jobs/write_plan.h"
-#include "kinds/interbus/words/k3_cam_word.h"
 #include "vocabulary/hex.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/look/describe.h"
@@ -43,12 +42,6 @@ std::optional<std::int64_t> valueThere(const EncoderSession &encoder, std::optio
     return known ? std::optional(valueOf(known->program, field)) : std::nullopt;
 }
 
-std::optional<unsigned> programChosenBy(Word word)
-{
-    const Word number = word & ~k3::programWord;
-    return number == 0 ? std::nullopt : std::optional<unsigned>(number);
-}
-
 struct Words
 {
     std::vector<ReviewRow> rows;
@@ -63,18 +56,19 @@ Words wordsOf(const EncoderSession &encoder, const std::vector<Step> &steps)
         return words;
     std::optional<unsigned> program = encoder.latest().camProgram;
     for (const Step &step : steps) {
-        if (k3::isProgramWord(step.out))
-            program = programChosenBy(step.out);
+        const CamStep cams = protocolOf(encoder.device()).camStep(step);
+        if (cams.choosesProgram)
+            program = cams.program;
         if (readsCams(step))
             continue;
-        const auto field = setsCams(step) ? fieldSetBy(step.out) : std::nullopt;
+        const auto &field = cams.field;
         const auto there = field ? valueThere(encoder, program, *field) : std::nullopt;
         words.rows.push_back({{program ? QString::number(*program) : QString(), hexWord(step.out),
                                stepText(encoder.device(), step),
                                !field  ? QString()
                                : there ? fieldText(*field, *there)
                                        : CamReview::tr("unknown")}});
-        if (there && *there == dataOf(*field, step.out) && !words.thereAlready.contains(hexWord(step.out)))
+        if (there && *there == cams.value && !words.thereAlready.contains(hexWord(step.out)))
             words.thereAlready << hexWord(step.out);
     }
     return words;

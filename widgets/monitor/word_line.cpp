@@ -2,7 +2,6 @@
 #include "widgets/monitor/word_line.h"
 
 #include "catalog/explain_word.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"
 #include "widgets/look/fonts.h"

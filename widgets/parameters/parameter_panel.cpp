@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameter_panel.h"
 
+#include "jobs/plc_words.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
-#include "kinds/interbus/words/plc_words.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/functions/encoder_functions.h"
 #include "widgets/functions/function_questions.h"

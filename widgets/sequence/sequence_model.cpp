@@ -2,7 +2,6 @@
 #include "widgets/sequence/sequence_model.h"
 
 #include "catalog/explain_word.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/icons.h"

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "project/word_list.h"
+#include "vocabulary/mode.h"
 #include "widgets/models/table_model_base.h"
 
 namespace codewheel {

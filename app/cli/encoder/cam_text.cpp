@@ -5,6 +5,7 @@
 #include "cli/call/keys.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
+#include "jobs/protocol.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
@@ -45,9 +46,10 @@ bool isUnset(const CamProgram &program)
 
 } // namespace
 
-std::vector<CamDifference> differencesOf(const std::vector<CamProgram> &has,
+std::vector<CamDifference> differencesOf(const DeviceDescription &device, const std::vector<CamProgram> &has,
                                          const std::vector<CamProgram> &wanted)
 {
+    const Protocol &protocol = protocolOf(device);
     std::vector<CamDifference> found;
     for (const CamProgram &program : wanted) {
         const CamProgram &other = *std::ranges::find(has, program.number, &CamProgram::number);
@@ -55,7 +57,8 @@ std::vector<CamDifference> differencesOf(const std::vector<CamProgram> &has,
         for (std::size_t i = 0; i < camFieldCount; ++i)
             if (different[i])
                 found.push_back({program.number, camField(i), valueOf(other, camField(i)),
-                                 valueOf(program, camField(i))});
+                                 valueOf(program, camField(i)),
+                                 protocol.camWord(camField(i), valueOf(program, camField(i)))});
     }
     return found;
 }
@@ -95,7 +98,7 @@ QString differenceTable(const std::vector<CamDifference> &differences)
         table.add({QString::number(one.program),
                    isOfOneCam(one.field) ? QString::number(one.field.cam) : QStringLiteral("-"),
                    keyOf(camValueKeys, one.field.value), valueText(one.field, one.encoder),
-                   valueText(one.field, one.wanted), hexWord(settingWord(one.field, one.wanted))});
+                   valueText(one.field, one.wanted), hexWord(one.word)});
     return table.toString(2);
 }
 
@@ -129,7 +132,7 @@ QJsonArray differencesJson(const std::vector<CamDifference> &differences)
                         {QStringLiteral("value"), keyOf(camValueKeys, one.field.value)},
                         {QStringLiteral("encoder"), qint64{one.encoder}},
                         {QStringLiteral("file"), qint64{one.wanted}},
-                        {QStringLiteral("word"), wordJson(settingWord(one.field, one.wanted))}});
+                        {QStringLiteral("word"), wordJson(one.word)}});
     return json;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cams/cam_fields.h"
+#include "catalog/device_description.h"
 
 #include <QJsonArray>
 #include <QString>
@@ -17,10 +18,11 @@ struct CamDifference
     CamField field;
     std::int64_t encoder = 0;
     std::int64_t wanted = 0;
+    Word word = 0; // that sets it
 };
 
 // `has` and `wanted` are programs with the same numbers.
-std::vector<CamDifference> differencesOf(const std::vector<CamProgram> &has,
+std::vector<CamDifference> differencesOf(const DeviceDescription &device, const std::vector<CamProgram> &has,
                                          const std::vector<CamProgram> &wanted);
 
 // Program by program, a row for each cam.

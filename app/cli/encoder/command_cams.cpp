@@ -183,7 +183,7 @@ std::optional<std::vector<CamDifference>> compareWith(CamCall &cams, const std::
         cams.answer.complaint = read.error();
         return std::nullopt;
     }
-    auto differences = differencesOf(*read, wanted);
+    auto differences = differencesOf(cams.encoder.device(), *read, wanted);
     cams.answer.json.insert(QStringLiteral("differences"), differencesJson(differences));
     cams.answer.text += differences.empty() ? CommandLine::tr("The encoder has all of it.") + u'\n'
                                             : differenceTable(differences);

@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "cli/encoder/parameter_arguments.h"
 #include "cli/kinds/link_kind.h"
-#include "kinds/interbus/k3/k3_knowledge.h"
+#include "jobs/protocol.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
@@ -125,9 +125,7 @@ Checked<std::optional<PositionCoding>> codingOf(const Call &call, const DeviceDe
     const auto value = valueFrom(*withCoding->find(Parameter::coding), *given);
     if (!value)
         return tl::unexpected(value.error());
-    K3Knowledge knowledge(*withCoding);
-    knowledge.set({{.parameter = Parameter::coding, .value = *value}});
-    return knowledge.coding();
+    return protocolOf(*withCoding).codingFor(*withCoding, *value);
 }
 
 Checked<WordDirection> directionOf(const Call &call)

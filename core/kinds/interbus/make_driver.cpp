@@ -20,4 +20,15 @@ std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device)
     return nullptr;
 }
 
+std::optional<Reading> readingOfWords(const DeviceDescription &device, const std::vector<Known> &known,
+                                      Word in, Word out, Instant at)
+{
+    const auto driver = makeDriver(device);
+    if (driver == nullptr)
+        return std::nullopt;
+    driver->setKnown(known);
+    driver->cycle(in, out, at);
+    return driver->reading();
+}
+
 } // namespace codewheel

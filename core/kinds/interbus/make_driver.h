@@ -12,4 +12,8 @@ namespace codewheel {
 // driver.
 std::unique_ptr<CyclicDriver> makeDriver(const DeviceDescription &device);
 
+// What one would read in these words that has seen none before.
+std::optional<Reading> readingOfWords(const DeviceDescription &device, const std::vector<Known> &known,
+                                      Word in, Word out, Instant at);
+
 } // namespace codewheel

@@ -66,7 +66,11 @@ protected:
         return {.caption = QStringLiteral("IN"), .place = QStringLiteral("IN 1.0")};
     }
 
-    const DeviceDescription k3{.profile = profile::k3};
+    const DeviceDescription k3 = [] {
+        DeviceDescription device;
+        device.profile = profile::k3;
+        return device;
+    }();
     QWidget window;
     WordView view{wordForm(32, &k3), {outLine()}, &window};
     QSignalSpy toggled{&view, &WordView::bitToggled};

@@ -4,9 +4,9 @@
 #include "app/journal_files.h"
 #include "journal/ledger_keeper.h"
 #include "kinds/esc/driver/esc_driver.h"
+#include "kinds/esc/links/project_adapter.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "links/port_access.h"
-#include "links/project_adapter.h"
 #include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
 

@@ -3,6 +3,7 @@
 
 #include "app/window/connect/trouble_of.h"
 #include "app/window/kinds/interbus/offer_files.h"
+#include "app/window/kinds/interbus/offer_settings.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/kinds/interbus/ring_offer.h"
 #include "app/window/look/status_line.h"
@@ -50,7 +51,7 @@ OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settin
     });
     connect(&m_offer, &RingOffer::changed, this, &OfferViews::showPlace);
     connect(&ring.project(), &ProjectDocument::changed, this, &OfferViews::showName);
-    page.form().show(settings.offer());
+    page.form().show(lastOffer(settings.ofKinds()));
     showName();
     showPlace();
 }
@@ -125,7 +126,7 @@ void OfferViews::begin(const OfferWish &wish)
     if (const auto begun = m_offer.begin(wish); !begun)
         m_page.setProblem(troubleOf(begun.error()));
     else
-        m_settings.setOffer(wish);
+        keepOffer(m_settings.ofKinds(), wish);
 }
 
 void OfferViews::showPlace()

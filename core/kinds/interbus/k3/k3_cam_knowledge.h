@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cams/cam_fields.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 #include "kinds/interbus/words/k3_explain.h"
 #include "vocabulary/event.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cams/cam_fields.h"
 #include "kinds/interbus/k3/k3_plan.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 
 namespace codewheel {
 

@@ -2,6 +2,7 @@
 #include "kinds/interbus/k3/k3_cam_run.h"
 
 #include "kinds/interbus/k3/k3_cam_plan.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/k3/k3_handshake.h"
 
-#include "cams/cam_fields.h"
 #include "kinds/interbus/k3/k3_reading.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 
 namespace codewheel {

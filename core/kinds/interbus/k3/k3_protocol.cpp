@@ -6,6 +6,8 @@
 #include "kinds/interbus/k3/k3_mode.h"
 #include "kinds/interbus/k3/k3_plan.h"
 #include "kinds/interbus/k3/k3_refusal.h"
+#include "kinds/interbus/make_driver.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/word_step.h"
 
@@ -68,6 +70,30 @@ public:
     {
         return k3::isConfirmation(in) ? valueOf(device, in) : std::nullopt;
     }
+    CamStep camStep(const Step &step) const override
+    {
+        if (k3::isProgramWord(step.out)) {
+            const Word program = step.out & ~k3::programWord;
+            return {.choosesProgram = true,
+                    .program = program == 0 ? std::nullopt : std::optional<unsigned>(program)};
+        }
+        const auto field = step.effect == Effect::takesCams ? fieldSetBy(step.out) : std::nullopt;
+        return {.field = field, .value = field ? dataOf(*field, step.out) : 0};
+    }
+    Word camWord(CamField field, std::int64_t value) const override { return settingWord(field, value); }
+    std::optional<PositionCoding> codingFor(const DeviceDescription &device,
+                                            std::int64_t value) const override
+    {
+        K3Knowledge knowledge(device);
+        knowledge.set({{.parameter = Parameter::coding, .value = value}});
+        return knowledge.coding();
+    }
+    std::optional<Reading> readingOf(const DeviceDescription &device, const std::vector<Known> &known,
+                                     Word in, Word out, Instant at) const override
+    {
+        return readingOfWords(device, known, in, out, at);
+    }
+    Word positionBesideCams(Word in) const override { return k3::camPositionPart(in); }
     bool mayChangeScale(Word out) const override
     {
         return k3::isParameterWord(out) || (out & k3::presetBit) != 0;

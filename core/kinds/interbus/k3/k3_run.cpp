@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/k3/k3_refine.h"
 #include "kinds/interbus/k3/k3_refusal.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 
 #include <algorithm>
 #include <utility>

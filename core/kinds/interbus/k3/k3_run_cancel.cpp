@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a job ends before its end: by the user, by a restart of the encoder, by what comes late.
 #include "kinds/interbus/k3/k3_run.h"
+#include "kinds/interbus/words/k3_cam_fields.h"
 
 #include <algorithm>
 #include <utility>

@@ -25,6 +25,9 @@ La66Steps service(Word request, std::optional<Parameter> parameter)
     bit.effect = effectOf(StepKind::serviceBit, bit.out);
     La66Step end = La66Plan::endOfService(request);
     end.parameter = parameter;
+    if (bit.effect ==
+        Effect::reads) // an LA-66 is read by services as well, with their words before and after
+        data.effect = end.effect = Effect::reads;
     return {data, bit, end};
 }
 

@@ -3,6 +3,7 @@
 
 #include "jobs/planned_by.h"
 #include "kinds/interbus/la66/la66_plan.h"
+#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/word_step.h"
 
@@ -36,6 +37,11 @@ public:
     Refusal shownError(const DeviceDescription & /*device*/, const Reading &reading) const override
     {
         return {RefusalKind::device, RefusalId::magnetOutOfRange, {reading.in}};
+    }
+    std::optional<Reading> readingOf(const DeviceDescription &device, const std::vector<Known> &known,
+                                     Word in, Word out, Instant at) const override
+    {
+        return readingOfWords(device, known, in, out, at);
     }
     bool mayChangeScale(Word out) const override { return la66::isWrite(out); }
     int eepromWrites(const DeviceDescription & /*device*/, std::span<const Word> words,

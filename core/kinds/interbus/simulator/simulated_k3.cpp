@@ -32,7 +32,7 @@ void SimulatedK3::passTime(std::chrono::milliseconds time)
 
 std::optional<TrainingControls::Shaft> SimulatedK3::shaftState() const
 {
-    TrainingControls::Shaft state = m_shaft.state();
+    TrainingControls::Shaft state = TrainingControls::of(m_shaft);
     state.powered = isPowered();
     state.slow = m_slow;
     state.hasBattery = hasBattery();

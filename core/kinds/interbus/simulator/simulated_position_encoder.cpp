@@ -32,7 +32,7 @@ void SimulatedPositionEncoder::refresh()
 
 std::optional<TrainingControls::Shaft> SimulatedPositionEncoder::shaftState() const
 {
-    TrainingControls::Shaft state = m_shaft.state();
+    TrainingControls::Shaft state = TrainingControls::of(m_shaft);
     state.powered = m_powered;
     state.hasParameters = false;
     return state;

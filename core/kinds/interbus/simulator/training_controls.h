@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/simulator/fault_plan.h"
+#include "simulator/turning_shaft.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,7 +15,7 @@ namespace codewheel {
 class TrainingControls
 {
 public:
-    static constexpr double fastest = 12'000; // rpm, mechanical limit of every shaft
+    static constexpr double fastest = TurningShaft::fastest; // rpm, of every shaft
 
     // An encoder with a shaft.
     struct Shaft
@@ -36,6 +37,16 @@ public:
         bool camOutOfRange = false;
         int eepromWrites = 0; // since the ring was created
     };
+
+    // All that depends on the shaft alone.
+    static Shaft of(const TurningShaft &shaft)
+    {
+        return {.number = {},
+                .raw = shaft.raw(),
+                .stepsPerTurn = shaft.resolution().stepsPerTurn,
+                .turns = shaft.resolution().turns,
+                .revolutionsPerMinute = shaft.speed()};
+    }
 
     // A linear encoder: a magnet that travels along a rod.
     struct Rod
