@@ -9561,6 +9561,22 @@ ist. Braucht keinen Bus.</translation>
         <source>Sends 80000000, then 00000000</source>
         <translation>Sendet 80000000, dann 00000000</translation>
     </message>
+    <message>
+        <source>Restore the earlier values of %1?</source>
+        <translation>Die vorigen Werte von %1 wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>Run is sent first, and until the earlier values are written the encoder gives its position by what it has taken. Then these are written: %1.</source>
+        <translation>Zuerst wird Run gesendet; bis die vorigen Werte geschrieben sind, zeigt der Geber seine Position nach dem, was er angenommen hat. Dann werden geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Sends run, then writes the earlier values, then sends run again</source>
+        <translation>Sendet Run, schreibt dann die vorigen Werte und sendet noch einmal Run</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::EscEncoderBox</name>

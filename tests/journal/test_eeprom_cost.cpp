@@ -5,6 +5,7 @@
 #include "journal/eeprom_cost.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
+#include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/word_step.h"
 #include "tests/support/places.h"
 

@@ -245,6 +245,31 @@ TEST_F(LedgerKeeperTest, NotesAJobBeforeItSendsAnything)
     EXPECT_EQ(bus.channel(fraba)->out(), 0U);
 }
 
+// By hand it stands in OUT until the user goes on, and is counted when it leaves.
+TEST_F(LedgerKeeperTest, AnAlarmStopCountsAConfirmedValueInTheOutcomeToo)
+{
+    keep(DatabasePlace::memory());
+    EncoderSession &encoder = *bus.encoder(fraba);
+    std::optional<Outcome> outcome;
+    bool isConfirmed = false;
+    QObject::connect(&encoder, &EncoderSession::finished, &encoder,
+                     [&](const Outcome &its) { outcome = its; });
+    QObject::connect(&encoder, &EncoderSession::progressed, &encoder,
+                     [&](const Progress &progress) { isConfirmed = !progress.confirmed.empty(); });
+    ASSERT_TRUE(
+        encoder.start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}, Pace::byHand));
+    for (int i = 0; i < 100 && !isConfirmed; ++i) {
+        encoder.proceed();
+        bus.advance(50);
+    }
+    ASSERT_TRUE(isConfirmed);
+    bus.alarmStop();
+    bus.advance(50);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->eepromWrites, 1);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+}
+
 TEST_F(LedgerKeeperTest, GivesWhatWasWrittenToTheEncoderThatTellsItsSerialNumber)
 {
     keep(file.place());

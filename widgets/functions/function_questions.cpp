@@ -190,4 +190,18 @@ bool askToSendRun(QWidget *window, const EncoderSession &encoder)
         Functions::tr("&Send run"), Functions::tr("Sends 80000000, then 00000000"));
 }
 
+bool askToRestore(QWidget *window, const EncoderSession &encoder, const ParameterValues &values)
+{
+    return confirm(
+        window, encoder, "parameters.md#write",
+        Functions::tr("Restore the earlier values of %1?").arg(encoder.place().shown()),
+        {Functions::tr(
+             "Run is sent first, and until the earlier values are written the encoder gives its position "
+             "by what it has taken. Then these are written: %1.")
+             .arg(valueList(encoder.device(), values)),
+         eepromCountText(encoder) + u' ' + eepromCostText(encoder, static_cast<int>(values.size()))},
+        Functions::tr("&Restore"),
+        Functions::tr("Sends run, then writes the earlier values, then sends run again"));
+}
+
 } // namespace codewheel

@@ -18,5 +18,7 @@ bool askForFrabaPreset(QWidget *window, EncoderSession &encoder);
 bool askForReset(QWidget *window, const EncoderSession &encoder);
 // To one that was left in parameterization or in an error.
 bool askToSendRun(QWidget *window, const EncoderSession &encoder);
+// Run, then these values again.
+bool askToRestore(QWidget *window, const EncoderSession &encoder, const ParameterValues &values);
 
 } // namespace codewheel

@@ -9,6 +9,9 @@ namespace codewheel {
 
 // What views ask about a kind of device besides its capabilities.
 
+// After the end of a job, until what it has left is seen.
+inline constexpr Instant settlesWithin = std::chrono::milliseconds(200);
+
 // How to bring an encoder left in another state back to operation.
 enum class WayBack : std::uint8_t { none, run, endService };
 inline WayBack wayBack(const DeviceDescription &device, EncoderState leftIn)

@@ -17,6 +17,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
+#include "widgets/models/device_traits.h"
 #include "widgets/monitor/copy_menu.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_table.h"
@@ -283,6 +284,11 @@ void ParameterPanel::connectSession(EncoderSession &session)
         showRunningJob();
     });
     connect(&session, &EncoderSession::finished, this, &ParameterPanel::finished);
+    connect(&session, &EncoderSession::latestChanged, this, &ParameterPanel::followState);
+    connect(&session, &EncoderSession::knownBeforeChanged, this, [this, &session] {
+        if (session.knownBefore()) // whoever is there now need not be the one that this was said of
+            withdraw(Cause::outcome);
+    });
     connect(&session, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
     connect(&session, &QObject::destroyed, this, [this] { setEncoder({}); });
 }
@@ -532,11 +538,33 @@ void ParameterPanel::finished(const Outcome &outcome)
     showRunningJob();
     const bool resetWaits =
         m_functions->isReset(outcome.job) && outcome.leftIn == EncoderState::parameterization;
-    const JobEnd end = endOf(*session(), outcome);
+    m_end.reset();
     if (resetWaits) // without the way back: run would carry out the reset
         showMessage(Cause::outcome, Role::attention, messageText({.id = MessageId::resetWaitsForRun}));
     else
-        showMessage(Cause::outcome, end.role, end.text, end.wayBack);
+        showEnd(outcome);
+}
+
+void ParameterPanel::showEnd(const Outcome &outcome)
+{
+    const JobEnd end = endOf(*session(), outcome);
+    m_end = outcome;
+    m_endedAt = session()->latest().at;
+    showMessage(Cause::outcome, end.role, end.text, end.wayBack);
+}
+
+// Somebody, or a loss of power, has brought an encoder back that was left in another state.
+void ParameterPanel::followState()
+{
+    const bool isTold = m_end && m_cause == Cause::outcome && !m_message->isHidden();
+    if (!isTold || session()->runningJob() || !session()->freshness().isLive() ||
+        session()->latest().at <= m_endedAt + settlesWithin)
+        return;
+    if (wayBack(session()->device(), m_end->leftIn) == WayBack::none ||
+        session()->latest().state != EncoderState::operation)
+        return;
+    m_end->leftIn = EncoderState::operation;
+    showEnd(*m_end);
 }
 
 void ParameterPanel::showWrongInput(const QString &wrong)
@@ -550,6 +578,8 @@ void ParameterPanel::showWrongInput(const QString &wrong)
 void ParameterPanel::showMessage(Cause cause, Role role, const QString &sentence, const QString &action)
 {
     m_cause = cause;
+    if (cause != Cause::outcome)
+        m_end.reset();
     m_message->showMessage(role, sentence, action);
 }
 

@@ -67,6 +67,8 @@ private:
     void makeMenu();
     void connectParts();
     void connectSession(EncoderSession &session);
+    void showEnd(const Outcome &outcome);
+    void followState();
     void showWhyEmpty();
     void giveWayToQuestion();
     void showWhatIsPossible();
@@ -96,6 +98,8 @@ private:
     WantedValues &m_wanted;
     ShownEncoder m_encoder;
     std::optional<Cause> m_cause; // of the message that is shown
+    std::optional<Outcome> m_end; // that it tells
+    Instant m_endedAt{};
 
     ParameterModel *m_model;
     EncoderFunctions *m_functions;

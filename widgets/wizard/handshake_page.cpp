@@ -31,8 +31,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Instant settlesWithin = std::chrono::milliseconds(200); // what a job has left to be seen
-
 // The previous values of everything taken; empty if one of them is not known.
 ParameterValues valuesToRestore(const HandshakeRecord &record)
 {
@@ -352,6 +350,8 @@ void HandshakePage::bringBack(bool restore)
         job.restore = valuesToRestore(m_setup.record);
     const bool runs = !restore && wayBack(m_setup.encoder->device(), m_shownState) == WayBack::run;
     if (runs && !askToSendRun(window(), *m_setup.encoder))
+        return;
+    if (restore && !askToRestore(window(), *m_setup.encoder, job.restore))
         return;
     if (!askForEeprom(window(), *m_setup.encoder, job))
         return;

@@ -546,6 +546,22 @@ TEST_F(Parameters, AnErrorOfTheEncoderStandsInThePanelWithAWayBack)
     EXPECT_NE(button(QStringLiteral("Send run")), nullptr);
 }
 
+// By a loss of power here; it might be another master as well.
+TEST_F(Parameters, AnEncoderThatIsBackInOperationIsNotSaidToBeInParameterization)
+{
+    ASSERT_TRUE(bus.encoder(fraba)->start(SendWords{.words = {0x0200'00FF}}));
+    finishJob();
+    ASSERT_TRUE(message().contains(QStringLiteral("The encoder is in parameterization")))
+        << message().toStdString();
+    ASSERT_NE(button(QStringLiteral("Send run")), nullptr);
+    bus.alarmStop();
+    training.controls->powerCycle(fraba.node);
+    bus.advance(5'000);
+    ASSERT_EQ(bus.encoder(fraba)->latest().state, EncoderState::operation);
+    EXPECT_FALSE(message().contains(QStringLiteral("parameterization"))) << message().toStdString();
+    EXPECT_EQ(button(QStringLiteral("Send run")), nullptr);
+}
+
 TEST_F(Parameters, AConnectionThatEndsTakesItsEncoderAway)
 {
     ASSERT_TRUE(bus.open(RingSession::Start::watching));

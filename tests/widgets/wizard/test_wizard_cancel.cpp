@@ -134,10 +134,21 @@ TEST_F(WizardHandshake, LeftInParameterizationItCanBeBroughtBack)
 {
     begin();
     step(1);
-    const auto question = test::Question::answeredBy(QStringLiteral("Leave"));
-    click("wizardCancel");
-    settle();
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Leave"));
+        click("wizardCancel");
+        settle();
+    }
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Cancel"));
+        click("recoverRestore");
+        EXPECT_FALSE(fraba().runningJob());
+    }
+    const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
     click("recoverRestore");
+    EXPECT_TRUE(question.text().contains(QStringLiteral("Then these are written: Steps = 8192")))
+        << question.text().toStdString();
+    EXPECT_TRUE(question.text().contains(QStringLiteral("EEPROM"))) << question.text().toStdString();
     settle();
     EXPECT_EQ(fraba().latest().state, EncoderState::operation);
     EXPECT_EQ(readBack(Parameter::steps), stepsBefore);
@@ -173,6 +184,7 @@ TEST_F(WizardHandshake, AnErrorStopsItAndRestoreBringsTheEncoderBack)
         << sentence("handshakeProblem").toStdString();
     EXPECT_EQ(fraba().latest().state, EncoderState::error);
     EXPECT_EQ(out(), 0u);
+    const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
     click("recoverRestore");
     settle();
     EXPECT_EQ(fraba().latest().state, EncoderState::operation);

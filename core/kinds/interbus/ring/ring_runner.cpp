@@ -412,9 +412,9 @@ void RingRunner::Private::endJobs(const Refusal &why)
     for (std::size_t i = 0; i < drivers.size(); ++i) {
         if (!drivers[i])
             continue;
+        drivers[i]->leaveStanding(); // before its job tells what it has written
         if (drivers[i]->busy())
             endJob(i, why);
-        drivers[i]->leaveStanding();
         takeDriverEvents(i);
     }
 }
