@@ -3,7 +3,7 @@
 // bus in virtual time, light and dark; with "review", every view in the whole window, in three sizes; with
 // "trees", every view as a screen reader tells it. Two runs give the same files.
 #include "app/language.h"
-#include "app/screenshots/manual_pictures.h"
+#include "app/screenshots/kinds/manual_pictures.h"
 
 #include <QApplication>
 #include <QDir>

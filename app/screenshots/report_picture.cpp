@@ -4,7 +4,8 @@
 #include "app/report/report_pages.h"
 #include "app/report/sheet_format.h"
 #include "app/window/kinds/training_window.h"
-#include "kinds/interbus/ring/ring_session.h"
+#include "bus/buses.h"
+#include "bus/encoder_bus.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"
 
@@ -22,13 +23,14 @@ constexpr int gap = 12;
 
 Report reportOf(TrainingWindow &shown)
 {
+    const EncoderBus &bus = *shown.buses().connected().front();
     ReportInput input{.project = shown.project().project(),
                       .file = QStringLiteral("crane.codewheel"),
                       .version = QCoreApplication::applicationVersion(),
-                      .now = shown.bus().dateTime(shown.bus().latest().at)};
+                      .now = bus.dateTime(bus.now())};
     input.project.title = QStringLiteral("Crane 1");
     addConnected(input, shown.buses());
-    return makeReport(input, shown.bus().catalog());
+    return makeReport(input, shown.catalog());
 }
 
 } // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screenshots/scene.h"
 
+#include "bus/buses.h"
+#include "bus/encoder_bus.h"
 #include "bus/word_channel.h"
 #include "catalog/device_description.h"
-#include "kinds/interbus/ring/ring_session.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
 
@@ -35,13 +36,13 @@ void click(TrainingWindow &shown, const char *button)
 
 void start(TrainingWindow &shown, Place number, const Job &job, int milliseconds)
 {
-    if (shown.bus().encoder(number)->start(job))
+    if (shown.buses().encoder(number)->start(job))
         shown.advance(milliseconds);
 }
 
 void send(TrainingWindow &shown, Place number, Word word)
 {
-    WordChannel &channel = *shown.bus().channel(number);
+    WordChannel &channel = *shown.buses().busOf(number)->channel(number);
     channel.stage(word);
     if (channel.write())
         shown.advance(33);
@@ -49,7 +50,7 @@ void send(TrainingWindow &shown, Place number, Word word)
 
 void readAll(TrainingWindow &shown, Place number)
 {
-    start(shown, number, ReadParameters{shown.bus().encoder(number)->device().readableValues()});
+    start(shown, number, ReadParameters{shown.buses().encoder(number)->device().readableValues()});
 }
 
 void want255(TrainingWindow &shown)

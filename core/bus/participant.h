@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/words/device_number.h"
+#include "vocabulary/place.h"
 
 #include <QString>
 
@@ -23,8 +23,6 @@ struct Participant
     int outWords = 0;
     QString deviceKey; // catalog key, empty where the make is not known
     int level = 0;     // of the remote bus, 0..15: 0 is the main line, each branch one more
-
-    DeviceNumber deviceNumber() const { return DeviceNumber::of(number); }
 
     friend bool operator==(const Participant &, const Participant &) = default;
 };

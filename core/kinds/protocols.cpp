@@ -11,9 +11,13 @@
 #include "kinds/interbus/la66/la66_protocol.h"
 #include "kinds/interbus/la66/la66_rules.h"
 #include "kinds/interbus/position/position_rules.h"
+#include "kinds/interbus/words/bus_fault.h"
 #include "kinds/interbus/words/device_number.h"
+#include "kinds/interbus/words/k3_cam_effect.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
 #include "vocabulary/place.h"
+#include "vocabulary/texts_of_kinds.h"
 
 #include <algorithm>
 #include <array>
@@ -78,6 +82,16 @@ const ProtocolRules &protocolRules(Profile profile)
     static const ProtocolRules ofNone;
     const ProtocolRow *row = rowOf(profile);
     return row != nullptr ? row->rules : ofNone;
+}
+
+QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter)
+{
+    return busFaultText(codeAndParameter);
+}
+
+QString effectInCamMode(std::optional<Word> out)
+{
+    return k3::camModeEffect(out.value_or(k3::initialisePreset));
 }
 
 const Protocol &protocolOf(const DeviceDescription &device)

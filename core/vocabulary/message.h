@@ -51,7 +51,7 @@ enum class MessageId : std::uint8_t {
     deviceNamed,              // name of the device
     connected,                // link
     disconnected,             //
-    busFault,                 // error code (Word), diagnostic parameter (Word): vocabulary/bus_fault.h
+    busFault,                 // error code (Word), diagnostic parameter (Word): vocabulary/texts_of_kinds.h
     busFaultGone,             //
     peripheralFault,          // error code (Word), diagnostic parameter (Word)
     peripheralFaultConfirmed, //

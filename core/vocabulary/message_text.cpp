@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vocabulary/bus_fault.h"
 #include "vocabulary/device_error_name.h"
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/texts_of_kinds.h"
 
 #include <QCoreApplication>
 
@@ -296,7 +296,7 @@ QString segmentWithFaultText(const Message &message)
     return sentence(messagePattern(QT_TRANSLATE_NOOP(
                         "Message", "Segment %1 is switched off, and the place of the bus fault with "
                                    "it: %2. The fault may still be there. Start the bus again.")),
-                    {argumentText(message.arguments.front()), busFaultText(fault)});
+                    {argumentText(message.arguments.front()), faultOfBusText(fault)});
 }
 
 } // namespace
@@ -309,7 +309,7 @@ QString messageText(const Message &message)
     if (message.id == MessageId::presetDone)
         return presetText(parts);
     if (message.id == MessageId::busFault || message.id == MessageId::peripheralFault)
-        return sentence(messagePattern(messageRow(message.id).text), {busFaultText(message.arguments)});
+        return sentence(messagePattern(messageRow(message.id).text), {faultOfBusText(message.arguments)});
     if (message.id == MessageId::segmentOff && parts.size() > 1)
         return segmentWithFaultText(message);
     if (message.id == MessageId::ringRead &&

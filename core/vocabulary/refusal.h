@@ -149,7 +149,7 @@ enum class RefusalId : std::uint8_t {
     // link
     linkFailed,           // text of the link
     ringDiffers,          // place, configured, found
-    busFault,             // error code (Word), diagnostic parameter (Word): vocabulary/bus_fault.h
+    busFault,             // error code (Word), diagnostic parameter (Word): vocabulary/texts_of_kinds.h
     notInRing,            // place
     ringStands,           // status register of the gateway
     ringFailed,           // the same

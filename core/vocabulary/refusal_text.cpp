@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/refusal_text.h"
 
-#include "kinds/interbus/words/k3_cam_word.h"
-#include "vocabulary/bus_fault.h"
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/texts_of_kinds.h"
 
 #include <QCoreApplication>
 
@@ -607,35 +606,13 @@ QString refusalPattern(const char *text)
     return QCoreApplication::translate("Refusal", text);
 }
 
-// What the word does in cam mode: "sets the start of cam 0 to 0".
-QString effectInCamMode(Word word)
-{
-    const QString cam = argumentText(std::int64_t{k3::number(word)});
-    const QString position = argumentText(std::int64_t{k3::data(word)});
-    if (k3::isCamStart(word))
-        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "sets the start of cam %1 to %2")),
-                        {cam, position});
-    if (k3::isCamStop(word))
-        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "sets the stop of cam %1 to %2")),
-                        {cam, position});
-    if (k3::isCamShift(word))
-        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "sets the shift to %1")),
-                        {argumentText(std::int64_t{word & 0xFF})});
-    if (k3::isProgramWord(word))
-        return sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "switches to cam program %1")),
-                        {argumentText(std::int64_t{word & 0xF})});
-    if (k3::isCamConfiguration(word))
-        return refusalPattern(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
-    return refusalPattern(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
-}
-
 // The word, what it does, and what to do instead.
 QString wordText(const Refusal &refusal)
 {
     QStringList parts = argumentTexts(refusal.arguments);
     const auto *word = refusal.arguments.empty() ? nullptr : std::get_if<Word>(&refusal.arguments.front());
     parts.resize(std::max<qsizetype>(parts.size(), 1));
-    parts.insert(1, effectInCamMode(word ? *word : k3::initialisePreset));
+    parts.insert(1, effectInCamMode(word ? std::optional(*word) : std::nullopt));
     return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
 }
 
@@ -736,7 +713,7 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::fileNotWritten:
         return fileText(refusal);
     case RefusalId::busFault:
-        return sentence(refusalPattern(refusalRow(refusal.id).text), {busFaultText(refusal.arguments)});
+        return sentence(refusalPattern(refusalRow(refusal.id).text), {faultOfBusText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:
         return labelKeyText(refusal);
     default:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing is cut off, in any language, any size of the window, with normal or large controls.
-#include "app/screenshots/manual_pictures.h"
+#include "app/screenshots/kinds/manual_pictures.h"
 #include "language.h"
 #include "tests/app/window_test.h"
 #include "tests/replay/replay_recording.h"

@@ -2,6 +2,7 @@
 // A million messages on disk: the time to keep them, to open them, to scroll a page, to filter and to search;
 // and the longest time for which the window was blocked.
 #include "journal/message_store.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/support/places.h"
 #include "widgets/look/appearance.h"
 #include "widgets/messages/messages_view.h"

@@ -3,6 +3,7 @@
 // messages: the time until it is open and until it knows everything, and from each key until its picture. 60
 // frames a second allow 16 ms.
 #include "app/window/kinds/training_window.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/bench/largest_project.h"
 #include "widgets/look/appearance.h"
 #include "widgets/palette/command_palette.h"

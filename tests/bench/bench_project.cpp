@@ -3,6 +3,7 @@
 // values and two cam programs wanted and stored.
 #include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_rules.h"
+#include "kinds/interbus/words/device_number.h"
 #include "project/project_file.h"
 
 #include <QElapsedTimer>

@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/plan/project_take_over.h"
 #include "kinds/interbus/ring/id_code.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/support/plans.h"
 
 namespace codewheel {

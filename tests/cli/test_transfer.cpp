@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/words/device_number.h"
 #include "project/project_file.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/places.h"

@@ -8,6 +8,7 @@
 #include "kinds/interbus/links/modbus_tcp_server.h"
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
+#include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/profiles.h"
 #include "tests/support/offered_ring.h"
 #include "vocabulary/refusal_text.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/sheet_format.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/paper/painted_texts.h"
 #include "tests/report/report_example.h"
 

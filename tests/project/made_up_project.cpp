@@ -5,6 +5,7 @@
 #include "kinds/interbus/gateway/gateway_settings.h"
 #include "kinds/interbus/plan/process_addresses.h"
 #include "kinds/interbus/ring/numbering.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/support/plans.h"
 
 #include <array>
@@ -196,7 +197,7 @@ Project Maker::project(std::size_t devices)
     DeviceNumber before;
     for (std::size_t n = 0; n < devices; ++n) {
         project.devices.push_back(device(before));
-        before = project.devices.back().participant.deviceNumber();
+        before = DeviceNumber::of(project.devices.back().participant.number);
     }
     for (std::int64_t n = below(4); n > 0; --n) {
         WordList list{.words = {}, .holdCycles = static_cast<int>(1 + below(WordList::longestHold))};

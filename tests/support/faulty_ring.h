@@ -4,6 +4,7 @@
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "kinds/interbus/simulator/simulated_bus_terminal.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <memory>
 

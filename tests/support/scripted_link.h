@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/ring/process_data_link.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vocabulary/bus_fault.h"
+#include "kinds/interbus/words/bus_fault.h"
 #include "vocabulary/refusal_text.h"
 
 #include <gtest/gtest.h>

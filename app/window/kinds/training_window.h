@@ -25,6 +25,7 @@ public:
     RingSession &bus() { return *m_plant.first<RingAtWork>()->bus(); }
     EscLineAtWork &line() { return *m_plant.first<EscLineAtWork>(); }
     Plant &plant() { return m_plant; }
+    const Catalog &catalog() const { return m_catalog; }
     Buses &buses() { return m_plant.buses(); }
     TrainingControls &controls() { return m_plant.first<RingAtWork>()->controls(); }
     MessageModel &messages() { return m_messages; }

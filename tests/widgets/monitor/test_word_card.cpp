@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/device_number.h"
 #include "tests/widgets/rod_bus.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/bar_view.h"

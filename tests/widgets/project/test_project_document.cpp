@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/project_take_over.h"
 #include "kinds/interbus/ring/ring_edit.h"
+#include "kinds/interbus/words/device_number.h"
 #include "project/project_json.h"
 #include "tests/support/places.h"
 #include "tests/support/plans.h"

@@ -10,6 +10,7 @@
 #include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_outline.h"
 #include "kinds/interbus/ring/ring_rules.h"
+#include "kinds/interbus/words/device_number.h"
 #include "project/bus_kind.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
@@ -202,7 +203,7 @@ KindData RingKind::read(const JsonObject &json, std::vector<ProjectDevice> &devi
                                              "wanted", "stored", "wantedCams", "storedCams", "lastPosition"},
                                             ring_limit::devices)) {
         devices.push_back(readDevice(row, last));
-        last = devices.back().participant.deviceNumber();
+        last = DeviceNumber::of(devices.back().participant.number);
     }
     return KindData(std::move(plan));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "vocabulary/bus_fault.h"
+#include "kinds/interbus/words/bus_fault.h"
 
 #include <QString>
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/words/device_number.h"
 
 namespace codewheel {
 
 // Whether it is on the local bus behind a bus terminal (n.1, n.2, ...) rather than on the remote bus.
 inline bool isOnLocalBus(const Participant &participant)
 {
-    return participant.deviceNumber().position > 0;
+    return DeviceNumber::of(participant.number).position > 0;
 }
 
 // The number of the device that follows `before` in ring order: a remote-bus device starts a segment, one on

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/ring/participant.h"
-#include "vocabulary/bus_fault.h"
+#include "kinds/interbus/words/bus_fault.h"
 
 namespace codewheel {
 

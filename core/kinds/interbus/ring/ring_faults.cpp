@@ -6,6 +6,7 @@
 #include "kinds/interbus/ring/ring_break.h"
 #include "kinds/interbus/ring/ring_outline.h"
 #include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/words/device_number.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
@@ -67,7 +68,7 @@ QString notLocatedText(const MasterStatus &master)
 bool canRunWithout(const RingStructure &ring, NodeId node)
 {
     return !node.isEmpty() && !ring.empty() &&
-           DeviceNumber::of(node).segment != ring.front().deviceNumber().segment;
+           DeviceNumber::of(node).segment != DeviceNumber::of(ring.front().number).segment;
 }
 
 std::vector<bool> cutOffOf(const RingSession &bus)

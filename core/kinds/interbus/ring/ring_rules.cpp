@@ -4,6 +4,7 @@
 #include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_tree.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <QCoreApplication>
 
@@ -147,7 +148,7 @@ RingCounts countRing(const RingStructure &structure)
         counts.levels = std::max(counts.levels, device.level + 1);
         counts.inPoints += device.inWords * pointsPerWord;
         counts.outPoints += device.outWords * pointsPerWord;
-        counts.longestLocalBus = std::max(counts.longestLocalBus, device.deviceNumber().position);
+        counts.longestLocalBus = std::max(counts.longestLocalBus, DeviceNumber::of(device.number).position);
         counts.pcpDevices += isPcp(device.idCode) ? 1 : 0;
     }
     return counts;

@@ -2,6 +2,7 @@
 #include "kinds/interbus/ring/ring_tree.h"
 
 #include "kinds/interbus/ring/numbering.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ std::optional<std::size_t> terminalOf(const RingStructure &structure, std::size_
         return remoteBefore(structure, place,
                             [&](const Participant &other) { return other.level < device.level; });
     const auto ofSegment = remoteBefore(structure, place, [&](const Participant &other) {
-        return other.deviceNumber().segment == device.deviceNumber().segment;
+        return DeviceNumber::of(other.number).segment == DeviceNumber::of(device.number).segment;
     });
     return ofSegment ? ofSegment : remoteBefore(structure, place, [](const Participant &) { return true; });
 }
@@ -108,9 +109,10 @@ RingStructure numbered(const RingTree &tree, const RingStructure &participants)
         Participant participant = participants[device];
         const Participant *parent = node.parent ? &structure[placeOf[*node.parent]] : nullptr;
         if (node.isLocal)
-            participant.number = DeviceNumber{parent ? parent->deviceNumber().segment : std::max(segment, 1),
-                                              ++positions[parent ? placeOf[*node.parent] : 0]}
-                                     .node();
+            participant.number =
+                DeviceNumber{parent ? DeviceNumber::of(parent->number).segment : std::max(segment, 1),
+                             ++positions[parent ? placeOf[*node.parent] : 0]}
+                    .node();
         else
             participant.number = DeviceNumber{++segment, 0}.node();
         participant.level = parent ? parent->level + (node.isLocal ? 0 : 1) : 0;

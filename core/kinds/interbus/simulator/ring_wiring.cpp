@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/ring_wiring.h"
 
+#include "kinds/interbus/words/device_number.h"
+
 #include <algorithm>
 
 namespace codewheel {
@@ -32,7 +34,7 @@ Participant RingWiring::present(std::size_t place) const
     participant.deviceKey.clear();
     if (!m_troubles[place].wrongDevice)
         return participant;
-    const bool isLocal = participant.deviceNumber().position > 0;
+    const bool isLocal = DeviceNumber::of(participant.number).position > 0;
     const unsigned k2 = isLocal ? 0xB2 : 0x36;
     const int words = participant.deviceCode == (0x0200U | k2) ? 1 : 2;
     participant.idCode = k2;
@@ -57,10 +59,11 @@ std::vector<std::size_t> RingWiring::reachable() const
 std::size_t endOfCutOff(const RingStructure &ring, std::size_t place)
 {
     const Participant &first = ring[place];
-    const bool isLocal = first.deviceNumber().position > 0;
+    const bool isLocal = DeviceNumber::of(first.number).position > 0;
     std::size_t end = place + 1;
-    while (end < ring.size() && (isLocal ? ring[end].deviceNumber().segment == first.deviceNumber().segment
-                                         : ring[end].level >= first.level))
+    while (end < ring.size() &&
+           (isLocal ? DeviceNumber::of(ring[end].number).segment == DeviceNumber::of(first.number).segment
+                    : ring[end].level >= first.level))
         ++end;
     return end;
 }

@@ -2,6 +2,7 @@
 #include "kinds/interbus/simulator/simulated_master.h"
 
 #include "kinds/interbus/ring/comparison.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <algorithm>
 #include <numeric>
@@ -35,8 +36,8 @@ void SimulatedMaster::use(RingStructure configuration, std::vector<std::size_t> 
     m_located.reset();
     m_status.segments.clear();
     for (const Participant &participant : m_configuration)
-        if (participant.deviceNumber().position == 0)
-            m_status.segments.push_back({.segment = participant.deviceNumber().segment});
+        if (DeviceNumber::of(participant.number).position == 0)
+            m_status.segments.push_back({.segment = DeviceNumber::of(participant.number).segment});
 }
 
 // What a device reported is kept while it is there: only 0760 clears it.
@@ -150,14 +151,15 @@ std::optional<SimulatedMaster::Defect> SimulatedMaster::defect() const
 SimulatedMaster::Defect SimulatedMaster::brokenBefore(std::size_t device) const
 {
     const Participant &behind = m_configuration[device];
-    const bool isLocal = behind.deviceNumber().position > 0;
+    const bool isLocal = DeviceNumber::of(behind.number).position > 0;
     const std::uint16_t code = isLocal ? localBusBroken : remoteBusBroken;
     FaultPlace place{.number = behind.number};
-    if (isLocal && behind.deviceNumber().position == 1)
-        place = {DeviceNumber{behind.deviceNumber().segment, 0}.node(), FaultSpot::outgoingLocalBus};
+    if (isLocal && DeviceNumber::of(behind.number).position == 1)
+        place = {DeviceNumber{DeviceNumber::of(behind.number).segment, 0}.node(),
+                 FaultSpot::outgoingLocalBus};
     for (std::size_t i = isLocal ? 0 : device; i-- > 0;) {
         const Participant &before = m_configuration[i];
-        if (before.deviceNumber().position > 0 || before.level > behind.level)
+        if (DeviceNumber::of(before.number).position > 0 || before.level > behind.level)
             continue;
         place = {before.number,
                  before.level == behind.level ? FaultSpot::outgoingRemoteBus : FaultSpot::outgoingLocalBus};
@@ -231,7 +233,7 @@ bool SimulatedMaster::isCycleFaulty()
         if (perThousand == 0 || !takesPart(i) || !m_errors.strikes(perThousand))
             continue;
         isFaulty = true;
-        const int segment = m_configuration[i].deviceNumber().segment;
+        const int segment = DeviceNumber::of(m_configuration[i].number).segment;
         ++std::ranges::find(m_status.segments, segment, &MasterStatus::Segment::segment)->crcErrors;
         ++m_toleratedCrcErrors;
     }

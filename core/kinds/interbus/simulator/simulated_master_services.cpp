@@ -3,6 +3,7 @@
 #include "kinds/interbus/ring/comparison.h"
 #include "kinds/interbus/ring/master_text.h"
 #include "kinds/interbus/simulator/simulated_master.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <QStringList>
 
@@ -33,7 +34,7 @@ QString headsOf(const RingStructure &configuration)
 {
     QStringList heads;
     for (const Participant &participant : configuration)
-        if (participant.deviceNumber().position == 0)
+        if (DeviceNumber::of(participant.number).position == 0)
             heads << participant.number.toString();
     return heads.join(QStringLiteral(", "));
 }
@@ -48,10 +49,10 @@ RingStructure SimulatedMaster::foundAt(const std::vector<std::size_t> &places) c
     std::size_t next = 0;
     for (const std::size_t place : places) {
         for (; next < place; ++next)
-            missing += m_wiring.planned()[next].deviceNumber().position == 0 ? 1 : 0;
+            missing += DeviceNumber::of(m_wiring.planned()[next].number).position == 0 ? 1 : 0;
         next = place + 1;
         found.push_back(m_wiring.present(place));
-        DeviceNumber number = found.back().deviceNumber();
+        DeviceNumber number = DeviceNumber::of(found.back().number);
         number.segment -= missing;
         found.back().number = number.node();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/simulated_position_encoder.h"
 #include "kinds/interbus/simulator/simulated_ring.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <algorithm>
 
@@ -75,7 +76,7 @@ void SimulatedRing::causeInRing(TrainingFault fault, std::size_t place, int valu
         trouble.wireBroken = on;
         break;
     case TrainingFault::crcErrors:
-        if (m_wiring.planned()[place].deviceNumber().position == 0)
+        if (DeviceNumber::of(m_wiring.planned()[place].number).position == 0)
             trouble.crcErrors = std::clamp(value, 0, mostCrcErrors);
         break;
     case TrainingFault::noSupply:
@@ -152,7 +153,7 @@ std::optional<int> SimulatedRing::standing(TrainingFault fault, std::size_t plac
 std::optional<int> SimulatedRing::standingOfRing(TrainingFault fault, std::size_t place) const
 {
     const PlaceTrouble &trouble = m_wiring.trouble(place);
-    const bool isOnRemoteBus = m_wiring.planned()[place].deviceNumber().position == 0;
+    const bool isOnRemoteBus = DeviceNumber::of(m_wiring.planned()[place].number).position == 0;
     switch (fault) {
     case TrainingFault::wireBreak:
         return asValue(trouble.wireBroken);

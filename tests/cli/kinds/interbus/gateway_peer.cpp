@@ -2,6 +2,7 @@
 #include "tests/cli/kinds/interbus/gateway_peer.h"
 
 #include "kinds/interbus/gateway/gateway_settings.h"
+#include "kinds/interbus/words/device_number.h"
 #include "project/project_file.h"
 #include "tests/support/plans.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/profiles.h"
 #include "tests/support/register_bank.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "kinds/interbus/gateway/gateway_check.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "kinds/interbus/gateway/served_clients.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/support/faulty_ring.h"
 #include "tests/support/offered_ring.h"
 #include "tests/support/scripted_link.h"

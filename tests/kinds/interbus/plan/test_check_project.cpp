@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/check_project.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/support/plans.h"
 
 #include <gtest/gtest.h>

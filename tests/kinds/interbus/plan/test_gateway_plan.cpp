@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "kinds/interbus/plan/check_project.h"
 #include "kinds/interbus/plan/gateway_plan.h"
+#include "kinds/interbus/words/device_number.h"
 #include "project/bus_kind.h"
 #include "project/project_json.h"
 #include "tests/support/plans.h"

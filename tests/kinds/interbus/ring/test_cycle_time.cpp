@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/cycle_time.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <gtest/gtest.h>
 

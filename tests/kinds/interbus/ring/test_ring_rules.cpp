@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/ring_rules.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/kinds/interbus/ring/ring_builder.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
+#include "kinds/interbus/words/device_number.h"
 #include "tests/support/places.h"
 
 #include <algorithm>

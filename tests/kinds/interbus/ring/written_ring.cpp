@@ -2,6 +2,7 @@
 #include "tests/kinds/interbus/ring/written_ring.h"
 
 #include "kinds/interbus/ring/numbering.h"
+#include "kinds/interbus/words/device_number.h"
 
 #include <QStringList>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/manual_pictures.h"
+#include "app/screenshots/kinds/manual_pictures.h"
 
 #include "app/screenshots/accessible_tree.h"
 #include "app/screenshots/finder_picture.h"
 #include "app/screenshots/kinds/esc/esc_line_pictures.h"
 #include "app/screenshots/kinds/interbus/gateway_pictures.h"
 #include "app/screenshots/kinds/interbus/offer_picture.h"
-#include "app/screenshots/project_pictures.h"
+#include "app/screenshots/kinds/interbus/project_pictures.h"
 #include "app/screenshots/recording_pictures.h"
 #include "app/screenshots/report_picture.h"
 #include "app/screenshots/scene.h"

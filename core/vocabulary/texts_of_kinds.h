@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/refusal.h"
+
+#include <optional>
+
+// Texts about what only one kind can read. kinds/protocols.cpp has them.
+namespace codewheel {
+
+// The name of a fault of a bus from its code and parameter: "0BB1 – peripheral fault at 3.0".
+QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter);
+// What an OUT word does in cam mode: "sets the start of cam 0 to 0". Without one, that of a preset.
+QString effectInCamMode(std::optional<Word> out);
+
+} // namespace codewheel
