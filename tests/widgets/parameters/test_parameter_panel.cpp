@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter panel on the training bus, in virtual time, with mouse and keys.
+#include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
@@ -554,7 +555,9 @@ TEST_F(Parameters, AnEncoderThatIsBackInOperationIsNotSaidToBeInParameterization
     ASSERT_TRUE(message().contains(QStringLiteral("The encoder is in parameterization")))
         << message().toStdString();
     ASSERT_NE(button(QStringLiteral("Send run")), nullptr);
-    bus.alarmStop();
+    bus.channel(fraba)->stage(0);
+    ASSERT_TRUE(bus.channel(fraba)->write());
+    bus.advance(50);
     training.controls->powerCycle(fraba.node);
     bus.advance(5'000);
     ASSERT_EQ(bus.encoder(fraba)->latest().state, EncoderState::operation);
