@@ -6,19 +6,12 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 
 bool isOnly(const Explanation &explanation, MeaningId id)
 {
     return explanation.isUnique() && explanation.first().id == id;
-}
-
-bool isInOperation(const Explanation &in)
-{
-    return std::ranges::all_of(in, [](const Meaning &meaning) { return isOfOperation(meaning.id); });
 }
 
 } // namespace
@@ -52,7 +45,7 @@ QString exchangeText(const DeviceDescription &device, const Exchange &row, std::
     if (out.isUnique() && asksForParameter(out.first().id)) {
         if (isOnly(in, MeaningId::confirmed) && in.first().number == out.first().number)
             return QCoreApplication::translate("Trace", "%1: confirmed", "parameter = value").arg(question);
-        if (isOnly(in, MeaningId::oldConfirmation) || isInOperation(in))
+        if (isOnly(in, MeaningId::oldConfirmation) || isOfOperation(in))
             return QCoreApplication::translate("Trace", "%1: not taken yet", "parameter = value")
                 .arg(question);
     }

@@ -6,8 +6,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 
@@ -38,9 +36,9 @@ QString explanationText(const DeviceDescription &device, const Explanation &expl
     for (const Meaning &meaning : explanation)
         texts << meaningSentence(meaning.id,
                                  meanings != nullptr ? meanings->parts(device, meaning) : QStringList());
-    const bool running =
-        std::ranges::all_of(explanation, [](const Meaning &meaning) { return isOfOperation(meaning.id); });
-    return running ? QCoreApplication::translate("Meaning", "Running, %1").arg(joined(texts)) : joined(texts);
+    return isOfOperation(explanation)
+               ? QCoreApplication::translate("Meaning", "Running, %1").arg(joined(texts))
+               : joined(texts);
 }
 
 QString bitText(const DeviceDescription &device, WordDirection direction, int bit)

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include <string_view>
+#include <vector>
 
 namespace codewheel {
 

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -168,6 +169,11 @@ bool asksForParameter(MeaningId id)
 bool isOfOperation(MeaningId id)
 {
     return id >= MeaningId::position && id <= MeaningId::cams;
+}
+
+bool isOfOperation(const Explanation &explanation)
+{
+    return std::ranges::all_of(explanation, [](const Meaning &meaning) { return isOfOperation(meaning.id); });
 }
 
 } // namespace codewheel

@@ -19,5 +19,6 @@ bool asksForParameter(MeaningId id);
 
 // The positions, speeds and cams of an encoder in operation; their sentences continue "Running, ...".
 bool isOfOperation(MeaningId id);
+bool isOfOperation(const Explanation &explanation); // all of them
 
 } // namespace codewheel

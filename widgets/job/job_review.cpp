@@ -12,7 +12,6 @@
 #include "widgets/look/wrapped_cells.h"
 #include "widgets/look/wrapped_label.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -86,8 +85,7 @@ JobReview::JobReview(const char *id, QWidget *parent)
     connect(m_writeAll, &QCheckBox::toggled, this, &JobReview::showContents);
     connect(m_gate, &EepromGate::changed, this, &JobReview::allow);
     connect(m_write, &QPushButton::clicked, this, [this] {
-        // The second of two quick presses was meant for what led here.
-        if (m_sinceBegin.elapsed() >= QApplication::doubleClickInterval())
+        if (!m_press.isSecond())
             Q_EMIT confirmed(m_job);
     });
     connect(m_cancel, &QPushButton::clicked, this, &JobReview::cancelled);
@@ -157,7 +155,7 @@ void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns
     if (m_encoder)
         m_encoder->disconnect(this);
     m_encoder = &encoder;
-    m_sinceBegin.start();
+    m_press.begin();
     m_area->setMinimumHeight(0);
     m_area->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_model->setColumns(std::move(columns), size);

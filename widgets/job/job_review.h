@@ -4,8 +4,8 @@
 #include "vocabulary/encoder_session.h"
 #include "widgets/job/review_table.h"
 #include "widgets/job/whole_table.h"
+#include "widgets/look/quick_press.h"
 
-#include <QElapsedTimer>
 #include <QPointer>
 #include <QWidget>
 
@@ -69,7 +69,7 @@ private:
     void showCurrentRow(const QModelIndex &index);
 
     QPointer<EncoderSession> m_encoder;
-    QElapsedTimer m_sinceBegin;
+    QuickPress m_press;
     Job m_job;
     int m_writes = 0; // to the EEPROM, at most
     ReviewTable *m_model;

@@ -5,7 +5,6 @@
 #include "widgets/look/grid.h"
 
 #include <QAccessible>
-#include <QApplication>
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
@@ -78,7 +77,7 @@ void InlineMessage::showMessage(Role role, const QString &sentence, const QStrin
         withdraw();
         return;
     }
-    m_sinceMoved.start();
+    m_press.begin();
     m_role = role;
     setCommand({});
     rephrase(sentence);
@@ -190,11 +189,11 @@ bool InlineMessage::eventFilter(QObject *watched, QEvent *event)
     switch (event->type()) {
     case QEvent::Show:
     case QEvent::Move:
-        m_sinceMoved.start();
+        m_press.begin();
         return false;
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
-        return m_sinceMoved.isValid() && m_sinceMoved.elapsed() < QApplication::doubleClickInterval();
+        return m_press.isSecond();
     default:
         return QFrame::eventFilter(watched, event);
     }
@@ -204,7 +203,7 @@ bool InlineMessage::eventFilter(QObject *watched, QEvent *event)
 void InlineMessage::moveEvent(QMoveEvent *event)
 {
     QFrame::moveEvent(event);
-    m_sinceMoved.start();
+    m_press.begin();
 }
 
 bool InlineMessage::hasActions() const

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/quick_press.h"
 #include "widgets/look/roles.h"
 #include "widgets/look/trouble.h"
 
-#include <QElapsedTimer>
 #include <QFrame>
 
 class QAbstractButton;
@@ -70,8 +70,8 @@ private:
     QString m_text;
     QString m_detail;
     QString m_command;
-    QElapsedTimer m_sinceMoved; // came, moved, or became another message
-    QBoxLayout *m_parts;        // the sentence, and the buttons beside or, in a narrow panel, below it
+    QuickPress m_press;  // came, moved, or became another message
+    QBoxLayout *m_parts; // the sentence, and the buttons beside or, in a narrow panel, below it
     QBoxLayout *m_buttons;
     QLabel *m_icon;
     QLabel *m_sentence;

@@ -3,14 +3,20 @@
 
 #include "catalog/protocol_rules.h"
 #include "jobs/values_to_write.h"
+#include "vocabulary/encoder_session.h"
 #include "vocabulary/event.h"
 
 namespace codewheel {
 
 // What views ask about a kind of device besides its capabilities.
 
-// After the end of a job, until what it has left is seen.
-inline constexpr Instant settlesWithin = std::chrono::milliseconds(200);
+// Whether what the encoder shows now came after the end of a job: what that has left, or what became of it
+// since.
+inline bool isSeenSince(const EncoderSession &encoder, Instant end)
+{
+    constexpr Instant untilSeen = std::chrono::milliseconds(200);
+    return encoder.freshness().isLive() && encoder.latest().at > end + untilSeen;
+}
 
 // How to bring an encoder left in another state back to operation.
 enum class WayBack : std::uint8_t { none, run, endService };

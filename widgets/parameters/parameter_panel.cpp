@@ -557,8 +557,7 @@ void ParameterPanel::showEnd(const Outcome &outcome)
 void ParameterPanel::followState()
 {
     const bool isTold = m_end && m_cause == Cause::outcome && !m_message->isHidden();
-    if (!isTold || session()->runningJob() || !session()->freshness().isLive() ||
-        session()->latest().at <= m_endedAt + settlesWithin)
+    if (!isTold || session()->runningJob() || !isSeenSince(*session(), m_endedAt))
         return;
     if (wayBack(session()->device(), m_end->leftIn) == WayBack::none ||
         session()->latest().state != EncoderState::operation)

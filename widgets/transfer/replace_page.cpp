@@ -13,7 +13,6 @@
 #include "widgets/transfer/replace_position_step.h"
 #include "widgets/transfer/replace_write_steps.h"
 
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -147,7 +146,7 @@ void ReplacePage::showList()
 void ReplacePage::showStep(int step)
 {
     m_pages->setCurrentIndex(step);
-    m_sinceStep.start();
+    m_press.begin();
     m_list->setCurrent(step);
     current()->enter();
     showButtons();
@@ -196,8 +195,7 @@ void ReplacePage::leave()
 void ReplacePage::next()
 {
     const int step = m_pages->currentIndex();
-    // The second of two quick presses was meant for what led here.
-    if (step == write && m_sinceStep.elapsed() < QApplication::doubleClickInterval())
+    if (step == write && m_press.isSecond())
         return;
     if (step == account) {
         Q_EMIT closeRequested();

@@ -4,9 +4,8 @@
 #include "transfer/last_positions.h"
 #include "vocabulary/message.h"
 #include "widgets/look/page.h"
+#include "widgets/look/quick_press.h"
 #include "widgets/transfer/replace_step.h"
-
-#include <QElapsedTimer>
 
 #include <array>
 
@@ -70,8 +69,8 @@ private:
     std::array<ReplaceStep *, stepCount> m_steps{};
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;
-    QElapsedTimer m_sinceStep; // the current one is shown
-    bool m_hasBegun = false;   // writing: what was reviewed is fixed from then on
+    QuickPress m_press;      // the current one is shown
+    bool m_hasBegun = false; // writing: what was reviewed is fixed from then on
     StepList *m_list = nullptr;
     QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;

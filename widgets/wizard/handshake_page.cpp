@@ -267,9 +267,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
 EncoderState HandshakePage::stateNow(const Outcome &last) const
 {
     const EncoderSession &encoder = *m_setup.encoder;
-    const bool isSeenAgain =
-        encoder.freshness().isLive() && encoder.latest().at > m_work.endedAt + settlesWithin;
-    return isSeenAgain ? encoder.latest().state : last.leftIn;
+    return isSeenSince(encoder, m_work.endedAt) ? encoder.latest().state : last.leftIn;
 }
 
 // The buttons and the sentence for the stage the handshake has reached.

@@ -16,7 +16,6 @@
 #include "widgets/wizard/review_page.h"
 #include "widgets/wizard/values_page.h"
 
-#include <QApplication>
 #include <QLabel>
 #include <QLayout>
 #include <QPushButton>
@@ -190,7 +189,7 @@ void ParameterWizard::showPage(int page)
     const QWidget *focus = window()->focusWidget();
     const bool isElsewhere = focus != nullptr && !isAncestorOf(focus);
     m_pages->setCurrentIndex(page);
-    m_sincePage.start();
+    m_press.begin();
     m_stepList->setCurrent(page);
     if (m_setup->encoder || page == device)
         current()->enter();
@@ -209,8 +208,7 @@ void ParameterWizard::next()
         return;
     }
     const bool starts = page() == review;
-    // The second of two quick presses was meant for what led here.
-    if ((starts || page() == handshake) && m_sincePage.elapsed() < QApplication::doubleClickInterval())
+    if ((starts || page() == handshake) && m_press.isSecond())
         return;
     current()->leave();
     if (!current()->mayGoOn())

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "widgets/look/page.h"
+#include "widgets/look/quick_press.h"
 #include "widgets/wizard/handshake_page.h"
 #include "widgets/wizard/setup.h"
-
-#include <QElapsedTimer>
 
 #include <functional>
 #include <memory>
@@ -90,7 +89,7 @@ private:
     StepList *m_stepList;
     QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;
-    QElapsedTimer m_sincePage;
+    QuickPress m_press;
     QPushButton *m_cancel;
     QPushButton *m_back;
     QPushButton *m_next;

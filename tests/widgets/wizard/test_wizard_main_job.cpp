@@ -14,6 +14,17 @@ namespace {
 class WizardMainJob : public test::WizardTest
 {
 protected:
+    // To the page of the values, with the mode told and nothing read; steps 255.
+    void goToStepsUnread()
+    {
+        wizard.setEncoder(&fraba());
+        next();
+        click("isPositionMode");
+        bus.advance(5);
+        next();
+        next();
+        type("steps", "255");
+    }
     void expectDone()
     {
         EXPECT_EQ(wizard.page(), ParameterWizard::handshake);
@@ -63,13 +74,7 @@ TEST_F(WizardMainJob, ByMouse)
 
 TEST_F(WizardMainJob, TheSecondOfTwoQuickPressesStartsNothing)
 {
-    wizard.setEncoder(&fraba());
-    next();
-    click("isPositionMode");
-    bus.advance(5);
-    next();
-    next();
-    type("steps", "255");
+    goToStepsUnread();
     leaveField();
     QApplication::setDoubleClickInterval(10 * 60 * 1'000);
     next();
@@ -85,13 +90,7 @@ TEST_F(WizardMainJob, TheSecondOfTwoQuickPressesStartsNothing)
 
 TEST_F(WizardMainJob, UnreadValuesAreReadFirstAndWhatIsThereIsNotWritten)
 {
-    wizard.setEncoder(&fraba());
-    next();
-    click("isPositionMode");
-    bus.advance(5);
-    next();
-    next();
-    type("steps", "255");
+    goToStepsUnread();
     type("revolutions", "1");
     find<QComboBox>("direction")->setFocus();
     QTest::keyClick(find<QComboBox>("direction"), Qt::Key_Down);

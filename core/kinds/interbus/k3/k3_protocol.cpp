@@ -6,17 +6,16 @@
 #include "kinds/interbus/k3/k3_mode.h"
 #include "kinds/interbus/k3/k3_plan.h"
 #include "kinds/interbus/k3/k3_refusal.h"
-#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/words/k3_cam_fields.h"
 #include "kinds/interbus/words/k3_cam_word.h"
-#include "kinds/interbus/words/word_step.h"
+#include "kinds/interbus/words/word_protocol.h"
 
 #include <utility>
 
 namespace codewheel {
 namespace {
 
-class K3Protocol final : public Protocol
+class K3Protocol final : public WordProtocol
 {
 public:
     Result<std::vector<Step>> planned(const DeviceDescription &device, const Job &job,
@@ -32,10 +31,6 @@ public:
                 K3Plan::clearOutFirst(steps, job);
             return steps;
         });
-    }
-    QString stepText(const DeviceDescription &device, const Step &step) const override
-    {
-        return wordStepText(device, step);
     }
     Refusal shownError(const DeviceDescription &device, const Reading &reading) const override
     {
@@ -87,11 +82,6 @@ public:
         K3Knowledge knowledge(device);
         knowledge.set({{.parameter = Parameter::coding, .value = value}});
         return knowledge.coding();
-    }
-    std::optional<Reading> readingOf(const DeviceDescription &device, const std::vector<Known> &known,
-                                     Word in, Word out, Instant at) const override
-    {
-        return readingOfWords(device, known, in, out, at);
     }
     Word positionBesideCams(Word in) const override { return k3::camPositionPart(in); }
     bool mayChangeScale(Word out) const override

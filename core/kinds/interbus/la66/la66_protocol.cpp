@@ -3,9 +3,8 @@
 
 #include "jobs/planned_by.h"
 #include "kinds/interbus/la66/la66_plan.h"
-#include "kinds/interbus/make_driver.h"
 #include "kinds/interbus/words/la66_word.h"
-#include "kinds/interbus/words/word_step.h"
+#include "kinds/interbus/words/word_protocol.h"
 
 #include <QCoreApplication>
 
@@ -14,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-class La66Protocol final : public Protocol
+class La66Protocol final : public WordProtocol
 {
 public:
     Result<std::vector<Step>> planned(const DeviceDescription &device, const Job &job,
@@ -30,18 +29,9 @@ public:
             "Protocol", "Each word goes out for two bus cycles with its first bit, the service "
                         "bit, 0; what was written is read back.");
     }
-    QString stepText(const DeviceDescription &device, const Step &step) const override
-    {
-        return wordStepText(device, step);
-    }
     Refusal shownError(const DeviceDescription & /*device*/, const Reading &reading) const override
     {
         return {RefusalKind::device, RefusalId::magnetOutOfRange, {reading.in}};
-    }
-    std::optional<Reading> readingOf(const DeviceDescription &device, const std::vector<Known> &known,
-                                     Word in, Word out, Instant at) const override
-    {
-        return readingOfWords(device, known, in, out, at);
     }
     bool mayChangeScale(Word out) const override { return la66::isWrite(out); }
     int eepromWrites(const DeviceDescription & /*device*/, std::span<const Word> words,
