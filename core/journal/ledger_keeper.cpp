@@ -144,8 +144,10 @@ void LedgerKeeper::watchNamed(Place place)
 
 void LedgerKeeper::doubtUnassigned()
 {
-    for (auto &[place, watched] : m_watched)
+    for (auto &[place, watched] : m_watched) {
         watched.unassigned.clear();
+        watched.beforeItMet.clear();
+    }
 }
 
 // Whoever is there now need not be the one that was written to.
@@ -155,7 +157,6 @@ void LedgerKeeper::meetAgain()
         watched.beforeItMet.insert(watched.beforeItMet.end(), watched.unassigned.begin(),
                                    watched.unassigned.end());
         watched.unassigned.clear();
-        watched.isAsked = false;
     }
 }
 
