@@ -55,6 +55,13 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
     return known && known->evidence == Evidence::read;
 }
 
+std::optional<RefusalId> errorOf(const EncoderSession &encoder)
+{
+    const Reading &reading = encoder.latest();
+    return reading.state == EncoderState::error ? std::optional(shownError(encoder.device(), reading).id)
+                                                : std::nullopt;
+}
+
 std::vector<KnownCams> allKnownCams(const EncoderSession &encoder)
 {
     std::vector<KnownCams> all;
@@ -79,9 +86,12 @@ ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish)
 
 bool hasLostParameters(const EncoderSession &encoder)
 {
-    const Reading &reading = encoder.latest();
-    return reading.state == EncoderState::error &&
-           shownError(encoder.device(), reading).id == RefusalId::parametersLost;
+    return errorOf(encoder) == RefusalId::parametersLost;
+}
+
+bool holdsOtherValues(const EncoderSession &encoder)
+{
+    return hasLostParameters(encoder) || errorOf(encoder) == RefusalId::wrongParameterData;
 }
 
 std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const ParameterValues &values)
@@ -108,7 +118,7 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
 {
     WriteParameters job{
         .values = {}, .previous = valuesBefore(encoder), .initialisePreset = wish.initialisePreset};
-    const bool writesAll = wish.writeAll || hasLostParameters(encoder);
+    const bool writesAll = wish.writeAll || holdsOtherValues(encoder);
     for (const ParameterValue &wanted : valuesFirst(encoder, wish)) {
         const ParameterDescription *description = encoder.device().find(wanted.parameter);
         if (description == nullptr)

@@ -25,12 +25,15 @@ bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
 // Error 3. What can be read from it, if anything, is not what it works with: only parameters 1 to 4, all of
 // them, bring it back, or its default values.
 bool hasLostParameters(const EncoderSession &encoder);
+// Error 1 or 3. What is known of it is not what it holds: values that run refused wait beside those it worked
+// with, and every further run refuses them, until they are written anew.
+bool holdsOtherValues(const EncoderSession &encoder);
 // Of parameters 1 to 4, those that are not among the values; none if the encoder has not lost them.
 std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const ParameterValues &values);
 
 // The job for a wish: what is known and equal is left out. If the encoder can be read and a value is not
-// known from reading, the job reads it first and leaves it out if it is already there. An encoder that has
-// lost its parameters gets all of it; the position to be set is its preset. A used-up preset
+// known from reading, the job reads it first and leaves it out if it is already there. An encoder that holds
+// other values gets all of it; the position to be set is its preset. A used-up preset
 // (FRABA) is programmed again, as it could not be initialised otherwise.
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish);
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/transfer/transfer_bus.h"
+#include "vocabulary/refusal_text.h"
+
+#include <gmock/gmock.h>
 
 namespace codewheel {
 namespace {
@@ -96,6 +99,35 @@ TEST_F(Transfer, AnEncoderThatRefusesDoesNotKeepTheOthersFromTheirs)
     EXPECT_EQ(account.encoders[0].rows[0].became, Became::notActive); // acknowledged, then refused
     EXPECT_FALSE(account.encoders[0].isDone());
     EXPECT_EQ(account.encoders[1].rows[0].became, Became::written);
+}
+
+// What run refused is pending still, also where the value that was valid before is wanted again.
+TEST_F(Transfer, AfterErrorOneNothingCountsAsAlreadyThere)
+{
+    encoder(baumer).tell(Parameter::steps, 8192);
+    encoder(baumer).tell(Parameter::coding, 3);
+    const auto transfer = [&](std::int64_t steps, std::int64_t coding) {
+        const TransferPlan plan =
+            planTransfer(buses, {{.place = baumer,
+                                  .values = {{Parameter::steps, steps}, {Parameter::coding, coding}}}});
+        return carryOut(plan).encoders[0];
+    };
+    EXPECT_EQ(transfer(8193, 3).why->id, RefusalId::wrongParameterData);
+    const EncoderAccount right = transfer(8192, 4);
+    EXPECT_TRUE(right.isDone()) << refusalText(right.why.value_or(Refusal{})).toStdString();
+    EXPECT_EQ(right.rows[0].became, Became::written);
+    EXPECT_EQ(encoder(baumer).latest().state, EncoderState::operation);
+}
+
+TEST_F(Transfer, AnErrorThatWasThereBeforeIsNotBlamedOnWhatIsWritten)
+{
+    const auto transfer = [&](ParameterValue value) {
+        return *carryOut(planTransfer(buses, {{.place = baumer, .values = {value}}})).encoders[0].why;
+    };
+    EXPECT_THAT(refusalText(transfer({Parameter::steps, 8193})).toStdString(), testing::HasSubstr("value of Steps"));
+    EXPECT_EQ(refusalText(transfer({Parameter::coding, 3})),
+              QStringLiteral("Error 1: the encoder refused a value (IN 82000000). Check the values and write "
+                             "them again."));
 }
 
 TEST_F(Transfer, AfterARefusalTheRestIsNotBegunIfSoChosen)

@@ -39,7 +39,8 @@ std::optional<Refusal> camRefusal(const K3Circumstances &at, Word in)
     return std::nullopt;
 }
 
-// An error before the word was confirmed may be about the previous word; an error at run is about the set.
+// An error before the word was confirmed may be about the previous word; an error at run is about the set,
+// and that of an encoder found in an error may have values of before the job.
 std::vector<RefusalArgument> suspects(const K3Circumstances &at)
 {
     std::vector<RefusalArgument> suspects;
@@ -53,6 +54,8 @@ std::vector<RefusalArgument> suspects(const K3Circumstances &at)
             suspects.emplace_back(std::int64_t{k3::number(step.out)});
         return suspects;
     }
+    if (at.foundInError)
+        return {};
     for (const ParameterValues *taken : {&at.confirmed, &at.written})
         for (const ParameterValue &value : *taken)
             suspects.emplace_back(value.parameter);

@@ -16,6 +16,7 @@ struct K3Circumstances
     const ParameterValues &written;
     bool inCamMode = false;           // as far as known
     bool foundParameterizing = false; // the encoder was in a parameterization before the job
+    bool foundInError = false;        // or in the error state
 };
 
 // What the error in IN means, named for the user (FRABA manual 10.6, Baumer manual 7; for cams FRABA manual

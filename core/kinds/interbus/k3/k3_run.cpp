@@ -35,6 +35,7 @@ Result<void> K3Run::plan(Word in, Word out)
         return checked;
     const EncoderState state = m_encoder.stateOf(in);
     m_foundParameterizing = state == EncoderState::parameterization;
+    m_foundInError = state == EncoderState::error;
     if (const auto *end = job<EndParameterization>()) {
         m_restores = !end->restore.empty();
         m_steps.all =
@@ -48,14 +49,14 @@ Result<void> K3Run::plan(Word in, Word out)
     return {};
 }
 
-// An encoder that has lost its parameters (error 3) gets all of them: what can be read from it is not what it
-// works with, and only parameters 1 to 4, all of them, bring it back.
+// Error 1 or 3: what can be read from it is not what it works with, or what run will check. It gets all values.
 Job K3Run::whatIsDone(Word in) const
 {
     Job what = m_job;
     const DeviceError *error = m_encoder.isError(in) ? m_encoder.device.findError(k3::number(in)) : nullptr;
-    const bool hasLost = error != nullptr && error->meaning == RefusalId::parametersLost;
-    if (auto *write = std::get_if<WriteParameters>(&what); write != nullptr && hasLost)
+    const bool holdsOthers = error != nullptr && (error->meaning == RefusalId::parametersLost ||
+                                                  error->meaning == RefusalId::wrongParameterData);
+    if (auto *write = std::get_if<WriteParameters>(&what); write != nullptr && holdsOthers)
         write->onlyWhatDiffers = false;
     return what;
 }
@@ -320,7 +321,8 @@ Refusal K3Run::refusalFor(Word in) const
                       .confirmed = m_confirmed.values,
                       .written = m_account.outcome.written,
                       .inCamMode = m_encoder.knowledge.mode() == Mode::cam,
-                      .foundParameterizing = m_foundParameterizing},
+                      .foundParameterizing = m_foundParameterizing,
+                      .foundInError = m_foundInError},
                      in);
 }
 
