@@ -13,6 +13,7 @@ namespace codewheel {
 namespace {
 
 using Since = SeenPosition::Since;
+using Scaled = SeenPosition::Scaled;
 
 // What a position is counted in, and from where.
 constexpr Parameter scaleParameters[] = {
@@ -51,11 +52,14 @@ std::optional<SeenPosition> withScale(std::optional<SeenPosition> seen, const Pa
 }
 
 // What was not known before may have been different.
-bool changeScale(const ParameterValues &written, const ParameterValues &before)
+Scaled scaledBy(const ParameterValues &written, const ParameterValues &before)
 {
-    return std::ranges::any_of(written, [&](const ParameterValue &value) {
-        return isOfScale(value.parameter) && valueOf(before, value.parameter) != value.value;
+    if (scalesDiffer(before, written))
+        return Scaled::otherwise;
+    const bool isNew = std::ranges::any_of(written, [&](const ParameterValue &value) {
+        return isOfScale(value.parameter) && !valueOf(before, value.parameter);
     });
+    return isNew ? Scaled::perhapsOtherwise : Scaled::asThen;
 }
 
 // Apart from the values it writes, which are seen when it has ended.
@@ -161,8 +165,8 @@ void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, c
 // It shows where it was when it went away: another one would hardly do that.
 bool LastPositions::isBack(const Watched &watched, std::int64_t position)
 {
-    return watched.before && watched.before->since == Since::gone && !watched.before->scaledOtherwise &&
-           watched.before->position == position;
+    return watched.before && watched.before->since == Since::gone &&
+           watched.before->scaled == Scaled::asThen && watched.before->position == position;
 }
 
 // An encoder that was seen to be away says more than one that nobody saw.
@@ -185,8 +189,7 @@ void LastPositions::follow(const EncoderBus &bus)
         return;
     connect(&bus, &QObject::destroyed, this, [this, its = &bus] { m_followed.erase(its); });
     connect(&bus, &EncoderBus::writeAboutToBeSent, this, [this](const TypedWrite &write) {
-        if (changeScale(write.values, m_watched[write.place].scaleBefore))
-            scaledAnew(write.place);
+        scaledAnew(write.place, write.values);
     });
 }
 
@@ -200,17 +203,17 @@ void LastPositions::follow(const EncoderSession &encoder)
     connect(its, &EncoderSession::knownChanged, this, [this, its] { compareScale(*its); });
     connect(its, &EncoderSession::jobAboutToStart, this, [this, its](const Job &job) {
         if (mayChangeScale(its->device(), job))
-            scaledAnew(its->place());
+            scaledAnew(its->place(), Scaled::perhapsOtherwise);
     });
     connect(its, &EncoderSession::wordAboutToBeSent, this, [this, its](Word word) {
         if (protocolOf(its->device()).mayChangeScale(word))
-            scaledAnew(its->place());
+            scaledAnew(its->place(), Scaled::perhapsOtherwise);
     });
     connect(its, &EncoderSession::finished, this, [this, its](const Outcome &outcome) {
-        const ParameterValues &before = m_watched[its->place()].scaleBefore;
-        if (outcome.inDoubt.reset || outcome.inDoubt.position || changeScale(outcome.written, before) ||
-            changeScale(outcome.setAlong, before) || changeScale(outcome.inDoubt.values, before))
-            scaledAnew(its->place());
+        if (outcome.inDoubt.reset || outcome.inDoubt.position)
+            scaledAnew(its->place(), Scaled::perhapsOtherwise);
+        for (const ParameterValues *values : {&outcome.written, &outcome.setAlong, &outcome.inDoubt.values})
+            scaledAnew(its->place(), *values);
     });
 }
 
@@ -219,13 +222,18 @@ void LastPositions::compareScale(const EncoderSession &encoder)
     Watched &watched = m_watched[encoder.place()];
     watched.isScaleOld = true;
     if (scalesDiffer(watched.scaleBefore, knownScale(encoder)))
-        scaledAnew(encoder.place());
+        scaledAnew(encoder.place(), Scaled::otherwise);
 }
 
-void LastPositions::scaledAnew(Place place)
+void LastPositions::scaledAnew(Place place, Scaled how)
 {
     if (auto &before = m_watched[place].before)
-        before->scaledOtherwise = true;
+        before->scaled = std::max(before->scaled, how);
+}
+
+void LastPositions::scaledAnew(Place place, const ParameterValues &written)
+{
+    scaledAnew(place, scaledBy(written, m_watched[place].scaleBefore));
 }
 
 bool isOfAnotherScale(const ParameterValues &then, const ParameterValues &values)

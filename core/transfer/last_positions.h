@@ -24,8 +24,13 @@ struct SeenPosition
         gone,      // the encoder was seen to be away: it may be another now
     };
     Since since = Since::there;
-    // Afterwards the encoder was given another scale or zero: there it would be another position.
-    bool scaledOtherwise = false;
+    // What was written at its place afterwards.
+    enum class Scaled : std::uint8_t {
+        asThen,
+        perhapsOtherwise, // a position, or a scale of which nobody knows what it was then
+        otherwise,        // there it would be another position
+    };
+    Scaled scaled = Scaled::asThen;
     ParameterValues scale{}; // known of the encoder with it
 
     friend bool operator==(const SeenPosition &, const SeenPosition &) = default;
@@ -78,7 +83,8 @@ private:
     void follow(const EncoderBus &bus);
     void follow(const EncoderSession &encoder);
     void compareScale(const EncoderSession &encoder);
-    void scaledAnew(Place place);
+    void scaledAnew(Place place, SeenPosition::Scaled how);
+    void scaledAnew(Place place, const ParameterValues &written);
     static bool isBack(const Watched &watched, std::int64_t position);
     static void keepBefore(Watched &watched, SeenPosition::Since since);
 

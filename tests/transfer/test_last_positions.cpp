@@ -8,6 +8,7 @@ namespace {
 
 using test::fraba;
 using Since = SeenPosition::Since;
+using Scaled = SeenPosition::Scaled;
 
 class LastPositionsOfTheRing : public test::TransferBus
 {
@@ -132,22 +133,31 @@ TEST_F(LastPositionsOfTheRing, APositionFromBeforeAnotherScaleSaysSo)
     pass(100);
     goAndReturn();
     ASSERT_EQ(positions.at(fraba)->since, Since::gone);
-    EXPECT_FALSE(positions.at(fraba)->scaledOtherwise);
+    EXPECT_EQ(positions.at(fraba)->scaled, Scaled::asThen);
     carryOutJob(WriteParameters{.values = {{Parameter::steps, 2048}}, .previous = {}});
-    EXPECT_TRUE(positions.at(fraba)->scaledOtherwise);
+    EXPECT_EQ(positions.at(fraba)->scaled, Scaled::otherwise);
     goAndReturn();
-    EXPECT_FALSE(positions.at(fraba)->scaledOtherwise) << "this one was seen with the new scale";
+    EXPECT_EQ(positions.at(fraba)->scaled, Scaled::asThen) << "this one was seen with the new scale";
+}
+
+// As after a replacement that was cancelled: the old encoder may have had the same values.
+TEST_F(LastPositionsOfTheRing, AScaleThatNobodyKnewIsNotSaidToBeAnother)
+{
+    pass(100);
+    goAndReturn();
+    carryOutJob(WriteParameters{.values = {{Parameter::steps, 2048}}, .previous = {}});
+    EXPECT_EQ(positions.at(fraba)->scaled, Scaled::perhapsOtherwise);
 }
 
 TEST_F(LastPositionsOfTheRing, APositionFromBeforeAnotherZeroSaysSo)
 {
     pass(100);
     goAndReturn();
-    ASSERT_FALSE(positions.at(fraba)->scaledOtherwise);
+    ASSERT_EQ(positions.at(fraba)->scaled, Scaled::asThen);
     carryOutJob(ReadParameters{{Parameter::steps, Parameter::zeroOffset}});
-    EXPECT_FALSE(positions.at(fraba)->scaledOtherwise) << "reading changes nothing";
+    EXPECT_EQ(positions.at(fraba)->scaled, Scaled::asThen) << "reading changes nothing";
     carryOutJob(SetPreset{.value = 100});
-    EXPECT_TRUE(positions.at(fraba)->scaledOtherwise);
+    EXPECT_EQ(positions.at(fraba)->scaled, Scaled::perhapsOtherwise);
 }
 
 TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)

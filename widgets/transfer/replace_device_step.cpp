@@ -35,6 +35,7 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
 {
     m_key->setPlaceholderText(QStringLiteral("OCD-IBA1B-1213-C100-PRI"));
     m_key->setClearButtonEnabled(true);
+    m_serial->setText(replacing.now.serialNumber);
     auto *fields = new QFormLayout;
     fields->addRow(tr("&Label key"), m_key);
     fields->addRow(tr("Enc&oder"), m_choice);
@@ -77,6 +78,7 @@ void ReplaceDeviceStep::fillChoices()
         if (!device.isGeneric() && device.capabilities.writes && canBe(device))
             m_choice->addItem(device.fullName(), device.key);
     m_choice->setCurrentIndex(std::max(0, m_choice->findData(m_replacing.before.participant.deviceKey)));
+    m_key->setText(m_replacing.key);
     take();
 }
 
@@ -123,6 +125,7 @@ void ReplaceDeviceStep::take()
             now.stepsPerTurn = match.stepsPerTurn;
         }
     now.serialNumber = m_serial->text().trimmed();
+    m_replacing.key = m_key->text();
     showDifferences();
     Q_EMIT changed();
 }

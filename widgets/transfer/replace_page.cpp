@@ -93,7 +93,9 @@ void ReplacePage::replace(Place number)
         return;
     m_replacing.place = number;
     takePlanned();
-    m_replacing.now = {};
+    const bool isAgain = m_unfinished && m_unfinished->place == number;
+    m_replacing.now = isAgain ? m_unfinished->label : Replacement{};
+    m_replacing.key = isAgain ? m_unfinished->key : QString();
     m_replacing.position.reset();
     m_hasBegun = false;
     while (QWidget *page = m_pages->widget(0)) {
@@ -125,6 +127,7 @@ void ReplacePage::followProject()
 // The old project's plan means nothing to another project. An account of what was written stays to be saved.
 void ReplacePage::leaveProject()
 {
+    m_unfinished.reset();
     if (!isVisible() || m_hasBegun)
         return;
     replace(m_replacing.place);
@@ -179,7 +182,9 @@ QString ReplacePage::effect() const
 QString ReplacePage::lostByClosing() const
 {
     const Replacement &now = m_replacing.now;
-    const bool isGiven = m_pages->currentIndex() != device || now.turns > 0 || !now.serialNumber.isEmpty();
+    const QString kept =
+        m_unfinished && m_unfinished->place == m_replacing.place ? m_unfinished->label.serialNumber : QString();
+    const bool isGiven = m_pages->currentIndex() != device || now.turns > 0 || now.serialNumber != kept;
     return m_hasBegun || !isGiven
                ? QString()
                : tr("Nothing has been written to %1, and what was given here is forgotten.")
@@ -237,6 +242,9 @@ void ReplacePage::putIntoProject()
 void ReplacePage::showAccount()
 {
     const TransferAccount what = m_write->account();
+    m_unfinished.reset();
+    if (!what.isDone())
+        m_unfinished = {m_replacing.place, m_replacing.now, m_replacing.key};
     Q_EMIT messaged(messageOf(what));
     m_account->show(what);
     showStep(account);

@@ -50,6 +50,14 @@ private:
     enum Step : int { device, position, write, account };
     static constexpr int stepCount = account + 1;
 
+    // A replacement that did not become done: the next try at its place begins with what was given.
+    struct Unfinished
+    {
+        Place place;
+        Replacement label;
+        QString key;
+    };
+
     void makeSteps();
     void showStep(int step);
     void showList();
@@ -65,6 +73,7 @@ private:
     ReplaceStep *current() const;
 
     Replacing m_replacing;
+    std::optional<Unfinished> m_unfinished;
     const LastPositions &m_positions;
     std::array<ReplaceStep *, stepCount> m_steps{};
     ReplaceWriteStep *m_write = nullptr;

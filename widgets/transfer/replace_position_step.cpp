@@ -65,7 +65,7 @@ void ReplacePositionStep::enter()
     const bool presets = m_typed->isEnabled();
     if (chosen() == nullptr) {
         const bool isOfOld = m_seen && m_seen->since == SeenPosition::Since::gone &&
-                             !m_seen->scaledOtherwise && !isWantedOtherwise(m_seen->scale);
+                             m_seen->scaled == SeenPosition::Scaled::asThen && !isWantedOtherwise(m_seen->scale);
         (presets ? isOfOld ? m_last : m_typed : m_none)->setChecked(true);
     }
     setFocusProxy(chosen() == m_typed ? static_cast<QWidget *>(m_value) : chosen());
@@ -124,11 +124,21 @@ QString ReplacePositionStep::textOf(const SeenPosition &seen) const
                              ? tr("&Position %1, seen at %2, before the encoder went away")
                              : tr("&Position %1, seen at %2. Then nobody saw the encoder for a while; it was "
                                   "not seen to be away.");
-    return seen.scaledOtherwise
-               ? tr("%1 The encoder was scaled otherwise then: now this is another position.",
-                    "a sentence, or most of one")
-                     .arg(seen.since == SeenPosition::Since::gone ? text + u'.' : text)
-               : withScale(text, seen.scale);
+    const QString whole = text.endsWith(u'.') ? text : text + u'.';
+    switch (seen.scaled) {
+    case SeenPosition::Scaled::otherwise:
+        return tr("%1 The encoder was scaled otherwise then: now this is another position.",
+                  "a sentence, or most of one")
+            .arg(whole);
+    case SeenPosition::Scaled::perhapsOtherwise:
+        return tr("%1 Since then values of its scale, or its position, were written here: it is right if the "
+                  "previous encoder had the same scale.",
+                  "a sentence, or most of one")
+            .arg(withScale(whole, seen.scale));
+    case SeenPosition::Scaled::asThen:
+        break;
+    }
+    return withScale(text, seen.scale);
 }
 
 QString ReplacePositionStep::tipOf(const SeenPosition &seen)

@@ -20,6 +20,7 @@ struct Replacing
     Place place{};
     ProjectDevice before{};                 // as planned until writing begins
     Replacement now{};                      // device null: not chosen yet
+    QString key{};                          // of its label, as typed
     std::optional<std::int64_t> position{}; // to be set; nothing: left as it is
 };
 

@@ -93,6 +93,30 @@ TEST_F(ReplacePageTest, TheSecondOfTwoQuickPressesDoesNotWrite)
     advanceWhileBusy(page);
 }
 
+// What was given for the new encoder is in the project by then: an empty field would take it out again.
+TEST_F(ReplacePageTest, ASecondTryBeginsWithWhatWasGivenInTheFirst)
+{
+    const auto begin = [this] {
+        page.replace(fraba);
+        const QString serial = find<QLineEdit>("replaceSerial")->text();
+        type("replaceSerial", "4711");
+        click("replaceNext");
+        find<QRadioButton>("positionNone")->setChecked(true);
+        click("replaceNext");
+        click("replaceNext");
+        return serial;
+    };
+    EXPECT_EQ(begin(), QString());
+    click("replaceCancel");
+    advanceWhileBusy(page);
+    ASSERT_NE(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_EQ(begin(), QStringLiteral("4711"));
+    advanceWhileBusy(page);
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_EQ(begin(), QString()) << "another replacement";
+    advanceWhileBusy(page);
+}
+
 // It would refuse it, with the scale written.
 TEST_F(ReplacePageTest, APositionBeyondTheWantedRangeIsRefusedBeforeAnythingIsWritten)
 {
