@@ -16308,6 +16308,11 @@ Zeigt mehr über die Aufzeichnung</translation>
         <comment>a sentence, or most of one</comment>
         <translation>%1 Sie hat eine andere Skalierung als die gewünschte: Mit dieser ist sie eine andere Position.</translation>
     </message>
+    <message>
+        <source>%1 Since then values of its scale, or its position, were written here: it is right if the previous encoder had the same scale.</source>
+        <comment>a sentence, or most of one</comment>
+        <translation>%1 Seitdem wurde hier etwas an der Skalierung oder die Position geschrieben: Sie stimmt, wenn der vorherige Geber dieselbe Skalierung hatte.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplaceStep</name>
