@@ -2267,70 +2267,6 @@
         <translation>Fehlerstatus</translation>
     </message>
     <message>
-        <source>OPC register 0</source>
-        <translation>OPC-Register 0</translation>
-    </message>
-    <message>
-        <source>OPC register 1</source>
-        <translation>OPC-Register 1</translation>
-    </message>
-    <message>
-        <source>OPC register 2</source>
-        <translation>OPC-Register 2</translation>
-    </message>
-    <message>
-        <source>OPC register 3</source>
-        <translation>OPC-Register 3</translation>
-    </message>
-    <message>
-        <source>OPC register 4</source>
-        <translation>OPC-Register 4</translation>
-    </message>
-    <message>
-        <source>OPC register 5</source>
-        <translation>OPC-Register 5</translation>
-    </message>
-    <message>
-        <source>OPC register 6</source>
-        <translation>OPC-Register 6</translation>
-    </message>
-    <message>
-        <source>OPC register 7</source>
-        <translation>OPC-Register 7</translation>
-    </message>
-    <message>
-        <source>OPC register 8</source>
-        <translation>OPC-Register 8</translation>
-    </message>
-    <message>
-        <source>OPC register 9</source>
-        <translation>OPC-Register 9</translation>
-    </message>
-    <message>
-        <source>OPC register A</source>
-        <translation>OPC-Register A</translation>
-    </message>
-    <message>
-        <source>OPC register B</source>
-        <translation>OPC-Register B</translation>
-    </message>
-    <message>
-        <source>OPC register C</source>
-        <translation>OPC-Register C</translation>
-    </message>
-    <message>
-        <source>OPC register D</source>
-        <translation>OPC-Register D</translation>
-    </message>
-    <message>
-        <source>OPC register E</source>
-        <translation>OPC-Register E</translation>
-    </message>
-    <message>
-        <source>OPC register F</source>
-        <translation>OPC-Register F</translation>
-    </message>
-    <message>
         <source>Lower limit</source>
         <translation>Unterer Endschalter</translation>
     </message>
@@ -8543,6 +8479,10 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>This command is here twice.</source>
         <translation>Dieser Befehl steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>A parameter is named by small letters, digits, hyphens, colons and full stops.</source>
+        <translation>Ein Parameter wird mit Kleinbuchstaben, Ziffern, Bindestrichen, Doppelpunkten und Punkten benannt.</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,7 @@ constexpr NamedValue<RefusalId> errorMeanings[] = {
 constexpr std::int64_t highestNumber = 15; // D28..D25
 constexpr std::int64_t highestReadOut = 0xFF;
 constexpr std::int64_t highestBit = 31;
+constexpr std::int64_t mostHexDigits = 8;
 constexpr std::int64_t mostStepsPerTurn = 1 << 25;
 constexpr std::int64_t mostTurns = 1 << 25;
 constexpr std::int64_t mostWrites = 1'000'000'000;
@@ -70,6 +71,12 @@ bool isKey(QStringView text)
     return !text.isEmpty() && std::ranges::all_of(text, [](QChar c) {
         return (c >= u'a' && c <= u'z') || (c >= u'0' && c <= u'9') || c == u'-';
     });
+}
+
+// Also as dictionaries of objects number theirs: "2000:1".
+bool isParameterKey(QStringView text)
+{
+    return isKey(text.toString().removeIf([](QChar c) { return c == u':' || c == u'.'; }));
 }
 
 void DescriptionReader::readCoding(const JsonObject &json, DeviceDescription &device)
@@ -115,14 +122,20 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
 Parameter DescriptionReader::readParameterName(const JsonObject &row)
 {
     const QString name = row.text("parameter");
-    const auto parameter = parameterFromKey(name);
-    if (!parameter) {
-        QStringList known;
-        for (const Parameter each : allParameters())
-            known << parameterKey(each);
-        row.reportUnknownName("parameter", name, known);
+    if (row.has("name")) {
+        if (!isParameterKey(name))
+            row.report("parameter", tr("A parameter is named by small letters, digits, hyphens, colons and full "
+                                       "stops."));
+        return Parameter::of(name, row.localText("name"));
     }
-    return parameter.value_or(Parameter::steps);
+    QStringList known;
+    for (const Parameter each : commonParameters()) {
+        known << parameterKey(each);
+        if (known.last() == name)
+            return each;
+    }
+    row.reportUnknownName("parameter", name, known);
+    return Parameter::steps;
 }
 
 void DescriptionReader::readChoices(const JsonObject &row, ParameterDescription &parameter)
@@ -187,6 +200,8 @@ ParameterDescription DescriptionReader::readParameter(const JsonObject &row)
     parameter.unit = row.has("unit") ? row.oneOf("unit", units) : Unit::none;
     parameter.stored = row.flagOr("stored", parameter.canBeWritten());
     parameter.chapter = row.localTextOr("chapter", {});
+    parameter.isDetail = row.flagOr("detail", false);
+    parameter.hexDigits = static_cast<int>(row.numberOr("hexDigits", 0, 0, mostHexDigits));
     if (parameter.minimum <= parameter.maximum)
         readChoices(row, parameter);
     checkRange(row, parameter);
@@ -215,7 +230,7 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
 void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
 {
     for (const JsonObject &row :
-         json.array("parameters", {"parameter", "number", "readOut", "minimum", "maximum", "factory", "unit",
+         json.array("parameters", {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum", "maximum", "factory", "unit",
                                    "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
         const ProtocolRules &rules = protocolRules(device.profile);
         ParameterDescription parameter = readParameter(row);

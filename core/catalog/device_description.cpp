@@ -53,7 +53,7 @@ std::vector<Parameter> DeviceDescription::readableValues() const
 {
     std::vector<Parameter> readable;
     for (const ParameterDescription &parameter : parameters)
-        if (parameter.canBeRead() && !isOpcRegister(parameter.parameter))
+        if (parameter.canBeRead() && !parameter.isDetail)
             readable.push_back(parameter.parameter);
     return readable;
 }

@@ -65,6 +65,8 @@ struct ParameterDescription
     bool onLabel = false;        // from the label, entered by the user; neither written nor read
     std::vector<Choice> choices; // empty: any value within the range
     LocalText chapter{};         // of the manual; may be empty
+    bool isDetail = false;       // read only if it is asked for, and folded away: a register of a chip
+    int hexDigits = 0;           // shown as hexadecimal number with so many digits; 0: decimal
     // For an encoder without words: the letters of the commands that read and set it. Direction and scaling
     // are one bit of an answer.
     QByteArray readCommand{};
@@ -138,7 +140,7 @@ struct DeviceDescription
     const ParameterDescription *findNumber(unsigned number) const;
     // By the code of its read-out word, 2021000nh.
     const ParameterDescription *findReadOut(unsigned code) const;
-    // All that can be read out except the registers of the INTERBUS chip, which have to be asked for by name.
+    // All that can be read except details, which have to be asked for by name.
     std::vector<Parameter> readableValues() const;
     const DeviceError *findError(unsigned number) const;
     bool isGeneric() const { return vendor.isEmpty(); }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalog/catalog.h"
-#include "catalog/local_text.h"
+#include "vocabulary/local_text.h"
 #include "vocabulary/word.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "catalog/local_text.h"
+#include "vocabulary/local_text.h"
 
 #include <optional>
 #include <vector>

@@ -70,7 +70,6 @@ double divisorOf(Unit unit)
     return 1;
 }
 
-constexpr int registerDigits = 4; // 16 bit
 
 } // namespace
 
@@ -95,8 +94,8 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value)
 QString valueText(const ParameterDescription &parameter, std::int64_t value,
                   const std::optional<ValueOptions> &options)
 {
-    if (isOpcRegister(parameter.parameter))
-        return hexWord(static_cast<Word>(value)).right(registerDigits) + u'h';
+    if (parameter.hexDigits > 0)
+        return hexWord(static_cast<Word>(value)).right(parameter.hexDigits) + u'h';
     if (parameter.form != nullptr)
         return parameter.form->text(value, options);
     if (parameter.parameter == Parameter::serialNumber) // compared with the label, by eye and by search

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/parameter.h"
 
-#include "vocabulary/enumeration_rows.h"
-
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <mutex>
+#include <shared_mutex>
 
 namespace codewheel {
 namespace {
@@ -84,59 +85,133 @@ constexpr std::array parameterRows{
                  QT_TRANSLATE_NOOP("Parameter", "warnings")},
     ParameterRow{Parameter::deviceCode, "device-code", QT_TRANSLATE_NOOP("Parameter", "Device code"),
                  QT_TRANSLATE_NOOP("Parameter", "device code")},
-    ParameterRow{opcRegister(0), "opc-register-0", QT_TRANSLATE_NOOP("Parameter", "OPC register 0"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 0")},
-    ParameterRow{opcRegister(1), "opc-register-1", QT_TRANSLATE_NOOP("Parameter", "OPC register 1"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 1")},
-    ParameterRow{opcRegister(2), "opc-register-2", QT_TRANSLATE_NOOP("Parameter", "OPC register 2"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 2")},
-    ParameterRow{opcRegister(3), "opc-register-3", QT_TRANSLATE_NOOP("Parameter", "OPC register 3"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 3")},
-    ParameterRow{opcRegister(4), "opc-register-4", QT_TRANSLATE_NOOP("Parameter", "OPC register 4"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 4")},
-    ParameterRow{opcRegister(5), "opc-register-5", QT_TRANSLATE_NOOP("Parameter", "OPC register 5"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 5")},
-    ParameterRow{opcRegister(6), "opc-register-6", QT_TRANSLATE_NOOP("Parameter", "OPC register 6"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 6")},
-    ParameterRow{opcRegister(7), "opc-register-7", QT_TRANSLATE_NOOP("Parameter", "OPC register 7"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 7")},
-    ParameterRow{opcRegister(8), "opc-register-8", QT_TRANSLATE_NOOP("Parameter", "OPC register 8"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 8")},
-    ParameterRow{opcRegister(9), "opc-register-9", QT_TRANSLATE_NOOP("Parameter", "OPC register 9"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register 9")},
-    ParameterRow{opcRegister(10), "opc-register-10", QT_TRANSLATE_NOOP("Parameter", "OPC register A"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register A")},
-    ParameterRow{opcRegister(11), "opc-register-11", QT_TRANSLATE_NOOP("Parameter", "OPC register B"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register B")},
-    ParameterRow{opcRegister(12), "opc-register-12", QT_TRANSLATE_NOOP("Parameter", "OPC register C"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register C")},
-    ParameterRow{opcRegister(13), "opc-register-13", QT_TRANSLATE_NOOP("Parameter", "OPC register D"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register D")},
-    ParameterRow{opcRegister(14), "opc-register-14", QT_TRANSLATE_NOOP("Parameter", "OPC register E"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register E")},
-    ParameterRow{opcRegister(15), "opc-register-15", QT_TRANSLATE_NOOP("Parameter", "OPC register F"),
-                 QT_TRANSLATE_NOOP("Parameter", "OPC register F")},
 };
 
-constexpr auto parameters = [] {
-    std::array<Parameter, parameterRows.size()> all{};
-    std::transform(parameterRows.begin(), parameterRows.end(), all.begin(),
-                   [](const ParameterRow &row) { return row.parameter; });
-    return all;
-}();
-
-static_assert(areInOrder(parameterRows, &ParameterRow::parameter));
-
-const ParameterRow &parameterRow(Parameter parameter)
+// What only some encoders have, named by their descriptions. Its ids follow those of the table.
+class NamedParameters
 {
-    return parameterRows.at(static_cast<std::size_t>(parameter));
+public:
+    std::size_t of(QStringView key, const LocalText &name)
+    {
+        const std::unique_lock lock(m_mutex);
+        const auto found = std::ranges::find(m_rows, key, &Row::key);
+        if (found == m_rows.end()) {
+            m_rows.push_back({key.toString(), name, false});
+            return m_rows.size() - 1;
+        }
+        found->hasSeveralNames |= !name.isEmpty() && !found->name.isEmpty() && found->name != name;
+        if (found->name.isEmpty())
+            found->name = name;
+        return static_cast<std::size_t>(found - m_rows.begin());
+    }
+    std::optional<std::size_t> find(QStringView key) const
+    {
+        const std::shared_lock lock(m_mutex);
+        const auto found = std::ranges::find(m_rows, key, &Row::key);
+        return found == m_rows.end() ? std::nullopt : std::optional<std::size_t>(found - m_rows.begin());
+    }
+    QString key(std::size_t id) const
+    {
+        const std::shared_lock lock(m_mutex);
+        return m_rows.at(id).key;
+    }
+    QString name(std::size_t id) const
+    {
+        const std::shared_lock lock(m_mutex);
+        const Row &row = m_rows.at(id);
+        return row.name.isEmpty() || row.hasSeveralNames ? row.key : row.name.toString();
+    }
+    std::size_t count() const
+    {
+        const std::shared_lock lock(m_mutex);
+        return m_rows.size();
+    }
+
+private:
+    struct Row
+    {
+        QString key;
+        LocalText name;
+        bool hasSeveralNames = false;
+    };
+
+    mutable std::shared_mutex m_mutex;
+    std::deque<Row> m_rows;
+};
+
+NamedParameters &named()
+{
+    static NamedParameters all;
+    return all;
+}
+
+// The number that begins at `at`, which moves behind it.
+std::uint64_t takeNumber(QStringView text, qsizetype &at)
+{
+    std::uint64_t number = 0;
+    for (; at < text.size() && text[at].isDigit(); ++at)
+        number = number * 10 + static_cast<unsigned>(text[at].digitValue());
+    return number;
+}
+
+// "register-9" before "register-10".
+std::strong_ordering inOrderOfNumbers(QStringView one, QStringView other)
+{
+    for (qsizetype i = 0, k = 0; i < one.size() && k < other.size();) {
+        const bool areNumbers = one[i].isDigit() && other[k].isDigit();
+        const auto order = areNumbers ? takeNumber(one, i) <=> takeNumber(other, k)
+                                      : one[i++].unicode() <=> other[k++].unicode();
+        if (order != 0)
+            return order;
+    }
+    const int rest = one.compare(other); // "01" and "1", or one begins the other
+    return rest <=> 0;
 }
 
 } // namespace
 
+// The table of what everybody knows, and behind it what descriptions name.
+struct ParameterRows
+{
+    static constexpr std::size_t known = parameterRows.size();
+    static constexpr bool areInOrder()
+    {
+        for (std::size_t i = 0; i < known; ++i)
+            if (parameterRows[i].parameter.m_id != i)
+                return false;
+        return true;
+    }
+
+    static const ParameterRow *row(Parameter parameter)
+    {
+        return parameter.m_id < known ? &parameterRows[parameter.m_id] : nullptr;
+    }
+    static std::size_t idOfNamed(Parameter parameter) { return parameter.m_id - known; }
+    static Parameter named(std::size_t id) { return Parameter(static_cast<std::uint16_t>(known + id)); }
+};
+
+static_assert(ParameterRows::areInOrder());
+
+Parameter Parameter::of(QStringView key, const LocalText &name)
+{
+    for (const ParameterRow &row : parameterRows)
+        if (key == QLatin1String(row.key))
+            return row.parameter;
+    return ParameterRows::named(named().of(key, name));
+}
+
+std::strong_ordering operator<=>(Parameter one, Parameter other)
+{
+    if (one == other || ParameterRows::row(one) != nullptr || ParameterRows::row(other) != nullptr)
+        return one.m_id <=> other.m_id;
+    return inOrderOfNumbers(parameterKey(one), parameterKey(other));
+}
+
 QString parameterKey(Parameter parameter)
 {
-    return QString::fromLatin1(parameterRow(parameter).key);
+    if (const ParameterRow *row = ParameterRows::row(parameter))
+        return QString::fromLatin1(row->key);
+    return named().key(ParameterRows::idOfNamed(parameter));
 }
 
 std::optional<Parameter> parameterFromKey(QStringView key)
@@ -144,22 +219,39 @@ std::optional<Parameter> parameterFromKey(QStringView key)
     for (const ParameterRow &row : parameterRows)
         if (key == QLatin1String(row.key))
             return row.parameter;
-    return std::nullopt;
+    const auto id = named().find(key);
+    return id ? std::optional(ParameterRows::named(*id)) : std::nullopt;
 }
 
-std::span<const Parameter> allParameters()
+std::vector<Parameter> commonParameters()
 {
-    return parameters;
+    std::vector<Parameter> common;
+    for (const ParameterRow &row : parameterRows)
+        common.push_back(row.parameter);
+    return common;
+}
+
+std::vector<Parameter> allParameters()
+{
+    std::vector<Parameter> all = commonParameters();
+    for (std::size_t id = 0, count = named().count(); id < count; ++id)
+        all.push_back(ParameterRows::named(id));
+    std::ranges::sort(all);
+    return all;
 }
 
 QString parameterName(Parameter parameter)
 {
-    return QCoreApplication::translate("Parameter", parameterRow(parameter).name);
+    if (const ParameterRow *row = ParameterRows::row(parameter))
+        return QCoreApplication::translate("Parameter", row->name);
+    return named().name(ParameterRows::idOfNamed(parameter));
 }
 
 QString parameterNameInText(Parameter parameter)
 {
-    return QCoreApplication::translate("Parameter", parameterRow(parameter).nameInText);
+    if (const ParameterRow *row = ParameterRows::row(parameter))
+        return QCoreApplication::translate("Parameter", row->nameInText);
+    return parameterName(parameter);
 }
 
 void replaceValue(ParameterValues &values, ParameterValue value)

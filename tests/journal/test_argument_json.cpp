@@ -31,7 +31,7 @@ TEST(ArgumentJson, GivesBackWhatWasKept)
                                            2.0,
                                            -1e300,
                                            Word{0xFFFFFFFF},
-                                           Parameter::opcRegister15,
+                                           Parameter::of(u"opc-register-15"),
                                            QString(),
                                            QStringLiteral("¼ %1")};
     EXPECT_EQ(argumentsFromJson(argumentsToJson(all)), all);

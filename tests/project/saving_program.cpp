@@ -3,6 +3,7 @@
 // (test_killed_while_saving.cpp):
 //   saving_program projects|bytes FILE FIRST SECOND
 // "projects" saves as the program does; "bytes" only replaces the file, so that a kill is sure to hit that.
+#include "catalog/catalog.h"
 #include "project/file_access.h"
 #include "project/project_file.h"
 
@@ -45,6 +46,7 @@ int main(int argc, char **argv)
     const QString first = QFile::decodeName(argv[3]);
     const QString second = QFile::decodeName(argv[4]);
     if (QByteArrayView(argv[1]) == "projects") {
+        Catalog::builtIn(); // names the parameters
         const std::array projects{orEnd(loadProject(first)), orEnd(loadProject(second))};
         saveForEver([&](std::size_t which) { return saveProject(projects.at(which), file); });
     }

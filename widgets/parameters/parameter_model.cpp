@@ -19,7 +19,7 @@ namespace {
 
 bool isRegister(const ParameterDescription &parameter)
 {
-    return isOpcRegister(parameter.parameter);
+    return parameter.isDetail;
 }
 
 bool isWritable(const ParameterDescription &parameter)

@@ -363,7 +363,7 @@ void ParameterPanel::read()
     ReadParameters job{m_encoder.device().readableValues()};
     if (m_model->showsRegisters())
         for (const ParameterRow &row : m_model->rows())
-            if (!row.isHead() && isOpcRegister(row.parameter.parameter))
+            if (!row.isHead() && row.parameter.isDetail)
                 job.parameters.push_back(row.parameter.parameter);
     start(job);
 }
@@ -420,7 +420,8 @@ void ParameterPanel::takeKnownAsWanted()
 
 void ParameterPanel::showParameter(Parameter parameter)
 {
-    if (isOpcRegister(parameter) && !m_model->showsRegisters())
+    const ParameterDescription *its = m_encoder.device().find(parameter);
+    if (its != nullptr && its->isDetail && !m_model->showsRegisters())
         m_model->toggleRegisters();
     const int row = m_model->rowOf(parameter);
     if (row < 0)

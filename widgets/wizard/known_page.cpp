@@ -122,7 +122,7 @@ void KnownPage::showTable()
     std::vector<ReviewRow> rows;
     for (const ParameterDescription &described : encoder.device().parameters) {
         const Parameter parameter = described.parameter;
-        if (isOpcRegister(parameter))
+        if (described.isDetail)
             continue; // irrelevant to the wizard
         const auto known = encoder.known(parameter);
         parameters.push_back(parameter);

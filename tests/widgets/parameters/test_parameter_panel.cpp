@@ -203,8 +203,8 @@ TEST_F(Parameters, TheRegistersOfTheBusChipAreFoldedAwayUntilOpened)
     EXPECT_EQ(model().rowCount(), rows + 16);
     click(QStringLiteral("Read from encoder"));
     finishJob();
-    EXPECT_TRUE(textAt(opcRegister(0), ParameterModel::knownColumn).startsWith(QStringLiteral("0237h")))
-        << textAt(opcRegister(0), ParameterModel::knownColumn).toStdString();
+    EXPECT_TRUE(textAt(Parameter::of(u"opc-register-0"), ParameterModel::knownColumn).startsWith(QStringLiteral("0237h")))
+        << textAt(Parameter::of(u"opc-register-0"), ParameterModel::knownColumn).toStdString();
     table().setFocus();
     table().setCurrentIndex(head());
     QTest::keyClick(&table(), Qt::Key_Return);
@@ -217,7 +217,7 @@ TEST_F(Parameters, WithoutOpeningThemTheRegistersAreNotRead)
     click(QStringLiteral("Read from encoder"));
     finishJob();
     EXPECT_TRUE(bus.encoder(fraba)->known(Parameter::temperature));
-    EXPECT_FALSE(bus.encoder(fraba)->known(opcRegister(0)));
+    EXPECT_FALSE(bus.encoder(fraba)->known(Parameter::of(u"opc-register-0")));
 }
 
 TEST_F(Parameters, AllColumnsFitTheNarrowDock)

@@ -67,19 +67,12 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
         if (bound && *bound >= narrowed.minimum)
             narrowed.maximum = std::min(narrowed.maximum, *bound);
     };
-    switch (parameter) {
-    case Parameter::preset:
-    case Parameter::lowerLimit:
-    case Parameter::upperLimit:
-        if (valueOf(known, Parameter::scaling) == 1)
-            atMost(valueOf(known, Parameter::measuringRange));
-        break;
-    case Parameter::measuringRange:
+    const bool isPosition = parameter == Parameter::preset || parameter == Parameter::lowerLimit ||
+                            parameter == Parameter::upperLimit;
+    if (isPosition && valueOf(known, Parameter::scaling) == 1)
+        atMost(valueOf(known, Parameter::measuringRange));
+    if (parameter == Parameter::measuringRange)
         narrowToFactor(device, valueOf(known, Parameter::revolutions), narrowed);
-        break;
-    default:
-        break;
-    }
     return narrowed;
 }
 

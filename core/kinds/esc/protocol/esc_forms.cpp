@@ -12,6 +12,9 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
+#include <utility>
+
 namespace codewheel {
 namespace {
 
@@ -76,24 +79,17 @@ const ValueForm *escForm(Parameter parameter)
     static constexpr ValueForm warningBits{[](std::int64_t value, const Options &options) {
         return bitsText(warnings, value, options && options->swapsWarningBytes);
     }};
-    switch (parameter) {
-    case Parameter::lineAddress:
-        return &address;
-    case Parameter::serialNumber:
-        return &serial;
-    case Parameter::deviceCode:
-        return &code;
-    case Parameter::scalingFactor:
-        return &factor;
-    case Parameter::operatingParameters:
-        return &operating;
-    case Parameter::alarms:
-        return &alarmBits;
-    case Parameter::warnings:
-        return &warningBits;
-    default:
-        return nullptr;
-    }
+    static constexpr std::pair<Parameter, const ValueForm *> forms[] = {
+        {Parameter::lineAddress, &address},
+        {Parameter::serialNumber, &serial},
+        {Parameter::deviceCode, &code},
+        {Parameter::scalingFactor, &factor},
+        {Parameter::operatingParameters, &operating},
+        {Parameter::alarms, &alarmBits},
+        {Parameter::warnings, &warningBits},
+    };
+    const auto found = std::ranges::find(forms, parameter, &std::pair<Parameter, const ValueForm *>::first);
+    return found == std::end(forms) ? nullptr : found->second;
 }
 
 } // namespace codewheel

@@ -407,18 +407,14 @@ Word K3Knowledge::dataFor(Parameter parameter, std::int64_t value) const
 
 std::optional<std::int64_t> K3Knowledge::valueOfReadOut(Parameter parameter, Word data) const
 {
-    switch (parameter) {
-    case Parameter::steps:
-        if (const auto minusOne = countsStepsMinusOne())
-            return std::int64_t{data} + (*minusOne ? 1 : 0);
-        return std::nullopt;
-    case Parameter::direction:
+    if (parameter == Parameter::direction)
         return directionOfReadOut(data);
-    case Parameter::temperature:
+    if (parameter == Parameter::temperature)
         return temperatureOfReadOut(data);
-    default:
+    if (parameter != Parameter::steps)
         return data;
-    }
+    const auto minusOne = countsStepsMinusOne();
+    return minusOne ? std::optional(std::int64_t{data} + (*minusOne ? 1 : 0)) : std::nullopt;
 }
 
 void K3Knowledge::learn(Parameter parameter, std::int64_t value, Evidence evidence, Instant now)

@@ -100,27 +100,21 @@ std::optional<int> DrivenEncoder::finish()
 std::int64_t DrivenEncoder::actual(Parameter parameter) const
 {
     const ParameterSet &set = m_encoder->parameters();
-    switch (parameter) {
-    case Parameter::steps:
-        return set.steps;
-    case Parameter::revolutions:
-        return set.revolutions;
-    case Parameter::direction:
-    case Parameter::coding:
-        return set.coding;
-    case Parameter::preset:
-        return set.preset;
-    case Parameter::zeroOffset:
-        return set.zeroOffset;
-    case Parameter::offset:
-        return set.offset;
-    case Parameter::measuringRange:
-        return set.measuringRange;
-    case Parameter::presetFlag:
-        return set.presetArmed ? 1 : 0;
-    default:
-        throw std::logic_error("not a parameter of the set");
-    }
+    const std::pair<Parameter, std::int64_t> all[] = {
+        {Parameter::steps, set.steps},
+        {Parameter::revolutions, set.revolutions},
+        {Parameter::direction, set.coding},
+        {Parameter::coding, set.coding},
+        {Parameter::preset, set.preset},
+        {Parameter::zeroOffset, set.zeroOffset},
+        {Parameter::offset, set.offset},
+        {Parameter::measuringRange, set.measuringRange},
+        {Parameter::presetFlag, set.presetArmed ? 1 : 0},
+    };
+    for (const auto &[its, value] : all)
+        if (its == parameter)
+            return value;
+    throw std::logic_error("not a parameter of the set");
 }
 
 EncoderState DrivenEncoder::state() const

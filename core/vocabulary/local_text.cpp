@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/local_text.h"
+#include "vocabulary/local_text.h"
 
 #include <QCoreApplication>
 
