@@ -179,6 +179,7 @@ enum class RefusalId : std::uint8_t {
     registersLate,        // the same; answers come too late
     registersRefused,     // link, text of the registers, code of the exception, its meaning
     registersGarbled,     // link, text of the registers, what was wrong
+    wordsTorn,            // Word IN: one of the answers that do not agree
     outAreaTooShort,      // link, text of the registers
     outputsBlocked,       // link, text of the registers
     notConnected,         // place

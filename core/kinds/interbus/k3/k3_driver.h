@@ -16,8 +16,16 @@ public:
         : WordDriver(device, timing)
     {}
 
-    void forget() override { m_encoder.forget(); } // its mode and its cams too
-    void expectTornWords() override { m_encoder.knowledge.expectTornWords(); }
+    void forget() override
+    {
+        WordDriver::forget();
+        m_encoder.forget(); // its mode and its cams too
+    }
+    void expectTornWords() override
+    {
+        WordDriver::expectTornWords();
+        m_encoder.knowledge.expectTornWords();
+    }
     void setOthersWrite(bool on) override { m_encoder.knowledge.setOthersWrite(on); }
     void leaveStanding() override { m_encoder.countStanding(); }
     bool mayStand(Word out) const override { return !m_encoder.knowledge.isManufacturerPreset(out); }

@@ -24,6 +24,7 @@ struct K3Encoder
     // Returns how many writes that may cost which are not counted.
     int loseSight(Word out);
     EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect.as<k3::Dialect>()); }
+    static bool isAnswer(Word in) { return k3::isReadOutAnswer(in); }
     bool isError(Word in) const { return isErrorAnswer(in, device.dialect.as<k3::Dialect>()); }
 
     // Whether the job suits this encoder, in the mode it is in as far as that is known.

@@ -191,17 +191,17 @@ void K3Knowledge::observeReadOut(Word in, Word out, Instant now)
 bool K3Knowledge::mayBeTorn(unsigned code, Word in)
 {
     constexpr Word lowHalf = 0xFFFF;
-    const bool isAgain = m_doubtful && m_doubtful->code == code && m_doubtful->anotherCame;
-    if (m_doubtful && m_doubtful->code != code)
+    const bool isOfPosition = m_wordsMayTear && (in & lowHalf) == (m_lastPosition & lowHalf);
+    if (m_doubtful && m_doubtful->code != code) {
         m_doubtful->anotherCame = true;
-    const bool isOfPosition = (in & lowHalf) == (m_lastPosition & lowHalf);
-    if (m_wordsMayTear && isOfPosition && !isAgain) {
-        if (!isDoubtful(code))
-            m_doubtful = Doubtful{code};
+        return isOfPosition;
+    }
+    const bool isAgain = m_doubtful && m_doubtful->anotherCame && m_doubtful->answer == in;
+    if (isOfPosition && !isAgain) {
+        m_doubtful = Doubtful{code, in};
         return true;
     }
-    if (isDoubtful(code))
-        m_doubtful.reset();
+    m_doubtful.reset();
     return false;
 }
 

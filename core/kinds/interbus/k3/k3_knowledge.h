@@ -32,10 +32,10 @@ public:
     // writes that may cost which are not counted.
     int loseSight(Word out);
     Word lastOut() const { return m_out; }
-    // From now on a read-out answer with the low half of the last position counts only after another read-out
-    // word stood between, and it came again (spec modbus-gateway.md).
     // What is in OUT and confirmed has been written: counted before its word leaves OUT.
     void countStanding();
+    // From now on a read-out answer with the low half of the last position counts only after another read-out
+    // word stood between, and it came again (spec modbus-gateway.md).
     void expectTornWords() { m_wordsMayTear = true; }
     void setOthersWrite(bool on) { m_othersWrite = on; }
     bool isDoubtful(unsigned readOut) const { return m_doubtful && m_doubtful->code == readOut; }
@@ -99,6 +99,7 @@ private:
     struct Doubtful
     {
         unsigned code = 0;
+        Word answer = 0;
         bool anotherCame = false; // since
     };
     bool m_wordsMayTear = false;

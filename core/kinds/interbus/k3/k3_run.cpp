@@ -210,6 +210,7 @@ void K3Run::readDone(const K3Step &step, Word in)
         readAgain(step);
         return;
     }
+    m_readAgain = 0;
     const auto value = m_encoder.knowledge.valueOfReadOut(*step.parameter, k3::data(in));
     if (!value)
         return;
@@ -226,6 +227,11 @@ void K3Run::readDone(const K3Step &step, Word in)
 // Behind another read-out, so that the same answer cannot be the same torn word.
 void K3Run::readAgain(const K3Step &step)
 {
+    constexpr int mostOften = 4; // one after the other (assumed)
+    if (++m_readAgain > mostOften) {
+        fail({RefusalKind::link, RefusalId::wordsTorn, {m_reading.in}});
+        return;
+    }
     K3Steps between;
     for (const ParameterDescription &other : m_encoder.device.parameters)
         if (between.empty() && other.readOut && k3::readOutWord(*other.readOut) != step.out)

@@ -87,6 +87,7 @@ private:
     std::optional<Refusal> m_notSet;   // the position, or it is not known whether it was; the rest goes on
     Word m_inWhenAsked = 0;
     bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
+    int m_readAgain = 0;                // of the value that is read: answers that may be torn
     bool m_foundInError = false;        // so was it in the error state
     bool m_ranAtZero = false;           // run was answered by 00000000h
 };

@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/la66/la66_knowledge.h"
 #include "kinds/interbus/la66/la66_plan.h"
+#include "kinds/interbus/words/la66_word.h"
 #include "vocabulary/position_speed.h"
 #include "vocabulary/reading.h"
 
@@ -23,6 +24,7 @@ struct La66Encoder
     void setKnown(const std::vector<Known> &known) { knowledge.values().set(known); }
     Result<void> check(const Job &job) const { return plan.check(job); }
     void observe(Word in, Word out, Instant now);
+    static bool isAnswer(Word in) { return la66::isServiceMode(in); }
     void forget(Parameter parameter);
     void reportChanges();
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/words/cyclic_driver.h"
+#include "kinds/interbus/words/standing_answer.h"
 
 #include <optional>
 #include <utility>
@@ -10,7 +11,7 @@ namespace codewheel {
 
 // What the drivers of cyclic encoders that take jobs have in common: it keeps the job in progress, a WordRun.
 // `Encoder` is the encoder as currently known, shared with the job: reading, events, check(job), setKnown(),
-// observe().
+// observe(), isAnswer(in).
 template <typename Encoder, typename Run>
 class WordDriver : public CyclicDriver
 {
@@ -24,6 +25,14 @@ public:
     const Reading &reading() const override { return m_encoder.reading; }
     bool busy() const override { return m_run.has_value(); }
     void setKnown(const std::vector<Known> &known) override { m_encoder.setKnown(known); }
+    void expectTornWords() override { m_answer.emplace(); }
+
+    void forget() override
+    {
+        CyclicDriver::forget();
+        if (m_answer)
+            m_answer->forget();
+    }
 
     Result<void> begin(JobId id, const Job &job, Pace pace, Word in, Word out, Instant) override
     {
@@ -67,6 +76,8 @@ public:
 
     Word cycle(Word in, Word out, Instant now) override
     {
+        if (m_answer)
+            in = m_answer->believed(in, m_encoder.isAnswer(in), now);
         m_encoder.observe(in, out, now);
         const Word next = m_run ? m_run->cycle(in, out, now) : out;
         if (m_run && m_run->isDone())
@@ -81,6 +92,7 @@ protected:
 
 private:
     std::optional<Run> m_run;
+    std::optional<StandingAnswer> m_answer; // if words may be torn
 };
 
 } // namespace codewheel
