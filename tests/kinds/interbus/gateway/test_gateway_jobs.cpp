@@ -213,6 +213,8 @@ INSTANTIATE_TEST_SUITE_P(
                     GatewayKind{"slow", {.ways = {.tears = 0.2, .lag = 30ms}, .transaction = 12ms}},
                     GatewayKind{"copies registers apart",
                                 {.ways = {.copyApart = 2ms}, .transaction = std::chrono::microseconds(300)}},
+                    GatewayKind{"copies registers far apart",
+                                {.ways = {.copyApart = 8ms}, .transaction = std::chrono::microseconds(300)}},
                     GatewayKind{"delayed",
                                 {.ways = {.tears = 0.2},
                                  .settings = {.pollInterval = 20ms, .reactionDelay = 10ms}}}));
