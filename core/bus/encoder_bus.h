@@ -117,6 +117,8 @@ public:
     // Jobs end as stopped, and nothing that waits is sent any more; on a ring all OUT words become 0, on a
     // serial line only reading goes on. From every state, at once.
     virtual void alarmStop() = 0;
+    // What an ALARM STOP sends has not arrived yet, and is tried on until the bus is closed.
+    virtual bool waitsForZeros() const { return false; }
 
 Q_SIGNALS:
     void updated();                                  // a new snapshot; at most once per pump

@@ -22,7 +22,10 @@ enum class MessageId : std::uint8_t {
     zerosOverwritten,  // they were sent, but something else was read back: text of what is where
     zerosSent,         // and cannot be read back
     zerosWait,         // the link is lost: they go out first once it is back
-    zerosLate,         // they were asked for a second ago, and have not arrived
+    zerosLate,         // they were asked for a second ago, and have not arrived: what was in OUT before
+    zerosUnheard,      // sent over a lost link; nobody knows whether they arrived
+    zerosBeforeRing,   // they are on the gateway, whose ring stands still
+    zerosGivenUp,      // disconnected before they arrived
     operateOn,         // writing is allowed
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed

@@ -44,8 +44,20 @@ constexpr std::array messageRows{
     MessageRow{MessageId::zerosLate, "zerosLate",
                QT_TRANSLATE_NOOP(
                    "Message",
-                   "The zeros of the ALARM STOP have not arrived yet: the gateway does not "
-                   "acknowledge them. The program goes on trying. Stop the machine by its own means.")},
+                   "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. "
+                   "The program goes on trying. Stop the machine by its own means. Not 00000000 before: %1")},
+    MessageRow{MessageId::zerosUnheard, "zerosUnheard",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent over the lost link, but nothing "
+                                            "acknowledges them: it is not known whether they arrived. Stop the "
+                                            "machine by its own means.")},
+    MessageRow{MessageId::zerosBeforeRing, "zerosBeforeRing",
+               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP are in the gateway, but its ring stands "
+                                            "still: the devices may not have got them. Stop the machine by its "
+                                            "own means.")},
+    MessageRow{MessageId::zerosGivenUp, "zerosGivenUp",
+               QT_TRANSLATE_NOOP("Message", "Disconnected before the zeros of the ALARM STOP had arrived: they are "
+                                            "not sent any more. OUT may be as it was. Stop the machine by its own "
+                                            "means.")},
     MessageRow{MessageId::operateOn, "operateOn",
                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
     MessageRow{MessageId::watchOn, "watchOn",

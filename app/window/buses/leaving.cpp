@@ -72,6 +72,7 @@ void Leaving::ask(Why why, const std::vector<EncoderBus *> &left, std::function<
     m_left = left;
     m_then = std::move(then);
     m_outAnswered = false;
+    m_zerosAnswered = false;
     m_waitsForZero = false;
     goOn();
 }
@@ -91,6 +92,8 @@ void Leaving::goOn()
             QTimer::singleShot(0, this, &Leaving::goOn);
         return; // otherwise finished() calls this again
     }
+    if (m_why != Why::stop && !m_zerosAnswered && waitsForZeros() && !askAboutZeros())
+        return;
     const std::vector<Place> devices = devicesToAskFor();
     const auto isRunning = [this](Place number) { return m_buses->busOf(number)->isRunning(); };
     const auto stillSends = [&](Place number) {
@@ -102,6 +105,37 @@ void Leaving::goOn()
         return;
     m_waitsForZero = false;
     std::exchange(m_then, nullptr)();
+}
+
+bool Leaving::waitsForZeros() const
+{
+    const std::vector<EncoderBus *> left = buses();
+    return std::ranges::any_of(left, &EncoderBus::waitsForZeros);
+}
+
+// Nobody tries any longer once the bus is closed. If they arrive while this is asked, there is nothing to ask.
+bool Leaving::askAboutZeros()
+{
+    QMessageBox box(QMessageBox::Warning, title(), tr("The zeros of the ALARM STOP have not arrived."),
+                    QMessageBox::NoButton, &m_window);
+    setHelpTopic(box, "README.md#leaving");
+    box.setInformativeText(tr("The outputs may be as they were. The program goes on trying as long as the bus stays "
+                              "connected; afterwards nobody does. Stop the machine by its own means."));
+    QPushButton *go = box.addButton(tr("&Give up, and go on"), QMessageBox::DestructiveRole);
+    go->setToolTip(tr("The zeros are not sent any more"));
+    QPushButton *cancel = box.addButton(QMessageBox::Cancel);
+    cancel->setText(tr("&Keep trying"));
+    box.setDefaultButton(cancel);
+    const QObject whileOpen;
+    connect(m_buses, &Buses::updated, &whileOpen, [&] {
+        if (!waitsForZeros())
+            box.accept();
+    });
+    box.exec();
+    m_zerosAnswered = box.clickedButton() == go || !waitsForZeros();
+    if (!m_zerosAnswered)
+        stay();
+    return m_zerosAnswered;
 }
 
 // With a word in OUT, or an encoder that nobody has brought back from a parameterization.

@@ -40,6 +40,8 @@ private:
     QString title() const;
     bool askForOut(const std::vector<Place> &devices);
     bool askForWhatIsLeft();
+    bool askAboutZeros();
+    bool waitsForZeros() const;
     void zero(const std::vector<Place> &devices, bool runsFirst);
     std::vector<Place> devicesToAskFor() const;
     bool isInParameterization(Place device) const;
@@ -61,6 +63,7 @@ private:
     std::vector<EncoderBus *> m_left; // for comparison only: they may be gone
     std::function<void()> m_then;
     bool m_outAnswered = false;
+    bool m_zerosAnswered = false; // those of an ALARM STOP that have not arrived
     bool m_waitsForZero = false; // or for what run brings back
     bool m_asks = false;         // a question is open
 };

@@ -197,10 +197,14 @@ std::optional<Complaint> complaintAboutCheck(const std::vector<GatewayFinding> &
                      {failed->shown ? failed->shown->place.toString() : QString()}};
 }
 
-Checked<Answer> acknowledgeWatchdog(const GatewaySettings &gateway)
+// Never into the image: a value there would be a word.
+Checked<Answer> acknowledgeWatchdog(const GatewayAccess &ring)
 {
+    const GatewaySettings &gateway = ring.gateway();
     if (!gateway.watchdogRegister)
         return tl::unexpected(complaintAbout({RefusalKind::notSupported, RefusalId::watchdogNotSet, {}}));
+    if (const auto map = mapOf(ring.devices(), gateway); !map)
+        return tl::unexpected(complaintAbout(map.error()));
     ModbusPort port(gateway);
     if (const auto opened = port.open(); !opened)
         return tl::unexpected(complaintAbout(opened.error()));
@@ -223,7 +227,7 @@ Checked<Answer> runGateway(const Call &call)
         return tl::unexpected(wish.error());
     const GatewayAccess &ring = *wish->gateway;
     if (call.arguments.has("--acknowledge-watchdog"))
-        return acknowledgeWatchdog(ring.gateway());
+        return acknowledgeWatchdog(ring);
     const bool isShown = !call.arguments.has("--json");
     StopSignals stop;
     ModbusPort port(ring.gateway());

@@ -20,7 +20,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -221,19 +224,21 @@ Checked<void> openFor(const Call &call, RingAccess &access, const Action &action
         complaintAbout({RefusalKind::notSupported, RefusalId::masterServiceNotSupported, {service}}));
 }
 
-// Zeros that somebody else has overwritten have not stopped anything.
-std::optional<Complaint> complaintAboutOverwriting(const Told &told)
+// Zeros that somebody else has overwritten, or that no ring carries on, have not stopped anything.
+std::optional<Complaint> complaintAboutZeros(const Told &told)
 {
-    const auto overwritten = std::ranges::find(told.messages, MessageId::zerosOverwritten, &Message::id);
-    if (overwritten == told.messages.end())
+    const auto failed = std::ranges::find_if(told.messages, [](const Message &message) {
+        return message.id == MessageId::zerosOverwritten || message.id == MessageId::zerosBeforeRing;
+    });
+    if (failed == told.messages.end())
         return std::nullopt;
-    return Complaint{ExitCode::refused, messageKey(overwritten->id), messageText(*overwritten)};
+    return Complaint{ExitCode::refused, messageKey(failed->id), messageText(*failed)};
 }
 
 bool isEndOfZeros(const Message &message)
 {
     return message.id == MessageId::zerosReadBack || message.id == MessageId::zerosSent ||
-           message.id == MessageId::zerosOverwritten;
+           message.id == MessageId::zerosOverwritten || message.id == MessageId::zerosBeforeRing;
 }
 
 Complaint zerosMissing(std::chrono::seconds patience)
@@ -247,6 +252,45 @@ Complaint zerosMissing(std::chrono::seconds patience)
         {static_cast<std::int64_t>(patience.count())}};
 }
 
+// Says after a second that the zeros have not arrived, though this thread may be held by a gateway that is mute.
+class LateZeros
+{
+public:
+    explicit LateZeros(const Call &call)
+        : m_saysSo([&call](const std::stop_token &stop) {
+            std::mutex mutex;
+            std::unique_lock lock(mutex);
+            std::condition_variable_any over;
+            if (over.wait_for(lock, stop, patience, [] { return false; }); !stop.stop_requested())
+                call.terminal.complain(CommandLine::tr(
+                    "The zeros of the ALARM STOP have not arrived yet. Stop the machine by its own means."));
+        })
+    {}
+
+private:
+    static constexpr std::chrono::seconds patience{1};
+
+    std::jthread m_saysSo;
+};
+
+// Of a ring that does not open: the gateway may hear what it does not answer.
+Checked<void> openForZeros(const Call &call, RingAccess &access, const std::function<bool()> &goesOn,
+                           std::chrono::steady_clock::time_point end)
+{
+    using std::chrono::steady_clock;
+    const LateZeros late(call);
+    bool isSent = false;
+    Checked<void> opened = access.open();
+    while (!opened && goesOn()) {
+        if (access.ring().sendZerosUnheard() && !std::exchange(isSent, true))
+            call.terminal.complain(messageText({.id = MessageId::zerosUnheard}));
+        std::this_thread::sleep_for(
+            std::min<steady_clock::duration>(betweenTries, end - steady_clock::now()));
+        opened = access.open();
+    }
+    return opened;
+}
+
 // A gateway repeats its outputs until it gets others, so it is tried until the zeros are acknowledged. What
 // hinders that is told as it happens.
 Checked<Told> sendZerosPatiently(const Call &call, RingAccess &access, std::chrono::seconds patience)
@@ -256,13 +300,7 @@ Checked<Told> sendZerosPatiently(const Call &call, RingAccess &access, std::chro
     const auto end = steady_clock::now() + patience;
     StopSignals stop;
     const auto goesOn = [&] { return steady_clock::now() < end && !stop.came(); };
-    Checked<void> opened = access.open();
-    while (!opened && goesOn()) {
-        std::this_thread::sleep_for(
-            std::min<steady_clock::duration>(betweenTries, end - steady_clock::now()));
-        opened = access.open();
-    }
-    if (!opened) {
+    if (const auto opened = openForZeros(call, access, goesOn, end); !opened) {
         Complaint complaint = opened.error();
         complaint.text += u' ' + zerosMissing(patience).text;
         return tl::unexpected(complaint);
@@ -274,7 +312,9 @@ Checked<Told> sendZerosPatiently(const Call &call, RingAccess &access, std::chro
     QObject::connect(&bus, &RingSession::messaged, &scope, [&](const Message &message) {
         told.messages.push_back(message);
         isOver = isOver || isEndOfZeros(message);
-        if (message.id == MessageId::zerosLate || message.id == MessageId::zerosWait)
+        const bool isHindrance = message.id == MessageId::zerosLate || message.id == MessageId::zerosWait ||
+                                 message.id == MessageId::zerosUnheard || message.refusal;
+        if (isHindrance)
             call.terminal.complain(messageText(message));
     });
     bus.alarmStop();
@@ -309,7 +349,7 @@ Checked<Answer> answerOf(const Call &call, BusAccess &access, const MasterWish &
                    {QStringLiteral("messages"), messagesJson(told->messages)}}};
     addBus(answer.json, access);
     answer.complaint =
-        told->refusal ? std::optional(complaintAbout(*told->refusal)) : complaintAboutOverwriting(*told);
+        told->refusal ? std::optional(complaintAbout(*told->refusal)) : complaintAboutZeros(*told);
     return answer;
 }
 

@@ -30,13 +30,6 @@ RingStructure checkedRing(const std::vector<CheckedDevice> &devices)
     return ring;
 }
 
-Result<GatewayMap> mapOf(const std::vector<CheckedDevice> &devices, const GatewaySettings &settings)
-{
-    if (devices.empty())
-        return refuse(RefusalKind::badInput, RefusalId::gatewayHasNoDevices);
-    return GatewayMap::of(checkedRing(devices), settings);
-}
-
 // What is missing is the place itself; any other refusal is about the connection to it.
 bool isAboutPlace(RefusalId id)
 {
@@ -49,6 +42,13 @@ RegisterBlock spanOf(const std::vector<RegisterBlock> &blocks)
 }
 
 } // namespace
+
+Result<GatewayMap> mapOf(const std::vector<CheckedDevice> &devices, const GatewaySettings &settings)
+{
+    if (devices.empty())
+        return refuse(RefusalKind::badInput, RefusalId::gatewayHasNoDevices);
+    return GatewayMap::of(checkedRing(devices), settings);
+}
 
 QString gatewayStepKey(GatewayStep step)
 {

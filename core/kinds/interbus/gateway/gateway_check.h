@@ -58,6 +58,9 @@ struct CheckedDevice
     SendingEncoder sender{};
 };
 
+// Where the gateway has the words of these devices, by the settings; refused if that cannot be.
+Result<GatewayMap> mapOf(const std::vector<CheckedDevice> &devices, const GatewaySettings &settings);
+
 // Tests a gateway step by step: whether it can be reached, whether its registers are long enough for the
 // project, and whether what they show are words of these encoders. Writes nothing, ever. Each next() does one
 // step, so its caller can show what was found so far, and stop. Used by the connection page and the command

@@ -147,6 +147,8 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
         return tl::unexpected(done.error());
     showIn(in);
     settle(begun);
+    m_nextStatus = {};
+    (void)readStatus(); // whether there is a ring for them
     if (!m_readsBack)
         return ZerosSent();
     auto there = areZerosThere();
@@ -155,6 +157,32 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
             return areZerosThere();
         });
     return there;
+}
+
+// Each block once: a write needs no answer to be carried out. A refusal is one.
+bool GatewayLink::sendZerosUnheard()
+{
+    close();
+    const auto map = GatewayMap::of(m_ring, m_settings);
+    bool isSent = false;
+    if (!map || !m_port->open())
+        return isSent;
+    for (const RegisterBlock &block : map->outBlocks()) {
+        const std::vector<Register> zeros(static_cast<std::size_t>(block.count));
+        const auto done = m_port->write(block.first, zeros);
+        isSent = isSent || done || done.error().kind == RegisterError::Kind::noAnswer;
+    }
+    m_port->close();
+    return isSent;
+}
+
+QString GatewayLink::outAt(std::size_t device) const
+{
+    const auto map = GatewayMap::of(m_ring, m_settings);
+    if (!map || device >= map->devices() || map->out(device).count == 0)
+        return {};
+    return sentence(GatewayTexts::tr("register %1", "the first of a device"),
+                    {QString::number(map->out(device).first)});
 }
 
 // An exchange is what elsewhere is a bus cycle: with the time the ring takes to react.

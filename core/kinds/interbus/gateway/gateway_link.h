@@ -47,6 +47,8 @@ public:
     // Waits until they are read back, as long as a gateway may take to show them (OwnWord::gatewayLag), and
     // sends them once more if they are not.
     Result<ZerosSent> sendZeros(std::span<Word> in) override;
+    bool sendZerosUnheard() override;
+    QString outAt(std::size_t device) const override;
     Result<void> acknowledgeWatchdog() override;
     void claimOut(std::size_t device) override;
     bool writesOut(std::size_t device) const override;

@@ -57,6 +57,11 @@ public:
         const std::vector<Word> zeros(in.size());
         return exchange(zeros, in).map([] { return ZerosSent(); });
     }
+    // Sends 00000000 to all devices though nothing is heard of the peer: it may hear us. Opens the link for
+    // that, and closes it. Whether anything went out; it is not known whether it arrived.
+    virtual bool sendZerosUnheard() { return false; }
+    // Where the peer has the OUT of a device: "register 4"; empty: that says nothing. Any thread.
+    virtual QString outAt(std::size_t /*device*/) const { return {}; }
     // Its watchdog has set its outputs to 0 since nobody wrote for a while: they are to be written again.
     virtual Result<void> acknowledgeWatchdog()
     {

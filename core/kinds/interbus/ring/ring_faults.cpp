@@ -157,11 +157,11 @@ Fault blockedOutputs()
             .actions = {FaultAction::acknowledge}};
 }
 
-Fault lateZeros()
+Fault lateZeros(const RingSession &bus)
 {
     return {.extent = Fault::Extent::bus,
             .shown = {Role::fault, RingFaultText::tr("zeros missing", "of ALARM STOP")},
-            .text = messageText({.id = MessageId::zerosLate})};
+            .text = messageText({.id = MessageId::zerosLate, .arguments = {bus.outBeforeZeros()}})};
 }
 
 Fault peripheralFault(NodeId node)
@@ -224,7 +224,7 @@ std::vector<Fault> ringFaults(const RingSession &bus)
     if (bus.isOpen() && bus.latest().outputsAreBlocked)
         faults.push_back(blockedOutputs());
     if (bus.isOpen() && bus.areZerosLate())
-        faults.push_back(lateZeros());
+        faults.push_back(lateZeros(bus));
     const std::size_t devices = std::min(bus.structure().size(), bus.latest().devices.size());
     for (std::size_t i = 0; bus.isOpen() && i < devices; ++i)
         if (bus.latest().devices[i].leftOut && !bus.latest().devices[i].heldByJob)

@@ -30,7 +30,7 @@ bool RingRunner::Private::carryOutCommands()
 // A gateway keeps the outputs as they are while nothing is exchanged.
 bool RingRunner::Private::zerosGoNext() const
 {
-    return zerosAreDue && ring.connected && !ringIsOther &&
+    return zerosAreDue && ring.connected && !ringIsOther && ring.at >= zerosAgainAt &&
            (ring.state == MasterState::run || !link.boundsWordsToCycles());
 }
 
@@ -184,10 +184,14 @@ void RingRunner::Private::carryOut(command::AlarmStop)
     lookAtMaster();
 }
 
+// Behind a gateway OUT is what it was until the zeros are acknowledged.
 void RingRunner::Private::zeroOut()
 {
     std::ranges::fill(image, Word{0});
     written.clear();
+    if (!link.boundsWordsToCycles())
+        for (Snapshot::Device &device : ring.devices)
+            device.outIsKnown = false;
 }
 
 void RingRunner::Private::work()
@@ -221,16 +225,18 @@ void RingRunner::Private::publish()
 
 void RingRunner::Private::exchange()
 {
-    const auto exchanged = zerosAreDue    ? sendZeros()
-                           : ring.operate ? link.exchange(image, received)
-                                          : link.watch(image, received);
+    const bool sendsZeros = zerosAreDue && ring.at >= zerosAgainAt;
+    const bool writes = ring.operate && !zerosAreDue;
+    const auto exchanged = sendsZeros ? sendZeros()
+                           : writes   ? link.exchange(image, received)
+                                      : link.watch(image, received);
     if (!exchanged) {
         fail(exchanged.error());
         return;
     }
     ++ring.cycle;
     ring.at = std::max(ring.at, link.now()); // a gateway takes its time
-    ring.outputsAreBlocked = ring.outputsAreBlocked && !ring.operate;
+    ring.outputsAreBlocked = ring.outputsAreBlocked && !sendsZeros && !writes;
     tellWritten();
     lookAtToldRing();
     for (std::size_t i = 0; i < image.size(); ++i)
@@ -244,6 +250,7 @@ Result<void> RingRunner::Private::sendZeros()
     if (!sent)
         return tl::unexpected(sent.error());
     zerosAreDue = false;
+    zeroOut();
     for (Snapshot::Device &device : ring.devices)
         device.outIsKnown = true;
     if (!link.boundsWordsToCycles())
@@ -256,6 +263,8 @@ void RingRunner::Private::tellZeros(const ProcessDataLink::ZerosSent &zeros)
     if (zeros.areThere == false)
         tellOfRing(
             {.severity = Severity::fault, .id = MessageId::zerosOverwritten, .arguments = {zeros.notZero}});
+    else if (const auto told = link.toldRing(); told && told->stands())
+        tellOfRing({.severity = Severity::fault, .id = MessageId::zerosBeforeRing});
     else
         tellOfRing({.id = zeros.areThere ? MessageId::zerosReadBack : MessageId::zerosSent});
 }
@@ -270,6 +279,7 @@ void RingRunner::Private::lookAtToldRing()
         return;
     if (!stands) {
         tellOfRing({.id = MessageId::ringRunsAgain});
+        forgetDevices();
         return;
     }
     endJobs(ring.told->whyItStands());
@@ -283,6 +293,8 @@ void RingRunner::Private::fail(const Refusal &why)
     const bool masterTellsIt = master && master->status().state != MasterState::run;
     if (why.id == RefusalId::outNotOurs)
         giveWay(why);
+    else if (why.id == RefusalId::outputsBlocked && zerosAreDue)
+        zerosAreBlockedBy(why);
     else if (why.kind != RefusalKind::stopped && !masterTellsIt)
         loseLink(why);
     lookAtMaster();
@@ -303,6 +315,16 @@ void RingRunner::Private::giveWay(const Refusal &why)
     goOnWithWhatWasExchanged();
     ring.operate = false;
     refuseOfRing(why);
+}
+
+// The gateway answers, but carries out no write until its watchdog is acknowledged: we look on, and they are
+// tried again each second.
+void RingRunner::Private::zerosAreBlockedBy(const Refusal &why)
+{
+    ring.operate = false;
+    zerosAgainAt = link.now() + std::chrono::seconds(1);
+    if (!std::exchange(ring.outputsAreBlocked, true))
+        refuseOfRing(why);
 }
 
 // One device, after an exchange: its words, its driver's answer, its trace row.

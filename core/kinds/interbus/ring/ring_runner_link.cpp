@@ -66,6 +66,7 @@ void RingRunner::Private::carryOut(command::AcknowledgeWatchdog)
         return;
     }
     ring.outputsAreBlocked = false;
+    zerosAgainAt = {};
     tellOfRing({.id = MessageId::watchdogAcknowledged});
 }
 
@@ -93,8 +94,11 @@ void RingRunner::Private::tryToReopen()
     auto there = find();
     if (!there) {
         ring.whyLost = ofLink(there.error());
+        if (zerosAreDue)
+            sendZerosUnheard();
         return;
     }
+    sentUnheard = false;
     ring.connected = true;
     ring.whyLost.reset();
     ring.operate = false;
@@ -103,10 +107,7 @@ void RingRunner::Private::tryToReopen()
     outIsKnown = there->outIsKnown;
     ring.told.reset();
     tellOfRing({.id = MessageId::linkBack});
-    if (!link.isSimulated())
-        for (const auto &driver : drivers)
-            if (driver)
-                driver->forget();
+    forgetDevices();
     ringIsOther = ringIsOther || !isSameRing(there->structure, structure);
     if (ringIsOther) {
         tell(0, *std::move(there));
@@ -122,6 +123,23 @@ void RingRunner::Private::tryToReopen()
     if (!outIsKnown)
         tellOutIsUnknown();
     comeBack();
+}
+
+// Told once.
+void RingRunner::Private::sendZerosUnheard()
+{
+    if (link.sendZerosUnheard() && !std::exchange(sentUnheard, true))
+        tellOfRing({.severity = Severity::fault, .id = MessageId::zerosUnheard});
+}
+
+// They were out of sight, and may be others by now.
+void RingRunner::Private::forgetDevices()
+{
+    if (link.isSimulated())
+        return;
+    for (const auto &driver : drivers)
+        if (driver)
+            driver->forget();
 }
 
 // It is sent once the user says Operate.

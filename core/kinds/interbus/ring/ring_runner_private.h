@@ -46,6 +46,8 @@ struct RingRunner::Private
     void publish();
     void exchange();
     Result<void> sendZeros();
+    void zerosAreBlockedBy(const Refusal &why);
+    void sendZerosUnheard();
     void tellZeros(const ProcessDataLink::ZerosSent &zeros);
     void zeroAtRest();
     void fail(const Refusal &why);
@@ -98,6 +100,7 @@ struct RingRunner::Private
     void showWhoIsInRing(const MasterStatus &status);
     void leaveRing(std::size_t device);
     void takeDriverEvents(std::size_t device, std::optional<Word> left = {});
+    void forgetDevices();
     std::optional<Word> wordLeftThere(std::size_t i) const;
     std::optional<Word> wordLeftBy(const Refusal &why, std::size_t device) const;
 
@@ -139,6 +142,8 @@ struct RingRunner::Private
     std::vector<GuestChange> guestChanges{}; // in this cycle
     unsigned generationOfGuests = 0;         // of the ring that they were shown
     Instant reopenAt{};                      // of a lost link
+    Instant zerosAgainAt{};                  // those that were refused
+    bool sentUnheard = false;                // zeros, over the lost link: told
 };
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 #include "kinds/interbus/ring/ring_session_private.h"
 #include "kinds/interbus/ring/ring_strangers.h"
 #include "kinds/interbus/ring/send_permission.h"
+#include "vocabulary/hex.h"
 
 #include <algorithm>
 #include <iterator>
@@ -30,7 +31,7 @@ Event behindGateway(Event event)
 bool isAboutZeros(MessageId id)
 {
     return id == MessageId::zerosReadBack || id == MessageId::zerosOverwritten ||
-           id == MessageId::zerosSent || id == MessageId::zerosWait;
+           id == MessageId::zerosSent || id == MessageId::zerosWait || id == MessageId::zerosBeforeRing;
 }
 
 } // namespace
@@ -87,6 +88,21 @@ void RingSession::Private::keepEepromWrites(const RingEvent &event)
         Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
 }
 
+// What is not 00000000: "1.0 20210001 (register 0)".
+QString RingSession::Private::outNow() const
+{
+    QStringList texts;
+    const Snapshot &shown = latest();
+    for (std::size_t i = 0; i < std::min(structure.size(), shown.devices.size()); ++i) {
+        if (shown.devices[i].out == 0)
+            continue;
+        const QString at = link->outAt(i);
+        const QString text = structure[i].number.toString() + u' ' + hexWord(shown.devices[i].out);
+        texts << (at.isEmpty() ? text : text + QStringLiteral(" (%1)").arg(at));
+    }
+    return texts.isEmpty() ? QStringLiteral("\u2013") : texts.join(QStringLiteral(", "));
+}
+
 std::size_t RingSession::Private::indexOf(NodeId node) const
 {
     const auto found = std::ranges::find(structure, node, &Participant::number);
@@ -104,9 +120,6 @@ RingSession::~RingSession() = default;
 Result<void> RingSession::open(Start start, std::optional<Pacing> pacing)
 {
     close();
-    d->zerosAskedAt.reset();
-    d->zerosAreLate = false;
-    d->toBringBack.reset();
     d->start = start;
     d->generation = 0;
     d->readingIn = false;
@@ -139,10 +152,30 @@ std::unique_ptr<ProcessDataLink> RingSession::useLink(std::unique_ptr<ProcessDat
     return before;
 }
 
+const QString &RingSession::outBeforeZeros() const
+{
+    return d->outBeforeZeros;
+}
+
+bool RingSession::sendZerosUnheard()
+{
+    return !isOpen() && d->link->sendZerosUnheard();
+}
+
+bool RingSession::waitsForZeros() const
+{
+    return isOpen() && (d->zerosAskedAt || d->latest().zerosAreDue);
+}
+
 void RingSession::close()
 {
     if (!d->engine.close())
         return;
+    if (d->zerosAskedAt || d->latest().zerosAreDue)
+        tell({.at = d->latest().at, .severity = Severity::fault, .id = MessageId::zerosGivenUp});
+    d->zerosAskedAt.reset();
+    d->zerosAreLate = false;
+    d->toBringBack.reset();
     auto closed = std::make_shared<Snapshot>(d->latest());
     closed->state = MasterState::ready;
     closed->operate = false;
@@ -180,7 +213,10 @@ void RingSession::lookForZeros()
     if (!d->zerosAskedAt || d->zerosAreLate || d->link->now() - *d->zerosAskedAt < patience)
         return;
     d->zerosAreLate = true;
-    tell({.at = d->latest().at, .severity = Severity::fault, .id = MessageId::zerosLate});
+    tell({.at = d->latest().at,
+          .severity = Severity::fault,
+          .id = MessageId::zerosLate,
+          .arguments = {d->outBeforeZeros}});
     Q_EMIT updated();
 }
 
@@ -331,7 +367,8 @@ void RingSession::dispatch(Message message, std::optional<std::size_t> device)
         d->zerosAreLate = false;
     }
     tell(message);
-    if (message.id == MessageId::linkBack && !isSimulated())
+    const bool wasOutOfSight = message.id == MessageId::linkBack || message.id == MessageId::ringRunsAgain;
+    if (wasOutOfSight && !isSimulated())
         meetAgain();
     if (isFault)
         session->takeFault(message);
@@ -526,8 +563,10 @@ void RingSession::setOperate(bool on)
 void RingSession::alarmStop()
 {
     d->stoppedBy = StoppedBy::alarmStop;
-    if (isOpen() && !d->link->boundsWordsToCycles() && !d->zerosAskedAt)
+    if (isOpen() && !d->link->boundsWordsToCycles() && !d->zerosAskedAt) {
         d->zerosAskedAt = d->link->now();
+        d->outBeforeZeros = d->outNow();
+    }
     post(command::AlarmStop{});
 }
 

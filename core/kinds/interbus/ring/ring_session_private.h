@@ -44,6 +44,7 @@ struct RingSession::Private
     void keepEepromWrites(const RingEvent &event);
     // Another ring replaces this one (ring_session_ring.cpp).
     command::UseRing takeOver(RingSession &bus, const RingFound &found);
+    QString outNow() const;
     std::size_t indexOf(NodeId node) const; // structure.size(): no such device
 
     const RingOutline outline;
@@ -69,6 +70,7 @@ struct RingSession::Private
     StoppedBy stoppedBy = StoppedBy::other;
     std::optional<Instant> zerosAskedAt{}; // and nothing has been told of them yet; by the link's clock
     bool zerosAreLate = false;
+    QString outBeforeZeros{};
     std::optional<Place> toBringBack{}; // once the ring operates
     CrcHistory crcHistory;
     WordDoubts doubts;

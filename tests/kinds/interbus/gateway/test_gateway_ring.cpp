@@ -510,6 +510,115 @@ TEST_F(TrippedWatchdog, ThatHasNoRegisterCannotBeAcknowledged)
     EXPECT_EQ(control->acknowledged, 0);
 }
 
+// The link is not lost, and the way out stays offered.
+TEST_F(TrippedWatchdog, ZerosOfAnAlarmStopWaitUntilItIsAcknowledged)
+{
+    session = std::make_unique<GatewaySession>(
+        GatewayMaking{.settings = {.watchdogRegister = WatchdogPort::at, .watchdogValue = WatchdogPort::value}},
+        [this](std::unique_ptr<RegisterPort> port) {
+            return std::make_unique<WatchdogPort>(std::move(port), control);
+        });
+    ASSERT_TRUE(session->bus->open(EncoderBus::Start::operating));
+    session->bus->channel("1.0"_ring)->stage(0x2021'0001);
+    session->bus->channel("1.0"_ring)->write();
+    session->bus->advance(1s);
+    control->hasTripped = true;
+    session->bus->alarmStop();
+    session->bus->advance(5s);
+    EXPECT_EQ(session->bus->state(), BusState::open);
+    EXPECT_EQ(session->countOf(MessageId::linkBack), 0u);
+    EXPECT_TRUE(isOffered());
+    EXPECT_TRUE(session->bus->waitsForZeros());
+    EXPECT_EQ(session->bus->channel("1.0"_ring)->out(), 0x2021'0001u) << "that is what the gateway has";
+    session->bus->acknowledgeWatchdog();
+    session->bus->advance(2s);
+    EXPECT_EQ(session->countOf(MessageId::zerosReadBack), 1u);
+    EXPECT_TRUE(session->isOutZero());
+    EXPECT_FALSE(session->bus->waitsForZeros());
+    EXPECT_FALSE(isOffered());
+}
+
+// Each answer comes after its time-out, though each request arrives.
+class UnheardPort final : public PassingPort
+{
+public:
+    explicit UnheardPort(std::unique_ptr<RegisterPort> port, std::shared_ptr<bool> isLate)
+        : PassingPort(std::move(port))
+        , m_isLate(std::move(isLate))
+    {}
+
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        return late(PassingPort::read(area, first, to));
+    }
+    Done write(int first, std::span<const Register> from) override
+    {
+        return late(PassingPort::write(first, from));
+    }
+
+private:
+    Done late(Done done)
+    {
+        if (!*m_isLate)
+            return done;
+        wait(now() + 500ms);
+        return tl::unexpected(RegisterError{.kind = RegisterError::Kind::noAnswer, .isLate = true});
+    }
+
+    std::shared_ptr<bool> m_isLate;
+};
+
+class ZerosOverALostLink : public testing::Test
+{
+protected:
+    ZerosOverALostLink()
+    {
+        EXPECT_TRUE(session.bus->open(EncoderBus::Start::operating));
+        session.bus->channel("1.0"_ring)->stage(0x2021'0001);
+        session.bus->channel("1.0"_ring)->write();
+        session.bus->advance(1s);
+        *isLate = true;
+        session.bus->advance(10s);
+        EXPECT_EQ(session.bus->state(), BusState::lost);
+    }
+
+    std::shared_ptr<bool> isLate = std::make_shared<bool>(false);
+    GatewaySession session{{}, [this](std::unique_ptr<RegisterPort> port) {
+                               return std::make_unique<UnheardPort>(std::move(port), isLate);
+                           }};
+};
+
+TEST_F(ZerosOverALostLink, AreSentThoughNobodyAnswers)
+{
+    session.bus->alarmStop();
+    session.bus->advance(5s);
+    EXPECT_TRUE(session.isOutZero());
+    EXPECT_EQ(session.countOf(MessageId::zerosUnheard), 1u) << "told once";
+    EXPECT_TRUE(session.bus->waitsForZeros());
+    EXPECT_FALSE(session.bus->channel("1.0"_ring)->outIsKnown());
+    *isLate = false;
+    session.bus->advance(5s);
+    EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 1u);
+    EXPECT_FALSE(session.bus->waitsForZeros());
+}
+
+TEST_F(ZerosOverALostLink, AreGivenUpAloud)
+{
+    session.bus->alarmStop();
+    session.bus->advance(1s);
+    session.bus->close();
+    EXPECT_EQ(session.countOf(MessageId::zerosGivenUp), 1u);
+    EXPECT_FALSE(session.bus->waitsForZeros());
+}
+
+TEST_F(ZerosOverALostLink, AreNotSentUnasked)
+{
+    session.bus->advance(10s);
+    EXPECT_FALSE(session.isOutZero());
+    session.bus->close();
+    EXPECT_EQ(session.countOf(MessageId::zerosGivenUp), 0u);
+}
+
 // Hangs in a write until it is released, whoever interrupts it.
 class HangingPort final : public PassingPort
 {
@@ -562,6 +671,7 @@ TEST(GatewayThatHangs, ZerosThatHaveNotArrivedAreToldWithinASecondAndTriedOn)
     bus.alarmStop();
     EXPECT_TRUE(waitFor([&] { return session.countOf(MessageId::zerosLate) == 1; }));
     EXPECT_TRUE(bus.areZerosLate());
+    EXPECT_TRUE(bus.waitsForZeros());
     EXPECT_TRUE(std::ranges::any_of(bus.outline().faults(), [](const Fault &fault) {
         return fault.shown.role == Role::fault && fault.extent == Fault::Extent::bus;
     }));

@@ -123,6 +123,30 @@ TEST_F(ToldRingBehindGateway, ThatRunsAgainIsLiveAgain)
     EXPECT_EQ(whyOf(session.finish(toldFraba, ReadParameters{{Parameter::steps}})), "");
 }
 
+// That is when an encoder is exchanged.
+TEST_F(ToldRingBehindGateway, ThatRunsAgainMayHaveOtherEncoders)
+{
+    open();
+    session.finish(toldFraba, ReadParameters{{Parameter::steps}});
+    ASSERT_TRUE(session.encoder(toldFraba).known(Parameter::steps));
+    int meetings = 0;
+    QObject::connect(session.bus.get(), &EncoderBus::meetsAgain, session.bus.get(), [&] { ++meetings; });
+    say(busFailed);
+    say(ringRuns);
+    EXPECT_EQ(meetings, 1);
+    EXPECT_FALSE(session.encoder(toldFraba).known(Parameter::steps));
+}
+
+TEST_F(ToldRingBehindGateway, ThatStandsGetsNoZeros)
+{
+    open();
+    say(busFailed);
+    session.bus->alarmStop();
+    session.bus->advance(1s);
+    EXPECT_EQ(session.countOf(MessageId::zerosBeforeRing), 1u);
+    EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 0u);
+}
+
 TEST_F(ToldRingBehindGateway, EndsTheJobsThatItInterrupts)
 {
     open();
