@@ -138,8 +138,11 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
     const bool stands = k3::isParameterWord(out);
     const Word asked = stands ? out : m_asked.value_or(k3::normalRunning);
     const unsigned number = k3::number(in);
-    if (!k3::isParameterWord(asked))
+    if (!k3::isParameterWord(asked)) {
+        if (!m_pending.contains(number))
+            m_foundConfirmed = in; // by a word that was not seen, nor those before it
         return;
+    }
     if (number != k3::number(asked)) { // an old confirmation, or processing (Baumer)
         m_askedIsProcessed = m_askedIsProcessed || k3::data(in) == k3::data(asked);
         return;
@@ -216,6 +219,7 @@ void K3Knowledge::observeOperation(Word in, Word out, Instant now)
         m_known.countEepromWrite(); // a power cycle drops what is pending; its word is still in OUT
     m_pending.clear();
     m_lastConfirmed.reset();
+    m_foundConfirmed.reset();
 }
 
 void K3Knowledge::observeRun(Word in, Instant now)
@@ -226,6 +230,8 @@ void K3Knowledge::observeRun(Word in, Instant now)
             m_known.countEepromWrite();
         m_asked.reset();
     }
+    if (m_foundConfirmed)
+        activateUnseen();
     if (m_pending.empty())
         return;
     for (const auto &[number, data] : m_pending)
@@ -233,6 +239,15 @@ void K3Knowledge::observeRun(Word in, Instant now)
     if (in == 0 && !m_device.capabilities.reads) // otherwise the read-out tells
         m_unproven = m_pending;
     m_hasRun = true;
+}
+
+// What was taken while nobody saw the encoder becomes valid, too. Only the last of it stood in IN.
+void K3Knowledge::activateUnseen()
+{
+    for (const ParameterDescription &parameter : m_device.parameters)
+        if (parameter.number && !m_pending.contains(*parameter.number))
+            forgetNumber(*parameter.number);
+    m_pending.emplace(k3::number(*m_foundConfirmed), k3::data(*m_foundConfirmed));
 }
 
 // D30 0 -> 1: there is a new zero offset. FRABA stores it, once per programmed preset; with a number or data
@@ -296,6 +311,7 @@ int K3Knowledge::loseSight(Word out)
     m_unproven.clear();
     m_asked.reset();
     m_lastConfirmed.reset();
+    m_foundConfirmed.reset();
     m_answerIsFresh = false;
     m_hasSeenWords = false; // what is in OUT when it is seen again may have been sent by others
     m_out = k3::normalRunning;

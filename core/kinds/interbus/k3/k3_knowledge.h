@@ -68,6 +68,7 @@ private:
     bool mayBeTorn(unsigned code, Word in);
     void observeOperation(Word in, Word out, Instant now);
     void observeRun(Word in, Instant now);
+    void activateUnseen();
     void observeMode(Word out, Instant now);
     void observePreset(Word out);
     void observeManufacturerPreset();
@@ -84,6 +85,7 @@ private:
     std::map<unsigned, std::optional<Word>>
         m_pending; // by number; no data: confirmed, but not certain with what
     std::optional<unsigned> m_lastConfirmed;
+    std::optional<Word> m_foundConfirmed; // IN of a parameterization that others, or nobody, saw begin
     std::optional<Word>
         m_asked; // a parameter word that is not answered; it may still be taken after it left OUT
     Word m_inWhenAsked = 0;

@@ -64,6 +64,17 @@ TEST_F(Wire, WhatStandsConfirmedIsCountedOnce)
     EXPECT_EQ(baumer.eepromWrites(), 1);
 }
 
+// The link was lost behind the confirmation, and what was known came back by the serial number.
+TEST_F(Wire, WhatWasTakenUnseenBecomesValidWithRun)
+{
+    play(fraba, {{0, pos}, {0x0200'0262, 0xC200'0262}});
+    fraba.forget();
+    fraba.set({{Parameter::direction, 3, Evidence::read, {}}, {Parameter::preset, 0, Evidence::read, {}}});
+    play(fraba, {{0, 0xC600'0004}, {0x8000'0000, 0xC600'0004}, {0x8000'0000, pos}});
+    EXPECT_EQ(fraba.value(Parameter::direction), 4) << "it stood in IN";
+    EXPECT_EQ(fraba.value(Parameter::preset), std::nullopt) << "it may have been taken before";
+}
+
 TEST_F(Wire, APowerCycleDropsWhatWasOnlyConfirmed)
 {
     play(baumer, {{0, pos}, {0x0200'00FF, 0xC200'00FF}, {0, pos}, {0x8000'0000, pos}});
