@@ -106,20 +106,28 @@ LastPositions::LastPositions(const Buses &buses, QObject *parent)
 
 std::optional<SeenPosition> LastPositions::at(Place number) const
 {
-    const auto found = m_watched.find(number);
-    if (found == m_watched.end())
+    const Watched *its = watched(number);
+    if (its == nullptr)
         return std::nullopt;
-    const Watched &its = found->second;
-    return its.before ? withScale(its.before, its.scaleBefore) : withScale(its.last, its.scale);
+    return its->before ? withScale(its->before, its->scaleBefore) : withScale(its->last, its->scale);
 }
 
 std::optional<SeenPosition> LastPositions::newest(Place number) const
 {
-    const auto found = m_watched.find(number);
-    if (found == m_watched.end())
+    const Watched *its = watched(number);
+    if (its == nullptr)
         return std::nullopt;
-    const Watched &its = found->second;
-    return its.last ? withScale(its.last, its.scale) : withScale(its.before, its.scaleBefore);
+    return its->last ? withScale(its->last, its->scale) : withScale(its->before, its->scaleBefore);
+}
+
+// A simulated encoder says nothing about a real one at its place, nor the other way round.
+const LastPositions::Watched *LastPositions::watched(Place number) const
+{
+    const auto found = m_watched.find(number);
+    const EncoderBus *bus = m_buses.busOf(number);
+    const bool isOfThisKind =
+        found != m_watched.end() && (bus == nullptr || bus->isSimulated() == found->second.isSimulated);
+    return isOfThisKind ? &found->second : nullptr;
 }
 
 void LastPositions::look(const EncoderBus &bus)
@@ -129,7 +137,10 @@ void LastPositions::look(const EncoderBus &bus)
     for (const Place number : bus.places())
         if (const EncoderSession *encoder = bus.encoder(number)) {
             follow(*encoder);
-            look(bus, *encoder, now, m_watched[number]);
+            Watched &its = m_watched[number];
+            if (std::exchange(its.isSimulated, bus.isSimulated()) != bus.isSimulated())
+                its = {.isSimulated = bus.isSimulated()};
+            look(bus, *encoder, now, its);
         }
 }
 

@@ -69,15 +69,17 @@ public:
 private:
     struct Watched
     {
-        std::optional<SeenPosition> last;
+        bool isSimulated = false;
+        std::optional<SeenPosition> last{};
         ParameterValues scale{};             // known of the encoder with it
         bool isScaleOld = true;              // something else is known of the encoder since
-        std::optional<SeenPosition> before;  // the encoder went away, or nobody saw it for long
+        std::optional<SeenPosition> before{}; // the encoder went away, or nobody saw it for long
         ParameterValues scaleBefore{};       // known of the encoder with it
         QDateTime lookedAt{};                // invalid: never
         std::chrono::milliseconds awayFor{}; // as seen
     };
 
+    const Watched *watched(Place number) const; // null: nothing was seen of it
     void look(const EncoderBus &bus);
     void look(const EncoderBus &bus, const EncoderSession &encoder, const QDateTime &now, Watched &watched);
     void follow(const EncoderBus &bus);

@@ -539,6 +539,29 @@ TEST_F(ClosingGateway, AfterEachAnswerIsLearnedAndCounted)
     EXPECT_TRUE(port.write(3, Registers{1, 2})) << "connected anew before it is sent";
 }
 
+TEST_F(ClosingGateway, ThatKeepsConnectionsAgainIsNotLeftAnyMore)
+{
+    std::atomic<bool> hangsUp = true;
+    CrookedPeer peer([&](const SeenRequest &request) { return answer(request, hangsUp); });
+    ModbusPort port(settingsOf(peer));
+    ASSERT_TRUE(port.open());
+    const auto readOften = [&](int times) {
+        for (int i = 0; i < times; ++i)
+            if (!readsRightly(port))
+                ASSERT_TRUE(port.open());
+    };
+    readOften(10);
+    ASSERT_TRUE(port.noticed().closesAfterEach);
+    hangsUp = false;
+    readOften(40);
+    EXPECT_FALSE(port.noticed().closesAfterEach);
+    const auto before = port.noticed().reconnections;
+    const int connections = peer.connections();
+    readOften(40);
+    EXPECT_EQ(port.noticed().reconnections, before);
+    EXPECT_EQ(peer.connections(), connections);
+}
+
 TEST_F(ClosingGateway, WhileIdleIsConnectedAnewBeforeARead)
 {
     std::atomic<bool> hangsUp = false;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/gateway/gateway_link.h"
 #include "tests/support/places.h"
+#include "tests/support/simulated_gateway.h"
 #include "tests/transfer/transfer_bus.h"
 #include "transfer/last_positions.h"
 
@@ -158,6 +160,28 @@ TEST_F(LastPositionsOfTheRing, APositionFromBeforeAnotherZeroSaysSo)
     EXPECT_EQ(positions.at(fraba)->scaled, Scaled::asThen) << "reading changes nothing";
     carryOutJob(SetPreset{.value = 100});
     EXPECT_EQ(positions.at(fraba)->scaled, Scaled::perhapsOtherwise);
+}
+
+// Behind a gateway there are real ones.
+TEST_F(LastPositionsOfTheRing, OfSimulatedEncodersAreNotThoseOfARealRing)
+{
+    pass(100);
+    ASSERT_TRUE(positions.at(test::singleTurn));
+    TrainingBus other = makeTrainingBus(catalog);
+    auto ring = std::dynamic_pointer_cast<SimulatedRing>(other.controls);
+    other.controls->turnBy(test::singleTurn.node, 1'000);
+    bus.useLink(std::make_unique<GatewayLink>(
+                    std::make_unique<test::SimulatedGatewayPort>(
+                        std::make_shared<test::SimulatedGateway>(ring, test::SimulatedGateway::Ways())),
+                    GatewaySettings(), test::gatewayDevices(*ring, catalog)),
+                bus.dateTime(bus.now()));
+    ASSERT_TRUE(bus.open(EncoderBus::Start::watching));
+    EXPECT_FALSE(positions.at(test::singleTurn));
+    EXPECT_FALSE(positions.newest(test::singleTurn));
+    pass(3000);
+    ASSERT_TRUE(positions.at(test::singleTurn));
+    EXPECT_EQ(positions.at(test::singleTurn)->position, encoder(test::singleTurn).latest().position);
+    EXPECT_EQ(positions.at(test::singleTurn), positions.newest(test::singleTurn));
 }
 
 TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)

@@ -29,6 +29,8 @@ constexpr std::size_t headerLength = 7;
 constexpr std::size_t shortestAnswer = headerLength + 1;
 constexpr std::size_t longestAnswer = 260; // MODBUS Messaging on TCP/IP, 3.1.3
 constexpr std::size_t mostAtOnce = 4'096;
+constexpr int mostDrained = 64;       // times as much that nobody asked for, before an exchange
+constexpr unsigned triedEvery = 16;   // connections to a gateway that closes each
 constexpr Instant shortestConnect = 2s; // a network may take longer than a unit
 constexpr int longestMemory = 1'000;    // transactions
 
@@ -96,10 +98,12 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
         return failed({.kind = ErrorKind::stopped});
     if (!m_isOpen)
         return failed({.kind = ErrorKind::closed});
+    const bool writes = modbus_message::writes(request);
     const bool isOver = isGivenUp();
-    if (isOver && !m_closesAfterEach && modbus_message::writes(request))
+    const bool isAnew = isOver || (m_closesAfterEach && m_answers > 0 && !keepsAgain(writes));
+    if (isOver && !m_closesAfterEach && writes)
         return failed({.kind = ErrorKind::closed, .isSent = false});
-    if (!m_socket || m_isOutOfStep || isOver) {
+    if (!m_socket || m_isOutOfStep || isAnew) {
         if (auto connected = connect(m_settings.timeOut); !connected)
             return failed({.kind = connected.error().kind == RefusalKind::stopped ? ErrorKind::stopped
                                                                                   : ErrorKind::closed});
@@ -114,16 +118,27 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
 // Nothing is on its way then, so that nothing is in doubt.
 bool ModbusTcpWire::isGivenUp()
 {
-    if (m_closesAfterEach && m_answers > 0)
-        return true;
     std::array<std::uint8_t, mostAtOnce> late{};
     ssize_t came = 1;
-    while (m_socket && came > 0)
+    for (int reads = 0; m_socket && came > 0; ++reads) {
         came = ::recv(m_socket.get(), late.data(), late.size(), MSG_DONTWAIT);
+        if (came > 0 && reads == mostDrained) { // it does not stop sending
+            m_isOutOfStep = true;
+            return false;
+        }
+    }
     const bool isClosed = m_socket && (came == 0 || (errno != EAGAIN && errno != EINTR));
     if (isClosed)
         learnFromClosing();
     return isClosed;
+}
+
+// The connection is still there: now and then a read tries whether the gateway keeps it again.
+bool ModbusTcpWire::keepsAgain(bool writes)
+{
+    if (m_answers > 1)
+        m_closesAfterEach = false;
+    return !m_closesAfterEach || (!writes && ++m_untried % triedEvery == 0);
 }
 
 void ModbusTcpWire::learnFromClosing()

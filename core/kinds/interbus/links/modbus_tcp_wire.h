@@ -48,6 +48,7 @@ private:
 
     Result<void> connect(Instant timeOut);
     bool isGivenUp();
+    bool keepsAgain(bool writes);
     void learnFromClosing();
     RegisterPort::Done send(const modbus_message::Pdu &request);
     tl::expected<modbus_message::Pdu, RegisterError> receive(Time until);
@@ -71,6 +72,7 @@ private:
     int m_before = -1;               // transactions before it on this connection
     int m_answers = 0;               // on this connection
     bool m_closesAfterEach = false;  // the gateway does
+    unsigned m_untried = 0;          // connections since, that it had not closed yet
     std::uint64_t m_reconnections = 0;
     const Time m_begin = std::chrono::steady_clock::now();
 };

@@ -22,8 +22,13 @@ const RingPlan &ringPlan(const Project &project, BusId ring)
     return plan ? *plan : usual;
 }
 
+// Positions of simulated encoders say nothing about those of a real ring.
 void setRingPlan(Project &project, BusId ring, RingPlan plan)
 {
+    if (plansTraining(project, ring) && plan.link.kind != ProjectLink().kind)
+        for (ProjectDevice &device : project.devices)
+            if (device.bus == ring)
+                device.lastPosition.reset();
     planBus(project, ring, *busKind(QString::fromLatin1(interbusKind))).settings = KindData(std::move(plan));
 }
 

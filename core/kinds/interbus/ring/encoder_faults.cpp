@@ -59,14 +59,14 @@ std::optional<Fault> doubt(const RingSession &bus, std::size_t device)
     return std::nullopt;
 }
 
-// OUT is 0 and no job is at work: nobody goes on with it.
+// OUT is 0, or as it was found, and no job is at work: nobody goes on with it.
 std::optional<Fault> leftInParameterization(const RingSession &bus, std::size_t device)
 {
     const Snapshot::Device &its = bus.latest().devices[device];
     const NodeId node = bus.structure()[device].number;
     const EncoderSession *encoder = bus.encoder(node);
     if (its.reading.state != EncoderState::parameterization || !encoder->device().hasWords() ||
-        its.out != k3::normalRunning || its.leftOut || its.heldByJob || encoder->runningJob())
+        (its.out != k3::normalRunning && !its.outIsFound) || its.leftOut || its.heldByJob || encoder->runningJob())
         return std::nullopt;
     Fault fault =
         ofEncoder(node, {Role::attention, EncoderFaultText::tr("parameters", "parameterization")},

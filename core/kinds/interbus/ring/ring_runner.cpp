@@ -335,6 +335,7 @@ void RingRunner::Private::step(std::size_t i)
         device.inRing = link.isUpToDate(i);
     const Word out = image[i];
     device.outEdges = device.out ^ out;
+    device.outIsFound = device.outIsFound && out == device.out;
     if (out != device.out)
         device.outBefore = std::exchange(device.out, out); // a gateway has got it, whatever it says of IN
     device.outIsKnown = device.outIsKnown || (ring.operate && link.writesOut(i));

@@ -119,6 +119,7 @@ void RingRunner::Private::tryToReopen()
             continue;
         image[i] = goesOn(i, there->out[i]);
         ring.devices[i].leftOut = wordLeftThere(i);
+        ring.devices[i].outIsFound = true;
     }
     if (!outIsKnown)
         tellOutIsUnknown();
@@ -185,7 +186,8 @@ void RingRunner::Private::carryOut(command::UseRing &c)
     ring.devices.assign(image.size(), {});
     tap.forgetDevices();
     for (std::size_t i = 0; i < image.size(); ++i)
-        ring.devices[i] = {.out = image[i], .reading = {}, .outIsKnown = outIsKnown};
+        ring.devices[i] = {
+            .out = image[i], .reading = {}, .outIsKnown = outIsKnown, .outIsFound = outIsKnown};
     ring.cycle = 0;
     ++ring.generation;
     ringIsOther = false;

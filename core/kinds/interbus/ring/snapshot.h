@@ -49,6 +49,7 @@ struct Snapshot : RingState
         bool outIsKnown = true; // false: the peer does not tell it, and we sent none yet
         Word outBefore =
             0; // the word before this one: it is in OUT still if one that was acknowledged got lost
+        bool outIsFound = false; // it was there when the link was opened, and nobody has sent another since
         std::optional<Word> leftOut{}; // of a job that lost its link: OUT may still hold it
         bool inRing = true; // false: switched off with its segment, or behind a fault; its IN is an old one
     };

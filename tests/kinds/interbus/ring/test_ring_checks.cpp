@@ -174,6 +174,28 @@ TEST_F(RingChecks, AnEncoderWithoutSupplyIsARemarkSinceItMayBeAtZero)
                     ->remedy.startsWith(QStringLiteral("IN of 2.0 fell to 00000000")));
 }
 
+// From near zero as well, and whatever is sent to it then.
+TEST_F(RingChecks, AnEncoderWithoutSupplyStaysARemark)
+{
+    training.controls->setSpeed("2.0"_ring.node, 0);
+    training.controls->turnTo("2.0"_ring.node, 376);
+    frames();
+    befall(TrainingFault::powerOff, "2.0"_ring);
+    const auto isRemark = [&] {
+        return findCheck(of("2.0"_ring), DataCheck::Id::state)->outcome == DataCheck::Outcome::remark;
+    };
+    EXPECT_TRUE(isRemark());
+    bus.channel("2.0"_ring)->stage(0x0200'00FF);
+    EXPECT_TRUE(bus.channel("2.0"_ring)->write());
+    frames();
+    EXPECT_TRUE(isRemark());
+    write("2.0"_ring, 0);
+    training.controls->setFault(TrainingFault::powerOff, "2.0"_ring.node, 0);
+    for (int i = 0; i < 8; ++i) // that the word was not confirmed is told for 5 s
+        frames();
+    EXPECT_FALSE(isRemark());
+}
+
 TEST_F(RingChecks, AnErrorIsToldWithItsNumber)
 {
     frames();
