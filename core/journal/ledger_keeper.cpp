@@ -326,6 +326,8 @@ void LedgerKeeper::count(Place place, int writes)
                                         : std::nullopt;
     if (noted) {
         m_book->count(*noted, writes);
+        if (!watched.job)
+            watched.byHand->counted += writes;
     } else {
         Ledger::Entry entry = entryAt(watched);
         entry.planned = writes;

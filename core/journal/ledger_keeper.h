@@ -72,6 +72,8 @@ private:
         Instant at{}; // of the last word
         ParameterValues sent{};
         int awaited = 0; // typed writes that have not ended
+        int planned = 0; // writes, at most
+        int counted = 0;
     };
     struct ToStranger // a write typed for a place without a session
     {
@@ -127,6 +129,7 @@ private:
     void beginTyped(const TypedWrite &write);
     void beginToStranger(const TypedWrite &write);
     ByHand *byHand(Watched &watched, int planned);
+    void loseByHand(Place place, Watched &watched);
     void settleByHand();
     void settleByHand(Place place, Watched &watched);
     void settleTyped(const TypedWrite &write, bool mayBeDone);

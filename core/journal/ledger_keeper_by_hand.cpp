@@ -47,7 +47,18 @@ LedgerKeeper::ByHand *LedgerKeeper::byHand(Watched &watched, int planned)
         m_book->plan(watched.byHand->id, planned);
     else if (const auto id = beginEntry(watched, planned))
         watched.byHand = ByHand{.id = *id};
-    return watched.byHand ? &*watched.byHand : nullptr;
+    if (!watched.byHand)
+        return nullptr;
+    watched.byHand->planned += planned;
+    return &*watched.byHand;
+}
+
+// The link was lost behind it: what was sent and not counted may have been written.
+void LedgerKeeper::loseByHand(Place place, Watched &watched)
+{
+    const ByHand lost = *std::exchange(watched.byHand, std::nullopt);
+    m_book->settle(lost.id, {}, {}, std::max(0, lost.planned - lost.counted));
+    showCount(place);
 }
 
 bool LedgerKeeper::standsStill(Place place, const EncoderSession &encoder) const
@@ -63,7 +74,9 @@ void LedgerKeeper::settleByHand()
     for (auto &[place, watched] : m_watched) {
         if (!watched.byHand || !watched.encoder)
             continue;
-        if (!m_bus.isRunning() || !standsStill(place, *watched.encoder))
+        if (m_bus.state() == BusState::lost)
+            loseByHand(place, watched);
+        else if (!m_bus.isRunning() || !standsStill(place, *watched.encoder))
             watched.byHand->at = now;
         else if (now - watched.byHand->at >= untilSettled)
             settleByHand(place, watched);

@@ -46,7 +46,10 @@ void watch(const Call &call, BusAccess &bus, const WatchTime &time, Look look)
     look();
     bool isConnected = true;
     const auto goesOn = [&] { return isConnected && call.terminal.canPrint() && !stop.came(); };
-    for (Instant passed = time.interval; passed <= time.duration && goesOn(); passed += time.interval) {
+    const Instant begin = bus.bus().now(); // a slow link takes longer than the interval
+    for (Instant passed = time.interval;
+         passed <= time.duration && bus.bus().now() - begin < time.duration && goesOn();
+         passed += time.interval) {
         isConnected = bus.advance(time.interval);
         look();
     }

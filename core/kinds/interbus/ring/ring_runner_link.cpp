@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A link that is opened, lost and back, and the ring that is found then.
 #include "kinds/interbus/ring/ring_runner_private.h"
+#include "vocabulary/hex.h"
 
 #include <utility>
 
@@ -44,6 +45,7 @@ RingFound RingRunner::Private::found(RingStructure there, std::vector<Word> out)
 void RingRunner::Private::loseLink(const Refusal &why)
 {
     ring.connected = false;
+    tellUnheardWords();
     runsAgain = ring.state == MasterState::run;
     leaveRun(MasterState::busFail, ofLink(why));
     ring.operate = false;
@@ -124,6 +126,20 @@ void RingRunner::Private::tryToReopen()
     if (!outIsKnown)
         tellOutIsUnknown();
     comeBack();
+}
+
+// Words by hand that went out, or were about to, in the exchange that failed.
+void RingRunner::Private::tellUnheardWords()
+{
+    for (const std::size_t i : written) {
+        if (image[i] == ring.devices[i].out)
+            continue;
+        tellOfDevice(i, {.severity = Severity::attention,
+                         .id = MessageId::outLeft,
+                         .arguments = {hexWord(image[i])}});
+        if (image[i] != 0)
+            ring.devices[i].leftOut = image[i];
+    }
 }
 
 // Told once.

@@ -101,6 +101,7 @@ struct RingRunner::Private
     void leaveRing(std::size_t device);
     void takeDriverEvents(std::size_t device, std::optional<Word> left = {});
     void forgetDevices();
+    void tellUnheardWords();
     std::optional<Word> wordLeftThere(std::size_t i) const;
     std::optional<Word> wordLeftBy(const Refusal &why, std::size_t device) const;
 

@@ -343,6 +343,7 @@ void RingSession::dispatch(const RingEvent &event)
         else if (d->engine.state() == BusState::open)
             useFirstRing(*found);
     } else if (const auto *refusal = std::get_if<RingRefused>(&event.what)) {
+        d->toBringBack.reset(); // it would come as a surprise later
         Q_EMIT refused(refusal->why);
     } else if (const auto *message = std::get_if<Message>(&event.what)) {
         dispatch(*message, isOfRing ? std::optional(event.device) : std::nullopt);

@@ -2,6 +2,7 @@
 // The connection to a gateway is lost just behind a word: it has reached the encoder, and nobody sees the
 // answer. What account and state say then is held against what the simulated encoder has done.
 #include "bus/bus_outline.h"
+#include "bus/word_channel.h"
 #include "journal/ledger_keeper.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "tests/support/gateway_session.h"
@@ -342,6 +343,47 @@ TEST(LostGateway, AJobThatIsCutByStoppingTheBusSaysWhatItLeaves)
 }
 
 // Nothing is sent by itself. What is offered clears OUT, reads what is not known, and settles the account.
+// The word reaches the encoder, which confirms and stores it.
+TEST(LostGateway, AWordByHandIsToldAndCountedAsPerhaps)
+{
+    LostGateway gateway;
+    LedgerKeeper keeper(*gateway.session.bus, DatabasePlace::memory());
+    gateway.control->writesLeft = 0;
+    WordChannel &channel = *gateway.session.bus->channel(lostFraba);
+    channel.stage(0x0200'00FF);
+    ASSERT_TRUE(channel.write());
+    gateway.session.bus->advance(5s);
+    ASSERT_EQ(gateway.session.bus->state(), BusState::lost);
+    EXPECT_EQ(gateway.session.encoder(lostFraba).eepromCount().perhaps, 1);
+    const auto told = std::ranges::find(gateway.session.messages, MessageId::outLeft, &Message::id);
+    ASSERT_NE(told, gateway.session.messages.end());
+    EXPECT_EQ(told->arguments, std::vector<RefusalArgument>{QStringLiteral("020000FF")});
+    gateway.giveLinkBack();
+    EXPECT_TRUE(gateway.faultThatOffers(FaultAction::bringBack));
+    gateway.bringBack(lostFraba);
+    gateway.session.finish(lostFraba, EndParameterization{});
+    gateway.session.bus->advance(10s);
+    EXPECT_EQ(gateway.writesOf(lostFraba), 1);
+    EXPECT_EQ(gateway.session.encoder(lostFraba).eepromCount().atMost(), 1);
+}
+
+// The link was lost once more before it operated: nothing is sent by surprise when it does, much later.
+TEST(LostGateway, WhatDidNotComeBackAtOnceIsNotBroughtBackLater)
+{
+    LostGateway gateway;
+    ASSERT_TRUE(gateway.lostAt(2, lostFraba, writeSteps));
+    gateway.giveLinkBack();
+    ASSERT_TRUE(gateway.faultThatOffers(FaultAction::bringBack));
+    gateway.control->isAway = true;
+    gateway.session.bus->bringBack(lostFraba);
+    gateway.session.bus->advance(5s);
+    gateway.giveLinkBack();
+    gateway.session.bus->setOperate(true);
+    const std::vector<Word> before = gateway.session.gateway->out();
+    gateway.session.bus->advance(5s);
+    EXPECT_EQ(gateway.session.gateway->out(), before);
+}
+
 TEST(LostGateway, WhatWasLeftIsBroughtBackWhenTheUserSaysSo)
 {
     int broughtBack = 0;
