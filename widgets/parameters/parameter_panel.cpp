@@ -44,7 +44,7 @@ namespace codewheel {
 namespace {
 
 constexpr int questionLines = 10; // with its buttons
-constexpr int tableLines = 10;    // that are worth having beside it
+constexpr int tableLines = 5;     // that are worth having beside it: its head and some values
 
 } // namespace
 
@@ -199,13 +199,14 @@ bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
 // In a low panel, all else that is said gives way to the question whether it is the same encoder.
 void ParameterPanel::giveWayToQuestion()
 {
+    const bool isAsked = !m_before->isHidden();
     const int question = questionLines * fontMetrics().lineSpacing();
-    const int beside = m_whose->sizeHint().height() + m_buttons->sizeHint().height() +
-                       tableLines * fontMetrics().lineSpacing();
-    const bool hasRoom = m_before->isHidden() || height() >= beside + question;
-    m_table->setVisible(hasRoom);
-    m_note->setVisible(hasRoom && !m_note->text().isEmpty());
-    m_saidArea->setMinimumHeight(hasRoom ? 0 : question);
+    const int table =
+        std::max(tableLines * fontMetrics().lineSpacing(), m_table->minimumSizeHint().height());
+    const int beside = m_whose->sizeHint().height() + m_buttons->sizeHint().height() + table + question;
+    m_table->setVisible(!isAsked || height() >= beside);
+    m_note->setVisible(!isAsked && !m_note->text().isEmpty());
+    m_saidArea->setMinimumHeight(isAsked ? question : 0);
 }
 
 void ParameterPanel::setEncoder(const ShownEncoder &encoder)

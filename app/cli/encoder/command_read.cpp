@@ -123,6 +123,8 @@ Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
     answer.text += valueLines(encoder, job.outcome.read, version) + doubtLines(encoder, job.outcome.inDoubt);
     if (!job.outcome.result)
         answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
+    else
+        answer.complaint = foundInParameterization(encoder);
     return answer;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/value_lines.h"
 #include "jobs/job_report.h"
+#include "jobs/what_run_makes_valid.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
@@ -125,6 +126,19 @@ void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &d
 Complaint aboutCancelling()
 {
     return complaintAbout({RefusalKind::stopped, RefusalId::cancelled, {}});
+}
+
+std::optional<Complaint> foundInParameterization(const EncoderSession &encoder)
+{
+    if (encoder.latest().state != EncoderState::parameterization)
+        return std::nullopt;
+    const QString place = encoder.place().shown();
+    return Complaint{ExitCode::refused,
+                     QStringLiteral("foundInParameterization"),
+                     sentence(CommandLine::tr("%1 is in parameterization and gives no position; what was read of it "
+                                              "holds until run. %2"),
+                              {place, whatRunMakesValid(encoder)}),
+                     {place}};
 }
 
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)

@@ -126,6 +126,9 @@ void complain(const Call &call, const std::vector<EncoderResult> &results, const
     } else if (!meant.others.empty()) {
         answer.complaint = complaintAbout(meant.others.front().second);
     }
+    for (const ProjectDevice &device : meant.encoders)
+        if (!answer.complaint)
+            answer.complaint = foundInParameterization(*call.buses.encoder(device.place()));
 }
 
 Checked<Answer> runStore(const Call &call)

@@ -85,6 +85,8 @@ class Ring:
     def __init__(self, options):
         self.options = options
         self.encoders = [Encoder(i + 1) for i in range(options.devices)]
+        if options.pending:
+            self.encoders[0].take(options.pending)
         self.writes = 0
         self.words = 0  # of them, those with a word other than 0: a job is under way
 
@@ -201,5 +203,6 @@ parser.add_argument("--low-word-first", action="store_true")
 parser.add_argument("--exchange-bytes", action="store_true")
 parser.add_argument("--no-read-back", action="store_true")
 parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes of a job")
+parser.add_argument("--pending", type=lambda word: int(word, 16), help="the first encoder was left in parameterization")
 parser.add_argument("--vanish-behind", type=lambda word: int(word, 16), help="ends once the first encoder has this word")
 asyncio.run(serve(Ring(parser.parse_args())))

@@ -3,6 +3,7 @@
 #include "journal/ledger.h"
 #include "project/project_file.h"
 #include "tests/cli/kinds/interbus/gateway_peer.h"
+#include "tests/links/crooked_peer.h"
 
 #include <QJsonArray>
 
@@ -116,6 +117,42 @@ TEST(CliGatewayRing, AnAlarmStopSaysThatItsZerosArrived)
     EXPECT_GT(peer.writes(), 0);
 }
 
+// It hears the connection and nothing else: the first sentence comes while it is still waited for.
+TEST(CliGatewayRing, AnAlarmStopOfAMuteGatewaySaysSoAndSendsItsZeros)
+{
+    std::mutex mutex;
+    std::vector<QByteArray> heard;
+    CrookedPeer mute([&](const SeenRequest &request) {
+        const std::scoped_lock lock(mutex);
+        heard.push_back(request.message);
+        return Reaction();
+    });
+    const CliRun run = RingProject().run(line("master alarm-stop --patience 3"),
+                                         QStringLiteral("modbus-tcp:127.0.0.1:%1").arg(mute.port()));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_TRUE(run.err.starts_with("codewheel-cli: The zeros of the ALARM STOP have not arrived yet.")) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("were sent over the lost link"));
+    EXPECT_THAT(run.err, HasSubstr("have not arrived within 3 s"));
+    const QByteArray zeros = QByteArray::fromHex("1000000006") + '\x0c' + QByteArray(12, '\0');
+    EXPECT_TRUE(std::ranges::any_of(heard, [&](const QByteArray &one) { return one == zeros; }));
+}
+
+TEST(CliGatewayRing, WhatAcknowledgesAWatchdogNeverGoesIntoTheImage)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    const auto acknowledge = [&](const char *at) {
+        return project.run(line("gateway --acknowledge-watchdog --json"),
+                           peer.link(line("watchdog-value=32768,watchdog=") + line(at)));
+    };
+    EXPECT_EQ(errorKey(acknowledge("0")), "registerMapWrong");
+    EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
+    EXPECT_EQ(errorKey(runLine(line("gateway --acknowledge-watchdog --json --link ") +
+                               peer.link(line("watchdog=9")))),
+              "gatewayHasNoDevices")
+        << "without a project nobody knows where the image is";
+}
+
 TEST(CliGatewayRing, SomebodyElseWhoWritesIsNamed)
 {
     GatewayPeer peer(line("--other-writer 3"));
@@ -184,6 +221,22 @@ TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
     const CliRun run = RingProject().run(line("read 1.0 steps --json"), other.link());
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(run.json()[u"inDoubt"].toObject()[u"out"].toArray(), QJsonArray{line("20210001")});
+}
+
+// Somebody, or a link, has left it so: what is read is not all that there is.
+TEST(CliGatewayRing, AnEncoderFoundInParameterizationIsNamed)
+{
+    GatewayPeer peer(line("--pending 0200012C"));
+    const RingProject project;
+    const CliRun read = project.run(line("read 1.0 steps"), peer.link());
+    EXPECT_EQ(read.exit, 1);
+    EXPECT_THAT(read.out, HasSubstr("= 8192"));
+    EXPECT_THAT(read.err, HasSubstr("1.0 is in parameterization and gives no position"));
+    EXPECT_THAT(read.err, HasSubstr("IN (C200012C) confirms Steps with the data 300."));
+    EXPECT_EQ(errorKey(project.run(line("read 1.0 steps --json"), peer.link())), "foundInParameterization");
+    EXPECT_EQ(project.run(line("read 2.0 steps"), peer.link()).exit, 0);
+    const QString store = QStringLiteral("store %1 1.0 --json --link %2").arg(project.file(), peer.link());
+    EXPECT_EQ(errorKey(runLine(store)), "foundInParameterization");
 }
 
 TEST(CliGatewayRing, WrongUnitsAndShortImagesAreSaid)
