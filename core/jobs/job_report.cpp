@@ -123,7 +123,8 @@ struct Success
     }
     std::vector<Message> operator()(const SwitchMode &job) const
     {
-        return {{.id = MessageId::modeSwitched, .arguments = {modeText(job)}}};
+        return {outcome.onlyZeroSinceRun ? Message{.id = MessageId::modeSentToZero, .arguments = {modeText(job)}}
+                                         : Message{.id = MessageId::modeSwitched, .arguments = {modeText(job)}}};
     }
     std::vector<Message> operator()(const ResetToDefault &) const
     {
@@ -208,7 +209,7 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
         messages.push_back(refused(outcome.result.error()));
     for (Message &message : doubtReport(outcome.inDoubt, device))
         messages.push_back(std::move(message));
-    if (outcome.onlyZeroSinceRun)
+    if (outcome.onlyZeroSinceRun && !std::holds_alternative<SwitchMode>(job))
         messages.push_back({.severity = Severity::attention, .id = MessageId::onlyZeroSinceRun});
     if (outcome.leftIn == EncoderState::parameterization)
         messages.push_back({.severity = Severity::attention,

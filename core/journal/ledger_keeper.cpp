@@ -167,6 +167,12 @@ void LedgerKeeper::isSame(Place place)
                               watched.beforeItMet.end());
     watched.beforeItMet.clear();
     watched.isAsked = false;
+    if (watched.identity.by != CountedBy::place && !watched.unassigned.empty()) {
+        m_book->attribute(watched.unassigned, watched.identity);
+        if (watched.identity.by == CountedBy::serialNumber)
+            watched.unassigned.clear();
+    }
+    showCount(place);
 }
 
 // Answered without being the same: it is another one, and what was in doubt about the first stays so.
@@ -256,6 +262,7 @@ void LedgerKeeper::identify(Place place)
     const EncoderIdentity before = std::exchange(watched.identity, now);
     if (now.key() == before.key() && now.by == before.by)
         return;
+    tellOtherSerialNumber(place, now);
     if (before.by == CountedBy::serialNumber)
         watched.unassigned.clear(); // from now on it may be another encoder
     if (now.by != CountedBy::place && !watched.unassigned.empty()) {
@@ -264,6 +271,21 @@ void LedgerKeeper::identify(Place place)
             watched.unassigned.clear();
     }
     showCount(place);
+}
+
+// Of the label it was typed; what is no decimal number is not compared.
+void LedgerKeeper::tellOtherSerialNumber(Place place, const EncoderIdentity &reported)
+{
+    const auto label = m_labels.find(place);
+    bool isNumber = false;
+    const qulonglong typed = label == m_labels.end() ? 0 : label->second.trimmed().toULongLong(&isNumber);
+    if (reported.by != CountedBy::serialNumber || !isNumber || typed == reported.serialNumber.toULongLong())
+        return;
+    Q_EMIT messaged({.at = m_bus.now(),
+                     .place = place,
+                     .severity = Severity::attention,
+                     .id = MessageId::serialNumberDiffers,
+                     .arguments = {label->second, reported.serialNumber}});
 }
 
 Ledger::Entry LedgerKeeper::entryAt(const Watched &watched) const
@@ -410,11 +432,23 @@ void LedgerKeeper::addDoubtOfPlace(EepromCount &count, Place place) const
 {
     const EepromCount ofPlace = ledger()->writes(
         {.by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place});
-    if (ofPlace.atMost() == 0)
-        return;
-    count.atPlace = ofPlace.atMost();
-    if (!count.since.isValid() || ofPlace.since < count.since)
+    count.atPlace = ofPlace.atMost() + writesBeforeItMet(place);
+    if (ofPlace.atMost() > 0 && (!count.since.isValid() || ofPlace.since < count.since))
         count.since = ofPlace.since;
+}
+
+// As long as nobody has said whether it is the same encoder. What stands under the place as it is called now is
+// counted there.
+int LedgerKeeper::writesBeforeItMet(Place place) const
+{
+    const QString now = EncoderIdentity{
+        .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place}.key();
+    int most = 0;
+    for (const qint64 id : m_watched.at(place).beforeItMet)
+        if (const auto record = ledger()->record(id);
+            record && record->entry.by == CountedBy::place && record->entry.identity != now)
+            most += record->entry.writes + record->entry.perhaps();
+    return most;
 }
 
 void LedgerKeeper::warn(Place place, int before)

@@ -119,6 +119,8 @@ private:
     std::map<Place, std::vector<qint64>> onTheirWay() const;
     void takeAlong(const QString &from);
     void showCount(Place place);
+    void tellOtherSerialNumber(Place place, const EncoderIdentity &reported);
+    int writesBeforeItMet(Place place) const;
     void addDoubtOfPlace(EepromCount &count, Place place) const;
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);

@@ -62,7 +62,7 @@ ReportFacts accountFacts(const EncoderAccount &account)
         facts.push_back({TransferReport::tr("Position to be set"), positionText(account.positionWanted)});
     facts.push_back({TransferReport::tr("Position before"), positionText(account.positionBefore)});
     facts.push_back({TransferReport::tr("Position after"), positionText(account.positionAfter)});
-    facts.push_back({TransferReport::tr("State afterwards"), transfer_words::leftIn(account.leftIn)});
+    facts.push_back({TransferReport::tr("State afterwards"), transfer_words::leftIn(account)});
     return facts;
 }
 

@@ -213,15 +213,16 @@ void LastPositions::follow(const EncoderSession &encoder)
     connect(its, &QObject::destroyed, this, [this, its] { m_followed.erase(its); });
     connect(its, &EncoderSession::knownChanged, this, [this, its] { compareScale(*its); });
     connect(its, &EncoderSession::jobAboutToStart, this, [this, its](const Job &job) {
-        if (mayChangeScale(its->device(), job))
-            scaledAnew(its->place(), Scaled::perhapsOtherwise);
+        m_watched[its->place()].mayBeScaled = mayChangeScale(its->device(), job);
     });
     connect(its, &EncoderSession::wordAboutToBeSent, this, [this, its](Word word) {
         if (protocolOf(its->device()).mayChangeScale(word))
             scaledAnew(its->place(), Scaled::perhapsOtherwise);
     });
     connect(its, &EncoderSession::finished, this, [this, its](const Outcome &outcome) {
-        if (outcome.inDoubt.reset || outcome.inDoubt.position)
+        const bool hasDone = outcome.result || outcome.eepromWrites > 0;
+        const bool isInDoubt = outcome.inDoubt.reset || outcome.inDoubt.position;
+        if ((m_watched[its->place()].mayBeScaled && hasDone) || isInDoubt)
             scaledAnew(its->place(), Scaled::perhapsOtherwise);
         for (const ParameterValues *values : {&outcome.written, &outcome.setAlong, &outcome.inDoubt.values})
             scaledAnew(its->place(), *values);

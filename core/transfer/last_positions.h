@@ -77,6 +77,7 @@ private:
         ParameterValues scaleBefore{};       // known of the encoder with it
         QDateTime lookedAt{};                // invalid: never
         std::chrono::milliseconds awayFor{}; // as seen
+        bool mayBeScaled = false; // by the job that runs, apart from values it writes
     };
 
     const Watched *watched(Place number) const; // null: nothing was seen of it

@@ -108,8 +108,21 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
     for (const Outcome &outcome : result.outcomes) {
         account.eepromWrites += outcome.eepromWrites;
         account.eepromWritesPerhaps += outcome.inDoubt.eepromWrites;
+        account.outLeft.insert(account.outLeft.end(), outcome.inDoubt.out.begin(), outcome.inDoubt.out.end());
         account.onlyZeroSinceRun = account.onlyZeroSinceRun || outcome.onlyZeroSinceRun;
     }
+}
+
+// The preset that was to set the position was written, and did not act: it would, the next time.
+void addPresetThatWaits(EncoderAccount &account, const EncoderPlan &plan, const std::vector<Outcome> &outcomes)
+{
+    const ParameterValue preset{Parameter::preset, plan.position.value_or(0)};
+    const bool isShown = std::ranges::find(account.rows, preset, &AccountRow::wanted) != account.rows.end();
+    const bool wasWritten = std::ranges::any_of(outcomes, [&](const Outcome &outcome) {
+        return valueOf(outcome.written, preset.parameter) == preset.value;
+    });
+    if (plan.position && !account.positionSet && wasWritten && !isShown)
+        account.rows.push_back({.wanted = preset, .became = Became::written});
 }
 
 EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, const EncoderResult *result)
@@ -139,6 +152,7 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
     for (const TransferCamRow &row : plan.cams)
         account.cams.push_back({row.wanted.number, becameOf(row, outcomes)});
     account.positionSet = wasPositionSet(plan, outcomes) || wasPositionReadBack(plan, encoder, result);
+    addPresetThatWaits(account, plan, outcomes);
     account.positionUnknown =
         plan.position && !account.positionSet && isUnknown(encoder, std::nullopt, result);
     return account;

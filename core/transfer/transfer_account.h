@@ -52,6 +52,7 @@ struct EncoderAccount
     std::optional<Refusal> why{}; // why not everything was done
     bool onlyZeroSinceRun = false;
     EncoderState leftIn = EncoderState::notSeen;
+    std::vector<Word> outLeft{}; // OUT may still hold one of these: its link was lost
     int eepromWrites = 0;
     int eepromWritesPerhaps = 0; // besides these
     QDateTime begun{};

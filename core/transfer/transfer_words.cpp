@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -102,6 +103,18 @@ QString leftIn(EncoderState state)
         break;
     }
     return TransferWords::tr("not known");
+}
+
+QString leftIn(const EncoderAccount &account)
+{
+    const QString state = leftIn(account.leftIn);
+    QStringList words;
+    for (const Word word : account.outLeft)
+        words << hexWord(word);
+    words.removeDuplicates();
+    return words.isEmpty() ? state
+                           : sentence(TransferWords::tr("%1; OUT may still hold %2", "a state, words"),
+                                      {state, words.join(QStringLiteral(", "))});
 }
 
 QStringList notes(const EncoderPlan &plan)

@@ -20,6 +20,8 @@ QString known(const DeviceDescription *device, Parameter parameter, const std::o
 QString value(const DeviceDescription *device, const ParameterValue &value);
 // "in operation"
 QString leftIn(EncoderState state);
+// With what OUT may still hold.
+QString leftIn(const EncoderAccount &account);
 
 // What is worth knowing before an encoder is written to, one sentence each.
 QStringList notes(const EncoderPlan &plan);

@@ -47,11 +47,13 @@ enum class MessageId : std::uint8_t {
     valuesForgotten,          // the encoder lost its parameters: what was known no longer holds
     lateCycles,               // number since the last message; from earlier versions, today only a figure
     modeSwitched,             // text of the mode
+    modeSentToZero,           // the same: IN is 00000000, so it may have no supply
     resetWaitsForRun,         // the reset was confirmed, and run was not sent
     resetDone,                // EEPROM writes
     camsRead,                 // number of programs
     camsWritten,              // texts of the programs joined, EEPROM writes
     deviceNamed,              // name of the device
+    serialNumberDiffers,      // the one in the project, the one that was read
     connected,                // link
     disconnected,             //
     busFault,                 // error code (Word), diagnostic parameter (Word): vocabulary/texts_of_kinds.h

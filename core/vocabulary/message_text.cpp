@@ -113,6 +113,9 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
     MessageRow{MessageId::modeSwitched, "modeSwitched",
                QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
+    MessageRow{MessageId::modeSentToZero, "modeSentToZero",
+               QT_TRANSLATE_NOOP("Message", "The word for %1 was sent, and IN is 00000000: the encoder has no supply, "
+                                            "or is at position 0.")},
     MessageRow{
         MessageId::resetWaitsForRun, "resetWaitsForRun",
         QT_TRANSLATE_NOOP("Message",
@@ -127,6 +130,9 @@ constexpr std::array messageRows{
     MessageRow{MessageId::deviceNamed, "deviceNamed",
                QT_TRANSLATE_NOOP("Message",
                                  "This encoder is now treated as: %1. What was known of it is forgotten.")},
+    MessageRow{MessageId::serialNumberDiffers, "serialNumberDiffers",
+               QT_TRANSLATE_NOOP("Message", "The project has the serial number %1, and the encoder reports %2: check "
+                                            "which encoder it is, and correct the project.")},
     MessageRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
     MessageRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
     MessageRow{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},

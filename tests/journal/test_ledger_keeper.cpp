@@ -282,6 +282,38 @@ TEST_F(LedgerKeeperTest, GivesWhatWasWrittenToTheEncoderThatTellsItsSerialNumber
     EXPECT_EQ(countAt(fraba).writes, 2);
 }
 
+TEST_F(LedgerKeeperTest, SaysThatTheSerialNumberIsAnotherThanThatOfTheLabel)
+{
+    keep(DatabasePlace::memory());
+    keeper->setLabel(fraba, QStringLiteral("20417"));
+    readSerialNumber();
+    EXPECT_TRUE(messages.empty());
+    bus.encoder(fraba)->tell(Parameter::serialNumber, 1);
+    keeper->setLabel(fraba, QStringLiteral("77777"));
+    readSerialNumber();
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages.front().id, MessageId::serialNumberDiffers);
+    EXPECT_EQ(messages.front().arguments,
+              (std::vector<RefusalArgument>{QStringLiteral("77777"), QStringLiteral("20417")}));
+}
+
+// The link was lost, another project is opened, and nobody has said whether it is the same encoder.
+TEST_F(LedgerKeeperTest, WhatWasWrittenBeforeALostLinkIsDoubtUntilTheUserSaysWhoseItIs)
+{
+    keep(DatabasePlace::memory());
+    keeper->setProject(QStringLiteral("/night.codewheel"));
+    write(fraba, 255);
+    Q_EMIT bus.meetsAgain();
+    keeper->setProject(QStringLiteral("/other.codewheel"));
+    readSerialNumber();
+    EXPECT_EQ(countAt(fraba).by, CountedBy::serialNumber);
+    EXPECT_EQ(countAt(fraba).writes, 0);
+    EXPECT_EQ(countAt(fraba).atMost(), 1);
+    Q_EMIT bus.encoder(fraba)->isSameAsBefore();
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(countAt(fraba).atMost(), 1);
+}
+
 TEST_F(LedgerKeeperTest, RemembersTheEncoderFromBefore)
 {
     keep(file.place());

@@ -32,7 +32,7 @@ protected:
     void carryOutJob(const Job &job)
     {
         ASSERT_TRUE(encoder(fraba).start(job));
-        pass(2000);
+        pass(3000);
         ASSERT_FALSE(encoder(fraba).runningJob());
     }
     LastPositions positions{buses};
@@ -160,6 +160,19 @@ TEST_F(LastPositionsOfTheRing, APositionFromBeforeAnotherZeroSaysSo)
     EXPECT_EQ(positions.at(fraba)->scaled, Scaled::asThen) << "reading changes nothing";
     carryOutJob(SetPreset{.value = 100});
     EXPECT_EQ(positions.at(fraba)->scaled, Scaled::perhapsOtherwise);
+}
+
+// As a replacement that is tried before the supply is on again: the position before is right still.
+TEST_F(LastPositionsOfTheRing, NothingIsWrittenToAnEncoderThatDoesNotAnswer)
+{
+    pass(100);
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
+    pass(3000);
+    carryOutJob(SwitchMode{});
+    carryOutJob(WriteParameters{.values = {{Parameter::steps, 2048}}, .previous = {}});
+    carryOutJob(SetPreset{.value = 376});
+    EXPECT_EQ(positions.at(fraba)->scaled, Scaled::asThen);
+    EXPECT_EQ(positions.at(fraba)->since, Since::gone);
 }
 
 // Behind a gateway there are real ones.

@@ -60,9 +60,19 @@ const ProjectDevice &ProjectDocument::device(Place number) const
 
 std::vector<Place> ProjectDocument::notPlanned() const
 {
+    return others(false);
+}
+
+std::vector<Place> ProjectDocument::notKept() const
+{
+    return others(true);
+}
+
+std::vector<Place> ProjectDocument::others(bool areOfTrainingLine) const
+{
     std::vector<Place> numbers;
     for (const auto &[number, device] : m_others)
-        if (!number.isAddress() && !findDevice(m_project, number)) // nothing of the training line is kept
+        if (number.isAddress() == areOfTrainingLine && !findDevice(m_project, number))
             numbers.push_back(number);
     return numbers;
 }

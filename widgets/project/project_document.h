@@ -49,6 +49,8 @@ public:
     const ProjectDevice &device(Place number) const;
     // The places of the ring that have values but are not in the project.
     std::vector<Place> notPlanned() const;
+    // For which something is wanted that goes into no file, as they are on the training line.
+    std::vector<Place> notKept() const;
     void forEachDevice(const std::function<void(Place, const ProjectDevice &)> &visit) const;
 
     // Another project, or the same one read from its file again. Clears the undo stack. fileMark:
@@ -84,6 +86,7 @@ Q_SIGNALS:
     void savedChanged(bool isSaved);
 
 private:
+    std::vector<Place> others(bool areOfTrainingLine) const;
     friend class ProjectStep;
     struct Content; // everything a step changes except the devices
     Content content() const;

@@ -183,7 +183,7 @@ QString accountText(const Call &call, const TransferAccount &account)
             text += QStringLiteral("  ") +
                     sentence(CommandLine::tr("EEPROM writes: %1. Afterwards: %2."),
                              {eepromWritesText(encoder.eepromWrites, encoder.eepromWritesPerhaps),
-                              transfer_words::leftIn(encoder.leftIn)}) +
+                              transfer_words::leftIn(encoder)}) +
                     u'\n';
     }
     return text +

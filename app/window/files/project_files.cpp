@@ -178,15 +178,21 @@ bool ProjectFiles::keep(const QString &path, const std::optional<QByteArray> &ov
 // What the project's file cannot contain; empty: nothing.
 QString ProjectFiles::leftOut() const
 {
-    QStringList places;
-    for (const Place number : m_document.notPlanned())
-        places << number.shown();
+    const auto shown = [](const std::vector<Place> &places) {
+        QStringList texts;
+        for (const Place place : places)
+            texts << place.shown();
+        return texts.join(QStringLiteral(", "));
+    };
+    if (const QString places = shown(m_document.notKept()); !places.isEmpty())
+        return tr("What is wanted for %1 is in no file: nothing of the training line is kept.").arg(places);
+    const QString places = shown(m_document.notPlanned());
     if (places.isEmpty())
         return {};
     return tr("What is planned for %1 is in no file: the project has no device there. Compare with the ring, "
               "take "
               "it into the project, then save.")
-        .arg(places.join(QStringLiteral(", ")));
+        .arg(places);
 }
 
 bool ProjectFiles::mayClose()

@@ -197,6 +197,12 @@ void RingAccess::addFigures(const Call &, const EncoderSession &, Answer &answer
         return;
     answer.text += u'\n' + figuresText(*figures);
     answer.json.insert(QStringLiteral("figures"), figuresJson(*figures));
+    const auto &told = m_ring.latest().told;
+    answer.json.insert(QStringLiteral("ringRuns"), told ? QJsonValue(!told->stands()) : QJsonValue());
+    if (!told)
+        answer.text += CommandLine::tr("Whether the ring runs behind the gateway is not known: the settings do not "
+                                       "say which status bits tell it.") +
+                       u'\n';
 }
 
 Checked<Answer> RingAccess::scan(const Call &call)

@@ -354,7 +354,8 @@ void K3Run::complete(Outcome &outcome)
         outcome.confirmed = m_confirmed.values;
     if (outcome.leftIn == EncoderState::error)
         outcome.notActive = m_confirmed.values;
-    outcome.onlyZeroSinceRun = m_ranAtZero && m_reading.in == 0 && !m_encoder.device.capabilities.reads;
+    const bool isUnproven = m_ranAtZero && !m_encoder.device.capabilities.reads;
+    outcome.onlyZeroSinceRun = m_reading.in == 0 && (isUnproven || job<SwitchMode>() != nullptr);
     outcome.camsRead = m_cams.read();
     outcome.camsWritten = m_cams.written();
     if (!hasRestored() || m_mismatch)

@@ -60,7 +60,7 @@ DataCheck ringLinkCheck(const RingSession &bus)
 }
 
 // Since the link was made: a few are nothing to worry about.
-DataCheck gatewayCheck(const LinkFigures &figures)
+DataCheck gatewayCheck(const RingSession &bus, const LinkFigures &figures)
 {
     QStringList came{sentence(RingCheckText::tr("%1 requests, %2 without an answer"),
                               {numberText(static_cast<std::int64_t>(figures.transactions)),
@@ -68,8 +68,14 @@ DataCheck gatewayCheck(const LinkFigures &figures)
     for (const auto &[code, count] : figures.exceptions)
         came << sentence(RingCheckText::tr("exception %1: %2 times"),
                          {numberText(code), numberText(static_cast<std::int64_t>(count))});
-    return passedCheck(DataCheck::Id::gateway, RingCheckText::tr("Gateway"), RingCheckText::tr("answers"),
-                       came.join(QStringLiteral("; ")));
+    const QString what = RingCheckText::tr("Gateway");
+    const QString expected = RingCheckText::tr("answers");
+    const auto blocked = faultWhere(
+        bus, [](const Fault &fault) { return fault.actions == std::vector{FaultAction::acknowledge}; });
+    if (blocked)
+        return failedCheck(DataCheck::Id::gateway, what, expected, blocked->shown.word, blocked->text,
+                           DataCheck::Action::registers);
+    return passedCheck(DataCheck::Id::gateway, what, expected, came.join(QStringLiteral("; ")));
 }
 
 QString stoppedText(StoppedBy stopped)
@@ -237,7 +243,7 @@ DataChecks ringChecks(const RingSession &bus, StoppedBy stopped, NodeId node,
     if (!bus.isOpen())
         return checks;
     if (const auto &figures = bus.latest().figures)
-        checks.push_back(gatewayCheck(*figures));
+        checks.push_back(gatewayCheck(bus, *figures));
     checks.push_back(runningCheck(bus, stopped));
     if (!node.isEmpty()) {
         addOfDevice(checks, bus, node, planned);

@@ -122,6 +122,8 @@ StateWord RingOutline::state() const
     const auto &told = m_bus.latest().told;
     if (m_bus.isRunning() && told && told->stands())
         return {Role::fault, told->hasFailed ? tr("ring failed") : tr("ring stands still")};
+    if (m_bus.latest().outputsAreBlocked)
+        return {Role::fault, tr("outputs blocked", "of a gateway")};
     if (isBehindGateway())
         return m_bus.isRunning() ? StateWord{Role::running, tr("connected")}
                                  : StateWord{Role::inactive, tr("stopped")};

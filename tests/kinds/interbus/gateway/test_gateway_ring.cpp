@@ -488,6 +488,9 @@ TEST_F(TrippedWatchdog, IsNamedAndAcknowledgedWhenTheUserSaysSo)
         return message.refusal && message.refusal->id == RefusalId::outputsBlocked;
     }));
     EXPECT_TRUE(isOffered());
+    EXPECT_EQ(session->bus->outline().state(), (StateWord{Role::fault, QStringLiteral("outputs blocked")}));
+    const DataChecks checks = session->bus->dataChecks({}, {});
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::gateway)->outcome, DataCheck::Outcome::differs);
     session->bus->advance(10s);
     EXPECT_EQ(control->acknowledged, 0) << "nobody has asked for it";
     session->bus->acknowledgeWatchdog();

@@ -98,6 +98,8 @@ QString GatewayPanel::stateOf(const Snapshot &ring) const
 {
     if (!m_bus.isRunning())
         return tr("Connected, stopped");
+    if (ring.outputsAreBlocked)
+        return tr("Connected, but its outputs are blocked");
     if (!ring.told)
         return tr("Connected; whether the ring runs is not told");
     if (!ring.told->stands())
@@ -112,7 +114,9 @@ void GatewayPanel::refresh()
     const bool isOpen = m_bus.isOpen();
     switch (m_bus.state()) {
     case BusState::open:
-        m_state->setState(shown.told && shown.told->stands() ? Role::fault : Role::running, stateOf(shown));
+        m_state->setState((shown.told && shown.told->stands()) || shown.outputsAreBlocked ? Role::fault
+                                                                                      : Role::running,
+                          stateOf(shown));
         break;
     case BusState::opening:
         m_state->setState(Role::attention, tr("Connecting"));
