@@ -963,6 +963,14 @@
     </message>
 </context>
 <context>
+    <name>GatewayTexts</name>
+    <message>
+        <source>register %1</source>
+        <comment>the first of a device</comment>
+        <translation>Register %1</translation>
+    </message>
+</context>
+<context>
     <name>IdCode</name>
     <message>
         <source>digital output</source>
@@ -2034,10 +2042,6 @@
         <translation>Das Gateway sagt, dass sein Ring wieder läuft.</translation>
     </message>
     <message>
-        <source>The zeros of the ALARM STOP have not arrived yet: the gateway does not acknowledge them. The program goes on trying. Stop the machine by its own means.</source>
-        <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen: Das Gateway bestätigt sie nicht. Das Programm versucht es weiter. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
-    </message>
-    <message>
         <source>The watchdog of the gateway was acknowledged.</source>
         <translation>Der Watchdog des Gateways wurde quittiert.</translation>
     </message>
@@ -2048,6 +2052,30 @@
     <message>
         <source>ALARM STOP: all OUT words of the ring are set to 0.</source>
         <translation>ALARM-STOPP: alle OUT-Worte des Rings werden auf 0 gesetzt.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. The program goes on trying. Stop the machine by its own means. Not 00000000 before: %1</source>
+        <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen, oder in OUT steht noch etwas anderes. Das Programm versucht es weiter. Die Maschine mit ihren eigenen Mitteln anhalten. Vorher nicht 00000000: %1</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP were sent over the lost link, but nothing acknowledges them: it is not known whether they arrived. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM-STOPPs wurden über die abgebrochene Verbindung gesendet, aber nichts quittiert sie: Ob sie angekommen sind, ist nicht bekannt. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP are in the gateway, but its ring stands still: the devices may not have got them. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM-STOPPs sind im Gateway, aber sein Ring steht: Die Teilnehmer haben sie vielleicht nicht bekommen. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>Disconnected before the zeros of the ALARM STOP had arrived: they are not sent any more. OUT may be as it was. Stop the machine by its own means.</source>
+        <translation>Getrennt, bevor die Nullen des ALARM-STOPPs angekommen waren: Sie werden nicht mehr gesendet. OUT kann sein, wie es war. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>The word for %1 was sent, and IN is 00000000: the encoder has no supply, or is at position 0.</source>
+        <translation>Das Wort für %1 wurde gesendet, und IN ist 00000000: Der Geber hat keine Versorgung oder steht auf Position 0.</translation>
+    </message>
+    <message>
+        <source>The project has the serial number %1, and the encoder reports %2: check which encoder it is, and correct the project.</source>
+        <translation>Im Projekt steht die Seriennummer %1, und der Geber meldet %2: Prüfen, welcher Geber es ist, und das Projekt berichtigen.</translation>
     </message>
 </context>
 <context>
@@ -3117,6 +3145,10 @@
     <message>
         <source>The encoder has lost its parameters, and works again only with all of parameters 1 to 4. Without a value: %1. Give them one; nothing is sent before.</source>
         <translation>Der Geber hat seine Parameter verloren und arbeitet erst wieder mit allen Parametern 1 bis 4. Ohne Wert: %1. Geben Sie einen an; vorher wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>The encoder seems to answer differently each time (IN %1): the gateway puts halves of different words together. Set a longer copy time in the settings of the gateway, then read again.</source>
+        <translation>Der Geber scheint jedes Mal anders zu antworten (IN %1): Das Gateway setzt Hälften verschiedener Wörter zusammen. In den Einstellungen des Gateways eine längere Kopierzeit einstellen, dann noch einmal auslesen.</translation>
     </message>
 </context>
 <context>
@@ -7706,6 +7738,18 @@ ist. Braucht keinen Bus.</translation>
         <source>Imported from %1 into %2: files: %3; new entries: %4; known already: %5.</source>
         <translation>Aus %1 in %2 importiert: Dateien: %3; neue Einträge: %4; schon bekannt: %5.</translation>
     </message>
+    <message>
+        <source>%1 is in parameterization and gives no position; what was read of it holds until run. %2</source>
+        <translation>%1 ist in Parametrierung und liefert keine Position; was ausgelesen wurde, gilt bis Run. %2</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP have not arrived yet. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>Whether the ring runs behind the gateway is not known: the settings do not say which status bits tell it.</source>
+        <translation>Ob der Ring hinter dem Gateway läuft, ist nicht bekannt: Die Einstellungen sagen nicht, welche Statusbits es melden.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -11725,6 +11769,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Connected, but the ring stands still</source>
         <translation>Verbunden, aber der Ring steht</translation>
     </message>
+    <message>
+        <source>Connected, but its outputs are blocked</source>
+        <translation>Verbunden, aber seine Ausgänge sind gesperrt</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::GatewayPreset</name>
@@ -13075,6 +13123,26 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Sends 00000000 to these devices, then goes on. What is in parameterization stays there</source>
         <translation>Sendet 00000000 an diese Geräte und fährt dann fort. Was in der Parametrierung ist, bleibt dort</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP have not arrived.</source>
+        <translation>Die Nullen des ALARM-STOPPs sind nicht angekommen.</translation>
+    </message>
+    <message>
+        <source>The outputs may be as they were. The program goes on trying as long as the bus stays connected; afterwards nobody does. Stop the machine by its own means.</source>
+        <translation>Die Ausgänge können sein, wie sie waren. Das Programm versucht es weiter, solange der Bus verbunden bleibt; danach tut es niemand mehr. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Give up, and go on</source>
+        <translation>Auf&amp;geben und fortfahren</translation>
+    </message>
+    <message>
+        <source>The zeros are not sent any more</source>
+        <translation>Die Nullen werden nicht mehr gesendet</translation>
+    </message>
+    <message>
+        <source>&amp;Keep trying</source>
+        <translation>&amp;Weiter versuchen</translation>
     </message>
 </context>
 <context>
@@ -15276,6 +15344,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Saves the project in place of what is in the file</source>
         <translation>Speichert das Projekt anstelle dessen, was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>What is wanted for %1 is in no file: nothing of the training line is kept.</source>
+        <translation>Was für %1 gewünscht ist, steht in keiner Datei: Von der Übungsleitung wird nichts aufbewahrt.</translation>
     </message>
 </context>
 <context>
@@ -17810,6 +17882,11 @@ Zustand: %7</translation>
         <source>unsettled</source>
         <comment>no two reads of its word agree</comment>
         <translation>unstimmig</translation>
+    </message>
+    <message>
+        <source>outputs blocked</source>
+        <comment>of a gateway</comment>
+        <translation>Ausgänge gesperrt</translation>
     </message>
 </context>
 <context>
@@ -21270,6 +21347,11 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Acknowledged, not active</source>
         <translation>Quittiert, nicht wirksam</translation>
+    </message>
+    <message>
+        <source>%1; OUT may still hold %2</source>
+        <comment>a state, words</comment>
+        <translation>%1; in OUT kann noch %2 stehen</translation>
     </message>
 </context>
 <context>

@@ -173,7 +173,7 @@ std::map<std::string, std::function<std::string()>> peersOfTable()
          }},
         {"it does not have this function", [] { return saidOverTcp(refusing(1, readsInput)); }},
         {"it does not have these registers", [] { return saidOverTcp(refusing(2, readsInput)); }},
-        {"it does not accept so many registers at once",
+        {"it does not accept this value or this number of registers",
          [] { return saidOverTcp(refusing(3, writesHolding)); }},
         {"The watchdog of its outputs may have tripped",
          [] { return saidOverTcp(refusing(4, writesHolding)); }},

@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr std::array exceptionCodes{1, 2, 3, 4, 5, 6, 8, 10, 11};
 constexpr Instant longestAway = 5s;      // after a connection was closed
+constexpr Instant longestBusy = 3s;
 constexpr Instant lateAnswerIsKept = 1s; // until the line is quiet again
 
 } // namespace
@@ -25,6 +26,7 @@ RegisterFaults RegisterFaults::ofAllKinds(double rate)
             .cut = rate,
             .exception = rate,
             .closed = rate / 4,
+            .busy = rate / 4,
             .torn = rate};
 }
 
@@ -88,6 +90,12 @@ std::optional<RegisterPort::Done> FaultyRegisterPort::failBefore(const Request &
             return Done();
         wait(now() + timeOut);
         return failed(RegisterError::Kind::noAnswer);
+    }
+    if (happens(m_faults.busy, busy))
+        m_busyUntil = now() + someTime(longestBusy);
+    if (now() < m_busyUntil) {
+        wait(now() + 1ms);
+        return tl::unexpected(RegisterError{RegisterError::Kind::exception, 6, {}});
     }
     if (happens(m_faults.exception, exception)) {
         wait(now() + 1ms);

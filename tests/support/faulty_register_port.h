@@ -22,6 +22,7 @@ struct RegisterFaults
     double cut = 0;     // the answer is damaged
     double exception = 0;
     double closed = 0;
+    double busy = 0; // for a while: every transaction is refused
     double torn = 0; // of the words read: one register as the last read gave it
 
     static RegisterFaults ofAllKinds(double rate);
@@ -40,7 +41,7 @@ public:
         std::function<void()> writing;          // reaches the gateway
         std::map<int, int> faults{};            // how many of each kind were made
     };
-    enum Kind { requestLost, answerLost, late, doubled, cut, exception, closed, torn, staleAnswer, kinds };
+    enum Kind { requestLost, answerLost, late, doubled, cut, exception, closed, busy, torn, staleAnswer, kinds };
 
     FaultyRegisterPort(std::unique_ptr<RegisterPort> port, unsigned seed, std::shared_ptr<Watch> watch);
 
@@ -95,6 +96,7 @@ private:
     RegisterFaults m_faults;
     bool m_open = false;
     Instant m_opensAgainAt{};
+    Instant m_busyUntil{};
     std::deque<LateAnswer> m_late;
     struct LastRead
     {

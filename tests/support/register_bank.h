@@ -20,6 +20,7 @@ struct RegisterBank
     int writes = 0;
     Instant busyUntil{}; // it refuses everything with busyCode
     int busyCode = 6;
+    std::size_t mostWritten = 123; // in one request; more is exception 3
     std::function<void()> onWrite; // after each one
 
     std::map<int, Register> &of(RegisterArea area) { return area == RegisterArea::input ? input : holding; }
@@ -56,6 +57,8 @@ public:
             return begun;
         if (first + static_cast<int>(from.size()) > m_bank->holdingEnd)
             return exception(2);
+        if (from.size() > m_bank->mostWritten)
+            return exception(3);
         put(first, from);
         return {};
     }

@@ -5,6 +5,7 @@
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "kinds/interbus/gateway/map_reading.h"
 #include "kinds/interbus/gateway/register_refusal.h"
+#include "kinds/interbus/gateway/register_tries.h"
 #include "kinds/interbus/gateway/served_ring.h"
 #include "kinds/interbus/ring/told_ring.h"
 #include "kinds/interbus/words/device_number.h"
@@ -174,13 +175,13 @@ GatewayFinding GatewayCheck::connect()
 Result<void> GatewayCheck::read(RegisterArea area, const RegisterBlock &block, std::vector<Register> &to)
 {
     to.assign(static_cast<std::size_t>(block.count), 0);
-    for (int tries = 1;; ++tries) {
-        const auto done = m_port.read(area, block.first, to);
+    for (RegisterTries tries(m_port, m_settings);;) {
+        auto done = m_port.read(area, block.first, to);
         if (done)
             return {};
-        if (!isWorthRepeating(done.error()) || tries > m_settings.retries)
+        if (!tries.goOn(done))
             return tl::unexpected(
-                registerRefusal(done.error(), m_port.name(), readFunction(area), block, tries));
+                registerRefusal(done.error(), m_port.name(), readFunction(area), block, tries.sent()));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "kinds/interbus/gateway/gateway_counter.h"
 #include "kinds/interbus/gateway/gateway_map.h"
 #include "kinds/interbus/gateway/word_gate.h"
+#include "kinds/interbus/gateway/register_tries.h"
 #include "kinds/interbus/ring/process_data_link.h"
 
 #include <functional>
@@ -105,6 +106,7 @@ private:
     Result<void> writeOut(std::span<const Word> out, Overwrites overwrites);
     bool putOut(std::span<const Word> out);
     Result<void> writeBlocks(Overwrites overwrites);
+    bool writesLess(const Refusal &why, const RegisterBlock &block);
     Result<void> writeBlock(const RegisterBlock &block, Overwrites overwrites);
     Result<void> writeAndReadBlock(const RegisterBlock &block, const RegisterBlock &in,
                                    Overwrites overwrites);
@@ -118,15 +120,7 @@ private:
                      const std::function<RegisterPort::Done()> &call);
     Result<bool> send(int function, const RegisterBlock &block,
                       const std::function<RegisterPort::Done()> &call, Overwrites overwrites);
-    struct Tries
-    {
-        int sent = 0;
-        int failures = 0; // without a valid answer
-        Instant pause{};  // until a busy gateway is asked again
-        Instant busyUntil{};
-    };
-    bool goesOn(RegisterPort::Done &done, Tries &tries);
-    bool connectsAgain(Tries &tries);
+    bool connectsAgain(RegisterTries &tries);
 
     const std::unique_ptr<RegisterPort> m_port;
     const GatewaySettings m_settings;

@@ -320,7 +320,7 @@ Result<void> GatewayLink::writeBlocks(Overwrites overwrites)
         auto written =
             k < together ? writeAndReadBlock(block, ins[k], overwrites) : writeBlock(block, overwrites);
         if (!written)
-            return written;
+            return writesLess(written.error(), block) ? writeBlocks(overwrites) : written;
         ++k;
     }
     for (; k < together; ++k) {
@@ -329,6 +329,24 @@ Result<void> GatewayLink::writeBlocks(Overwrites overwrites)
         takeBlock(ins[k]);
     }
     return {};
+}
+
+// A gateway may take fewer registers in one request than Modbus allows, and says so by exception 3; no test can
+// find that out without writing. The same words go out again, in smaller blocks.
+bool GatewayLink::writesLess(const Refusal &why, const RegisterBlock &block)
+{
+    constexpr std::int64_t illegalValue = 3;
+    const bool isTooMuch = why.id == RefusalId::registersRefused && why.arguments.size() > 2 &&
+                           why.arguments[2] == RefusalArgument(illegalValue);
+    const int less = block.count / 2 / GatewayMap::wordRegisters * GatewayMap::wordRegisters;
+    if (!isTooMuch || m_settings.writesWithRead || less < GatewayMap::wordRegisters)
+        return false;
+    m_map->writeAtMost(less);
+    std::vector<bool> written;
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        written.push_back(writesOut(i));
+    m_written = m_map->outBlocksOf(written);
+    return true;
 }
 
 Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()

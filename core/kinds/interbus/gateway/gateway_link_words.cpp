@@ -12,8 +12,6 @@
 namespace codewheel {
 namespace {
 
-constexpr Instant shortestPause =
-    std::chrono::milliseconds(20); // until a busy gateway is asked again (assumed)
 constexpr int readsInDoubt = 2;    // more in one exchange, while words are not believed (assumed)
 constexpr int readsOfSeldom = 5;   // the same, where an exchange has to do by itself (assumed)
 // Between two looks at the status register: where it decides what is shown, and where it is only shown.
@@ -32,33 +30,12 @@ RegisterPort::Done GatewayLink::transact(const std::function<RegisterPort::Done(
     return done;
 }
 
-// Whether a transaction that failed is to be repeated: at once where no valid answer came, after a pause that
-// doubles each time where the gateway is busy.
-bool GatewayLink::goesOn(RegisterPort::Done &done, Tries &tries)
-{
-    ++tries.sent;
-    if (!isBusy(done.error()))
-        return isWorthRepeating(done.error()) && ++tries.failures <= m_settings.retries;
-    const Instant now = m_port->now();
-    if (tries.pause == Instant())
-        tries.busyUntil = now + m_settings.patience;
-    tries.pause = tries.pause == Instant() ? shortestPause : 2 * tries.pause;
-    if (now >= tries.busyUntil)
-        return false;
-    const Instant until = std::min(now + tries.pause, tries.busyUntil);
-    m_port->wait(until);
-    if (m_port->now() >= until)
-        return true;
-    done = tl::unexpected(RegisterError{RegisterError::Kind::stopped, 0, {}});
-    return false;
-}
-
 // A gateway may close a connection just as it is asked: nothing was lost then but a read.
-bool GatewayLink::connectsAgain(Tries &tries)
+bool GatewayLink::connectsAgain(RegisterTries &tries)
 {
-    if (++tries.failures > m_settings.retries || !m_port->open())
+    if (!tries.mayFailAgain() || !m_port->open())
         return false;
-    ++tries.sent;
+    tries.wasSent();
     ++m_connectedAgain;
     m_counter.connected();
     return true;
@@ -69,18 +46,18 @@ bool GatewayLink::connectsAgain(Tries &tries)
 Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
                               const std::function<RegisterPort::Done()> &call)
 {
-    Tries tries;
+    RegisterTries tries(*m_port, m_settings);
     bool mayBeLate = false;
     for (;;) {
-        RegisterPort::Done done = transact(call, tries.sent > 0);
+        RegisterPort::Done done = transact(call, tries.sent() > 0);
         if (done && !mayBeLate)
             return {};
         mayBeLate = !done && !isBusy(done.error());
         const bool isClosed = !done && done.error().kind == RegisterError::Kind::closed;
         if (isClosed && !m_isWriting && connectsAgain(tries))
             mayBeLate = false;
-        else if (!done && !goesOn(done, tries))
-            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent));
+        else if (!done && !tries.goOn(done))
+            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));
     }
 }
 
@@ -89,18 +66,18 @@ Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
 Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
                                const std::function<RegisterPort::Done()> &call, Overwrites overwrites)
 {
-    for (Tries tries;;) {
-        RegisterPort::Done done = transact(call, tries.sent > 0);
+    for (RegisterTries tries(*m_port, m_settings);;) {
+        RegisterPort::Done done = transact(call, tries.sent() > 0);
         if (done || done.error().isSent)
             m_lastWriteAt = m_port->now();
         if (done) {
             for (Device &device : m_devices)
                 device.own.wasAnswered(m_port->now());
-            return tries.failures == 0;
+            return tries.failures() == 0;
         }
         const bool isKept = !done.error().isSent && m_readsBack && connectsAgain(tries);
-        if (!isKept && !goesOn(done, tries))
-            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent));
+        if (!isKept && !tries.goOn(done))
+            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));
         for (Device &device : m_devices)
             device.own.wasNotAnswered();
         if (m_readsBack && overwrites == Overwrites::ours)

@@ -10,7 +10,6 @@
 namespace codewheel {
 namespace {
 
-constexpr int wordRegisters = 2; // of a 32-bit word
 
 tl::unexpected<Refusal> mapWrong(const QString &text)
 {
@@ -22,7 +21,7 @@ std::vector<RegisterBlock> placed(const RingStructure &ring, int Participant::*c
 {
     std::vector<RegisterBlock> blocks;
     for (const Participant &device : ring) {
-        blocks.push_back({first, std::min(device.*count, wordRegisters)});
+        blocks.push_back({first, std::min(device.*count, GatewayMap::wordRegisters)});
         first += device.*count;
     }
     end = first;
@@ -92,6 +91,12 @@ std::vector<RegisterBlock> GatewayMap::outBlocksOf(const std::vector<bool> &devi
         those.push_back({m_out[i].first, devices[i] ? m_out[i].count : 0});
     std::set<int> writes;
     return inFew(those, m_mostWritten, false, writes);
+}
+
+void GatewayMap::writeAtMost(int registers)
+{
+    m_mostWritten = registers;
+    m_outBlocks = outBlocksOf(std::vector<bool>(m_out.size(), true));
 }
 
 Result<GatewayMap> GatewayMap::of(const RingStructure &ring, const GatewaySettings &settings)

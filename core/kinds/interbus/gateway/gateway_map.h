@@ -33,6 +33,8 @@ struct RegisterBlock
 class GatewayMap
 {
 public:
+    static constexpr int wordRegisters = 2; // of a 32-bit word
+
     // Refused (registerMapWrong): areas overlap, or end behind the last register.
     static Result<GatewayMap> of(const RingStructure &ring, const GatewaySettings &settings);
 
@@ -43,6 +45,8 @@ public:
     const std::vector<RegisterBlock> &readBackBlocks() const { return m_readBackBlocks; }
     // To write only the words of some devices.
     std::vector<RegisterBlock> outBlocksOf(const std::vector<bool> &devices) const;
+    // So many registers in one request from now on, at least those of a word.
+    void writeAtMost(int registers);
     std::size_t devices() const { return m_in.size(); }
 
     // The word of a device from its registers, and the registers of a word.

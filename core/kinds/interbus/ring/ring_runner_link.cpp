@@ -132,7 +132,7 @@ void RingRunner::Private::tryToReopen()
 void RingRunner::Private::tellUnheardWords()
 {
     for (const std::size_t i : written) {
-        if (image[i] == ring.devices[i].out)
+        if (image[i] == ring.devices[i].out || link.boundsWordsToCycles())
             continue;
         tellOfDevice(i, {.severity = Severity::attention,
                          .id = MessageId::outLeft,

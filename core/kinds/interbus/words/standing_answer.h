@@ -8,34 +8,33 @@
 
 namespace codewheel {
 
-// What is believed of the words behind a link that may tear them: a read-out answer, of which one half may still
-// be that of the word before, counts once it has stood for longer than any gateway copies. Until then it is
-// taken as if the word before still stood.
+// Which words are believed behind a link that may tear them: a read-out answer, of which one half may still be
+// that of the word before, counts once it has stood for longer than any gateway copies. What never stands is
+// left to whoever waits for it.
 class StandingAnswer
 {
 public:
-    static constexpr Instant time = std::chrono::milliseconds(50); // assumed
+    static constexpr Instant time = std::chrono::milliseconds(50);    // assumed
+    static constexpr Instant longest = std::chrono::milliseconds(500); // that it is waited for (assumed)
 
-    Word believed(Word in, bool isAnswer, Instant now)
+    bool counts(Word in, bool isAnswer, Instant now)
     {
         if (m_last != in) {
             m_last = in;
             m_since = now;
         }
-        if (!isAnswer || !m_believed || now - m_since >= time)
-            m_believed = in;
-        return *m_believed;
+        if (!isAnswer)
+            m_openSince.reset();
+        else if (!m_openSince)
+            m_openSince = now;
+        return !isAnswer || now - m_since >= time || now - *m_openSince >= longest;
     }
-    void forget()
-    {
-        m_last.reset();
-        m_believed.reset();
-    }
+    void forget() { *this = {}; }
 
 private:
     std::optional<Word> m_last;
-    Instant m_since{}; // so long it has been the same
-    std::optional<Word> m_believed;
+    Instant m_since{};                  // so long it has been the same
+    std::optional<Instant> m_openSince; // there have been answers
 };
 
 } // namespace codewheel

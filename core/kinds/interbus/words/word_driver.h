@@ -76,8 +76,10 @@ public:
 
     Word cycle(Word in, Word out, Instant now) override
     {
-        if (m_answer)
-            in = m_answer->believed(in, m_encoder.isAnswer(in), now);
+        if (m_answer && !m_answer->counts(in, m_encoder.isAnswer(in), now)) {
+            wait(out);
+            return m_run || mayStand(out) ? out : Word{0};
+        }
         m_encoder.observe(in, out, now);
         const Word next = m_run ? m_run->cycle(in, out, now) : out;
         if (m_run && m_run->isDone())

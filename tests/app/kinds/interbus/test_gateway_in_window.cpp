@@ -6,6 +6,7 @@
 #include "kinds/interbus/plan/ring_plan.h"
 #include "report/live_encoders.h"
 #include "tests/app/kinds/interbus/gateway_test.h"
+#include "tests/app/question.h"
 #include "widgets/connect/check_list.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/job/known_before_bar.h"
@@ -217,6 +218,32 @@ TEST_F(GatewayInWindowTest, AlarmStopWritesZerosAndSaysThatTheyArrived)
             isSaid |= shown->messages().index(i, column).data().toString().contains(
                 QStringLiteral("zeros of the ALARM STOP have arrived"));
     EXPECT_TRUE(isSaid);
+}
+
+// Whoever disconnects or quits gives them up, and is asked; the usual answer is not to.
+TEST_F(GatewayInWindowTest, ZerosThatHaveNotArrivedAreNotGivenUpUnasked)
+{
+    connectGateway();
+    bus().setOperate(true);
+    advance(20);
+    send(fraba, 0x0200'00FF);
+    bank->busyUntil = std::chrono::hours(1);
+    advance(5'000);
+    ASSERT_EQ(bus().state(), BusState::lost);
+    actions().alarmStop->trigger();
+    advance(1'500);
+    {
+        const test::Question question = test::Question::answeredBy(QStringLiteral("Keep trying"));
+        ringActions().disconnectBus->trigger();
+        EXPECT_TRUE(question.text().contains(QStringLiteral("zeros of the ALARM STOP have not arrived")));
+    }
+    advance(20);
+    EXPECT_EQ(bus().state(), BusState::lost);
+    EXPECT_NE(outThere(0), 0u);
+    const test::Question question = test::Question::answeredBy(QStringLiteral("Give up, and go on"));
+    ringActions().disconnectBus->trigger();
+    advance(20);
+    EXPECT_EQ(bus().state(), BusState::closed);
 }
 
 TEST_F(GatewayInWindowTest, WhatWasEnteredForTheTrainingRingIsNotSaidOfARealOne)

@@ -93,6 +93,14 @@ constexpr CheckOutcome passed = CheckOutcome::passed;
 constexpr CheckOutcome failed = CheckOutcome::failed;
 constexpr CheckOutcome skipped = CheckOutcome::skipped;
 
+TEST_F(GatewayCheckTest, ABusyGatewayIsWaitedFor)
+{
+    show(0, 0x0000'1234);
+    bank->busyUntil = std::chrono::milliseconds(100);
+    for (const GatewayFinding &finding : run(frabaRing(1)))
+        EXPECT_NE(finding.outcome, failed) << finding.sentence.toStdString();
+}
+
 TEST_F(GatewayCheckTest, AGoodGatewayPassesEveryStep)
 {
     settings.statusRegister = 100;

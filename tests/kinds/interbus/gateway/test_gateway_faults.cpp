@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 24 hours of faults on the way to a gateway, in virtual time.
 #include "journal/ledger_keeper.h"
+#include "kinds/interbus/simulator/fraba_k3.h"
+#include "kinds/interbus/simulator/simulated_ring.h"
+#include "kinds/interbus/simulator/simulated_ring_link.h"
+#include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "tests/kinds/interbus/gateway/checked_link.h"
 #include "tests/support/gateway_session.h"
@@ -34,7 +38,7 @@ public:
         : m_random(seed)
         , m_watch(std::make_shared<FaultyRegisterPort::Watch>())
         , m_session(
-              making(seed),
+              making(seed, m_encoders),
               [&](std::unique_ptr<RegisterPort> port) {
                   auto faulty = std::make_unique<FaultyRegisterPort>(std::move(port), seed, m_watch);
                   m_port = faulty.get();
@@ -68,6 +72,7 @@ public:
             expectThatWhatIsShownIsTrue();
             expectThatNothingWasWrittenUncounted();
             expectThatNothingIsLeftUnsaid();
+            expectThatWhatIsKnownIsTrue();
             m_session.messages.clear();
         }
     }
@@ -100,15 +105,36 @@ public:
     int jobs() const { return m_jobs; }
     int jobsThatWorked() const { return m_jobsThatWorked; }
     int foreignWords() const { return m_foreignWords; }
+    int comparisons() const { return m_comparisons; }
 
 private:
-    static GatewayMaking making(unsigned seed)
+    // As the ring is made: those that the session does not see.
+    static TrainingBus ringOf(std::vector<const FrabaK3 *> &encoders)
+    {
+        constexpr PhysicalResolution thirteenPlusTwelveBit{.stepsPerTurn = 8192, .turns = 4096};
+        auto ring = std::make_shared<SimulatedRing>();
+        for (int i = 0; i < faultyEncoders; ++i) {
+            auto encoder = std::make_unique<FrabaK3>(thirteenPlusTwelveBit, 97 * i,
+                                                     FrabaPlate{.serialNumber = 20'000 + static_cast<Word>(i)});
+            encoder->setSpeed(3.0 + i);
+            encoders.push_back(encoder.get());
+            ring->add({.number = DeviceNumber{i + 1, 0}.node(),
+                       .idCode = 0x37,
+                       .deviceCode = 0x0237,
+                       .inWords = 2,
+                       .outWords = 2,
+                       .deviceKey = QStringLiteral("fraba-ocd-ib")},
+                      std::move(encoder));
+        }
+        return {.link = std::make_unique<SimulatedRingLink>(ring), .controls = ring};
+    }
+    static GatewayMaking making(unsigned seed, std::vector<const FrabaK3 *> &encoders)
     {
         constexpr std::array intervals{40ms, 70ms, 100ms, 150ms};
         return {.ways = {.tears = 0.1, .lag = (seed % 3) * 60ms, .seed = seed, .passesOver = true},
                 .settings = {.pollInterval = intervals.at(seed % intervals.size())},
                 .transaction = std::chrono::milliseconds(1 + seed % 4),
-                .makeRing = [] { return makeMovingRing(faultyEncoders); }};
+                .makeRing = [&encoders] { return ringOf(encoders); }};
     }
     RingSession &bus() { return *m_session.bus; }
     int pick(int least, int most) { return std::uniform_int_distribution(least, most)(m_random); }
@@ -167,6 +193,25 @@ private:
             const bool mustBeTold =
                 out != 0 && isSeen && !m_mayLeave[i] && !m_session.encoder(bus().places()[i]).runningJob();
             EXPECT_TRUE(!mustBeTold || device.leftOut) << "encoder " << i << ": OUT is " << std::hex << out;
+        }
+    }
+    // What was read or confirmed, as soon as nothing is under way.
+    void expectThatWhatIsKnownIsTrue()
+    {
+        for (std::size_t i = 0; i < faultyEncoders; ++i) {
+            const EncoderSession &encoder = m_session.encoder(bus().places()[i]);
+            const ParameterSet &has = m_encoders[i]->parameters();
+            const std::pair<Parameter, std::int64_t> all[] = {{Parameter::steps, has.steps},
+                                                              {Parameter::revolutions, has.revolutions},
+                                                              {Parameter::direction, has.coding},
+                                                              {Parameter::preset, has.preset}};
+            for (const auto &[parameter, value] : all)
+                if (const auto known = encoder.known(parameter);
+                    known && known->evidence != Evidence::told && !encoder.runningJob()) {
+                    EXPECT_EQ(known->value, value)
+                        << "encoder " << i << ": " << parameterKey(parameter).toStdString();
+                    ++m_comparisons;
+                }
         }
     }
     struct JobSeen
@@ -230,12 +275,14 @@ private:
         }
         const auto device = static_cast<std::size_t>(pick(0, faultyEncoders - 1));
         EncoderSession &encoder = m_session.encoder(bus().places()[device]);
-        const std::array<Job, 4> some{
+        const std::array<Job, 6> some{
             ReadParameters{{Parameter::direction, Parameter::revolutions}},
+            SendWords{.words = {0x0200'0000U | static_cast<Word>(pick(100, 8'000)), k3::run, k3::normalRunning}},
+            ResetToDefault{},
             WriteParameters{.values = {{Parameter::steps, pick(100, 8'000)}}, .previous = {}},
             SetPreset{pick(0, 1'000), PresetCommand::profile}, EndParameterization{}};
         encoder.tell(Parameter::startUpMode, 1);
-        const auto id = encoder.start(some.at(static_cast<std::size_t>(pick(0, 3))));
+        const auto id = encoder.start(some.at(static_cast<std::size_t>(pick(0, 5))));
         if (!id)
             return;
         ++m_jobs;
@@ -255,6 +302,8 @@ private:
     std::shared_ptr<FaultyRegisterPort::Watch> m_watch;
     CheckedLink::Rules m_rules;
     FaultyRegisterPort *m_port = nullptr;
+    std::vector<const FrabaK3 *> m_encoders; // what they really have
+    int m_comparisons = 0;
     CheckedLink *m_link = nullptr;
     GatewaySession m_session;
     LedgerKeeper m_ledger{*m_session.bus, DatabasePlace::memory()};
@@ -276,6 +325,7 @@ TEST(GatewayFaults, ADayOfThemPutsNoWordWhereItDoesNotBelong)
     int worked = 0;
     int foreign = 0;
     int connections = 0;
+    int comparisons = 0;
     for (unsigned seed = 1; seed <= runs; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         FaultyDays days(seed);
@@ -287,6 +337,7 @@ TEST(GatewayFaults, ADayOfThemPutsNoWordWhereItDoesNotBelong)
         worked += days.jobsThatWorked();
         foreign += days.foreignWords();
         connections += days.reconnects();
+        comparisons += days.comparisons();
         if (HasFailure())
             return;
     }
@@ -296,6 +347,10 @@ TEST(GatewayFaults, ADayOfThemPutsNoWordWhereItDoesNotBelong)
               << connections << " connections\n";
     EXPECT_GT(worked, jobs / 4);
     EXPECT_GT(connections, 100);
+    EXPECT_GT(comparisons, jobs) << "of values known and had";
+    if (!isSanitized) {
+        EXPECT_GT(jobs, 10'000);
+    }
 }
 
 } // namespace

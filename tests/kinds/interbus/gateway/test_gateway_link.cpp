@@ -70,6 +70,29 @@ TEST_F(GatewayLinkTest, WhatAnInterruptedExchangeDidNotWriteIsNotSomebodyElses)
     EXPECT_EQ(link->readBackOut(), out);
 }
 
+// 140 registers of OUT; no test of the connection can find that out, since it writes nothing.
+TEST_F(GatewayLinkTest, AGatewayThatTakesFewRegistersInOneWriteGetsFewer)
+{
+    makeOpen(70);
+    ASSERT_TRUE(link->readBackOut());
+    bank->mostWritten = 30;
+    out.assign(70, 0x0200'00FF);
+    ASSERT_TRUE(link->exchange(out, in));
+    EXPECT_EQ(link->readBackOut(), out);
+    const int writes = bank->writes;
+    EXPECT_EQ(link->sendZeros(in).value().areThere, std::optional(true));
+    EXPECT_LE(bank->writes - writes, 140 / 15 + 1) << "it has learned it";
+}
+
+TEST_F(GatewayLinkTest, ZerosAreToo)
+{
+    makeOpen(70);
+    out.assign(70, 0x0200'00FF);
+    ASSERT_TRUE(link->readBackOut() && link->exchange(out, in));
+    bank->mostWritten = 100;
+    EXPECT_EQ(link->sendZeros(in).value().areThere, std::optional(true));
+}
+
 TEST_F(GatewayLinkTest, AForeignWordIsNamedAndNotOverwritten)
 {
     makeOpen(2);
