@@ -124,8 +124,9 @@ Parameter DescriptionReader::readParameterName(const JsonObject &row)
     const QString name = row.text("parameter");
     if (row.has("name")) {
         if (!isParameterKey(name))
-            row.report("parameter", tr("A parameter is named by small letters, digits, hyphens, colons and full "
-                                       "stops."));
+            row.report("parameter",
+                       tr("A parameter is named by small letters, digits, hyphens, colons and full "
+                          "stops."));
         return Parameter::of(name, row.localText("name"));
     }
     QStringList known;
@@ -230,8 +231,9 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
 void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
 {
     for (const JsonObject &row :
-         json.array("parameters", {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum", "maximum", "factory", "unit",
-                                   "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
+         json.array("parameters",
+                    {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum", "maximum",
+                     "factory", "unit", "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
         const ProtocolRules &rules = protocolRules(device.profile);
         ParameterDescription parameter = readParameter(row);
         refuseTaken(row, parameter, device);

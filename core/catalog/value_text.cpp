@@ -70,7 +70,6 @@ double divisorOf(Unit unit)
     return 1;
 }
 
-
 } // namespace
 
 ParameterDescription withOptions(ParameterDescription parameter, const std::optional<ValueOptions> &options)

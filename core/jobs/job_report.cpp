@@ -123,8 +123,9 @@ struct Success
     }
     std::vector<Message> operator()(const SwitchMode &job) const
     {
-        return {outcome.onlyZeroSinceRun ? Message{.id = MessageId::modeSentToZero, .arguments = {modeText(job)}}
-                                         : Message{.id = MessageId::modeSwitched, .arguments = {modeText(job)}}};
+        return {outcome.onlyZeroSinceRun
+                    ? Message{.id = MessageId::modeSentToZero, .arguments = {modeText(job)}}
+                    : Message{.id = MessageId::modeSwitched, .arguments = {modeText(job)}}};
     }
     std::vector<Message> operator()(const ResetToDefault &) const
     {

@@ -437,12 +437,14 @@ void LedgerKeeper::addDoubtOfPlace(EepromCount &count, Place place) const
         count.since = ofPlace.since;
 }
 
-// As long as nobody has said whether it is the same encoder. What stands under the place as it is called now is
-// counted there.
+// As long as nobody has said whether it is the same encoder. What stands under the place as it is called now
+// is counted there.
 int LedgerKeeper::writesBeforeItMet(Place place) const
 {
-    const QString now = EncoderIdentity{
-        .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place}.key();
+    const QString now =
+        EncoderIdentity{
+            .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place}
+            .key();
     int most = 0;
     for (const qint64 id : m_watched.at(place).beforeItMet)
         if (const auto record = ledger()->record(id);

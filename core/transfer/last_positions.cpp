@@ -199,9 +199,8 @@ void LastPositions::follow(const EncoderBus &bus)
     if (!m_followed.insert(&bus).second)
         return;
     connect(&bus, &QObject::destroyed, this, [this, its = &bus] { m_followed.erase(its); });
-    connect(&bus, &EncoderBus::writeAboutToBeSent, this, [this](const TypedWrite &write) {
-        scaledAnew(write.place, write.values);
-    });
+    connect(&bus, &EncoderBus::writeAboutToBeSent, this,
+            [this](const TypedWrite &write) { scaledAnew(write.place, write.values); });
 }
 
 void LastPositions::follow(const EncoderSession &encoder)

@@ -71,13 +71,13 @@ private:
     {
         bool isSimulated = false;
         std::optional<SeenPosition> last{};
-        ParameterValues scale{};             // known of the encoder with it
-        bool isScaleOld = true;              // something else is known of the encoder since
+        ParameterValues scale{};              // known of the encoder with it
+        bool isScaleOld = true;               // something else is known of the encoder since
         std::optional<SeenPosition> before{}; // the encoder went away, or nobody saw it for long
-        ParameterValues scaleBefore{};       // known of the encoder with it
-        QDateTime lookedAt{};                // invalid: never
-        std::chrono::milliseconds awayFor{}; // as seen
-        bool mayBeScaled = false; // by the job that runs, apart from values it writes
+        ParameterValues scaleBefore{};        // known of the encoder with it
+        QDateTime lookedAt{};                 // invalid: never
+        std::chrono::milliseconds awayFor{};  // as seen
+        bool mayBeScaled = false;             // by the job that runs, apart from values it writes
     };
 
     const Watched *watched(Place number) const; // null: nothing was seen of it

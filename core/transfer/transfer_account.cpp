@@ -114,7 +114,8 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
 }
 
 // The preset that was to set the position was written, and did not act: it would, the next time.
-void addPresetThatWaits(EncoderAccount &account, const EncoderPlan &plan, const std::vector<Outcome> &outcomes)
+void addPresetThatWaits(EncoderAccount &account, const EncoderPlan &plan,
+                        const std::vector<Outcome> &outcomes)
 {
     const ParameterValue preset{Parameter::preset, plan.position.value_or(0)};
     const bool isShown = std::ranges::find(account.rows, preset, &AccountRow::wanted) != account.rows.end();

@@ -47,17 +47,20 @@ constexpr std::array messageRows{
                    "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. "
                    "The program goes on trying. Stop the machine by its own means. Not 00000000 before: %1")},
     MessageRow{MessageId::zerosUnheard, "zerosUnheard",
-               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent over the lost link, but nothing "
-                                            "acknowledges them: it is not known whether they arrived. Stop the "
-                                            "machine by its own means.")},
+               QT_TRANSLATE_NOOP("Message",
+                                 "The zeros of the ALARM STOP were sent over the lost link, but nothing "
+                                 "acknowledges them: it is not known whether they arrived. Stop the "
+                                 "machine by its own means.")},
     MessageRow{MessageId::zerosBeforeRing, "zerosBeforeRing",
-               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP are in the gateway, but its ring stands "
-                                            "still: the devices may not have got them. Stop the machine by its "
-                                            "own means.")},
+               QT_TRANSLATE_NOOP("Message",
+                                 "The zeros of the ALARM STOP are in the gateway, but its ring stands "
+                                 "still: the devices may not have got them. Stop the machine by its "
+                                 "own means.")},
     MessageRow{MessageId::zerosGivenUp, "zerosGivenUp",
-               QT_TRANSLATE_NOOP("Message", "Disconnected before the zeros of the ALARM STOP had arrived: they are "
-                                            "not sent any more. OUT may be as it was. Stop the machine by its own "
-                                            "means.")},
+               QT_TRANSLATE_NOOP("Message",
+                                 "Disconnected before the zeros of the ALARM STOP had arrived: they are "
+                                 "not sent any more. OUT may be as it was. Stop the machine by its own "
+                                 "means.")},
     MessageRow{MessageId::operateOn, "operateOn",
                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
     MessageRow{MessageId::watchOn, "watchOn",
@@ -114,8 +117,9 @@ constexpr std::array messageRows{
     MessageRow{MessageId::modeSwitched, "modeSwitched",
                QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
     MessageRow{MessageId::modeSentToZero, "modeSentToZero",
-               QT_TRANSLATE_NOOP("Message", "The word for %1 was sent, and IN is 00000000: the encoder has no supply, "
-                                            "or is at position 0.")},
+               QT_TRANSLATE_NOOP("Message",
+                                 "The word for %1 was sent, and IN is 00000000: the encoder has no supply, "
+                                 "or is at position 0.")},
     MessageRow{
         MessageId::resetWaitsForRun, "resetWaitsForRun",
         QT_TRANSLATE_NOOP("Message",
@@ -131,8 +135,9 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message",
                                  "This encoder is now treated as: %1. What was known of it is forgotten.")},
     MessageRow{MessageId::serialNumberDiffers, "serialNumberDiffers",
-               QT_TRANSLATE_NOOP("Message", "The project has the serial number %1, and the encoder reports %2: check "
-                                            "which encoder it is, and correct the project.")},
+               QT_TRANSLATE_NOOP("Message",
+                                 "The project has the serial number %1, and the encoder reports %2: check "
+                                 "which encoder it is, and correct the project.")},
     MessageRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
     MessageRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
     MessageRow{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},

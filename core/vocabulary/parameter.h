@@ -12,10 +12,11 @@
 
 namespace codewheel {
 
-// The name of a value of encoders. The ones below mean the same whatever the encoder, and views ask for them: a
-// device has them wherever its protocol keeps them. What only some encoders have is named by its description
-// ("opc-register-3"). Two are equal if their keys are. Which of them a device has, with what range and unit, and
-// how it is reached, is in its description (catalog/).
+// The name of a value of encoders. The ones below mean the same whatever the encoder, and views ask for them:
+// a device has them wherever its protocol keeps them. What only some encoders have is named by its
+// description
+// ("opc-register-3"). Two are equal if their keys are. Which of them a device has, with what range and unit,
+// and how it is reached, is in its description (catalog/).
 class Parameter
 {
 public:
@@ -28,15 +29,15 @@ public:
     static const Parameter offset;
     static const Parameter measuringRange;
     static const Parameter measuringLength; // of a rod, in steps
-    static const Parameter externalPreset; // applied by the preset input of the encoder
-    static const Parameter rodLength; // on the label of a rod; never on the wire
-    static const Parameter lowerLimit; // of the limit switch, steps
+    static const Parameter externalPreset;  // applied by the preset input of the encoder
+    static const Parameter rodLength;       // on the label of a rod; never on the wire
+    static const Parameter lowerLimit;      // of the limit switch, steps
     static const Parameter upperLimit;
-    static const Parameter scaling; // 1: on
+    static const Parameter scaling;       // 1: on
     static const Parameter scalingFactor; // the 32 bits as sent to the encoder
-    static const Parameter lineAddress; // 1..31
-    static const Parameter baudRate; // Bd
-    static const Parameter serialNumber; // read only from here on
+    static const Parameter lineAddress;   // 1..31
+    static const Parameter baudRate;      // Bd
+    static const Parameter serialNumber;  // read only from here on
     static const Parameter presetFlag;
     static const Parameter softwareVersion;
     static const Parameter operatingTime;
@@ -45,12 +46,12 @@ public:
     static const Parameter temperature;
     static const Parameter errorStatus;
     static const Parameter operatingParameters; // bits
-    static const Parameter alarms; // bits
-    static const Parameter warnings; // bits
+    static const Parameter alarms;              // bits
+    static const Parameter warnings;            // bits
     static const Parameter deviceCode;
 
-    // The one with this key: small letters, digits, '-', ':' and '.'. `name` is shown; where descriptions give several
-    // names for a key, or none, the key is. From any thread.
+    // The one with this key: small letters, digits, '-', ':' and '.'. `name` is shown; where descriptions
+    // give several names for a key, or none, the key is. From any thread.
     static Parameter of(QStringView key, const LocalText &name = {});
 
     friend constexpr bool operator==(Parameter, Parameter) = default;

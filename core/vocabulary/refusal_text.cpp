@@ -552,9 +552,10 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::registersGarbled, "registersGarbled",
                QT_TRANSLATE_NOOP("Refusal", "The answer of %1 to %2 is wrong: %3")},
     RefusalRow{RefusalId::wordsTorn, "wordsTorn",
-               QT_TRANSLATE_NOOP("Refusal", "The encoder seems to answer differently each time (IN %1): the gateway "
-                                            "puts halves of different words together. Set a longer copy time in "
-                                            "the settings of the gateway, then read again.")},
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The encoder seems to answer differently each time (IN %1): the gateway "
+                                 "puts halves of different words together. Set a longer copy time in "
+                                 "the settings of the gateway, then read again.")},
     RefusalRow{RefusalId::outAreaTooShort, "outAreaTooShort",
                QT_TRANSLATE_NOOP(
                    "Refusal", "%1 does not have all OUT registers of the ring as planned (%2), though it has "

@@ -36,7 +36,8 @@ TEST(ValueText, NumbersAreWrittenByLocale)
 TEST(ValueText, ARegisterIsHexadecimalInAnyLocale)
 {
     const Catalog catalog = Catalog::builtIn();
-    const ParameterDescription &first = *catalog.find(u"fraba-ocd-ib")->find(Parameter::of(u"opc-register-0"));
+    const ParameterDescription &first =
+        *catalog.find(u"fraba-ocd-ib")->find(Parameter::of(u"opc-register-0"));
     EXPECT_EQ(valueText(first, 0x0237), QStringLiteral("0237h"));
     EXPECT_EQ(valueText(first, 0xFFFF), QStringLiteral("FFFFh"));
 }

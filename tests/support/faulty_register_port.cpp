@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::array exceptionCodes{1, 2, 3, 4, 5, 6, 8, 10, 11};
-constexpr Instant longestAway = 5s;      // after a connection was closed
+constexpr Instant longestAway = 5s; // after a connection was closed
 constexpr Instant longestBusy = 3s;
 constexpr Instant lateAnswerIsKept = 1s; // until the line is quiet again
 

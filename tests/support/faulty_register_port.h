@@ -41,7 +41,19 @@ public:
         std::function<void()> writing;          // reaches the gateway
         std::map<int, int> faults{};            // how many of each kind were made
     };
-    enum Kind { requestLost, answerLost, late, doubled, cut, exception, closed, busy, torn, staleAnswer, kinds };
+    enum Kind {
+        requestLost,
+        answerLost,
+        late,
+        doubled,
+        cut,
+        exception,
+        closed,
+        busy,
+        torn,
+        staleAnswer,
+        kinds
+    };
 
     FaultyRegisterPort(std::unique_ptr<RegisterPort> port, unsigned seed, std::shared_ptr<Watch> watch);
 

@@ -107,9 +107,8 @@ TEST_F(Transfer, AfterErrorOneNothingCountsAsAlreadyThere)
     encoder(baumer).tell(Parameter::steps, 8192);
     encoder(baumer).tell(Parameter::coding, 3);
     const auto transfer = [&](std::int64_t steps, std::int64_t coding) {
-        const TransferPlan plan =
-            planTransfer(buses, {{.place = baumer,
-                                  .values = {{Parameter::steps, steps}, {Parameter::coding, coding}}}});
+        const TransferPlan plan = planTransfer(
+            buses, {{.place = baumer, .values = {{Parameter::steps, steps}, {Parameter::coding, coding}}}});
         return carryOut(plan).encoders[0];
     };
     EXPECT_EQ(transfer(8193, 3).why->id, RefusalId::wrongParameterData);
@@ -124,7 +123,8 @@ TEST_F(Transfer, AnErrorThatWasThereBeforeIsNotBlamedOnWhatIsWritten)
     const auto transfer = [&](ParameterValue value) {
         return *carryOut(planTransfer(buses, {{.place = baumer, .values = {value}}})).encoders[0].why;
     };
-    EXPECT_THAT(refusalText(transfer({Parameter::steps, 8193})).toStdString(), testing::HasSubstr("value of Steps"));
+    EXPECT_THAT(refusalText(transfer({Parameter::steps, 8193})).toStdString(),
+                testing::HasSubstr("value of Steps"));
     EXPECT_EQ(refusalText(transfer({Parameter::coding, 3})),
               QStringLiteral("Error 1: the encoder refused a value (IN 82000000). Check the values and write "
                              "them again."));

@@ -201,8 +201,7 @@ void ParameterPanel::giveWayToQuestion()
 {
     const bool isAsked = !m_before->isHidden();
     const int question = questionLines * fontMetrics().lineSpacing();
-    const int table =
-        std::max(tableLines * fontMetrics().lineSpacing(), m_table->minimumSizeHint().height());
+    const int table = std::max(tableLines * fontMetrics().lineSpacing(), m_table->minimumSizeHint().height());
     const int beside = m_whose->sizeHint().height() + m_buttons->sizeHint().height() + table + question;
     m_table->setVisible(!isAsked || height() >= beside);
     m_note->setVisible(!isAsked && !m_note->text().isEmpty());

@@ -182,8 +182,9 @@ QString ReplacePage::effect() const
 QString ReplacePage::lostByClosing() const
 {
     const Replacement &now = m_replacing.now;
-    const QString kept =
-        m_unfinished && m_unfinished->place == m_replacing.place ? m_unfinished->label.serialNumber : QString();
+    const QString kept = m_unfinished && m_unfinished->place == m_replacing.place
+                             ? m_unfinished->label.serialNumber
+                             : QString();
     const bool isGiven = m_pages->currentIndex() != device || now.turns > 0 || now.serialNumber != kept;
     return m_hasBegun || !isGiven
                ? QString()

@@ -65,7 +65,8 @@ void ReplacePositionStep::enter()
     const bool presets = m_typed->isEnabled();
     if (chosen() == nullptr) {
         const bool isOfOld = m_seen && m_seen->since == SeenPosition::Since::gone &&
-                             m_seen->scaled == SeenPosition::Scaled::asThen && !isWantedOtherwise(m_seen->scale);
+                             m_seen->scaled == SeenPosition::Scaled::asThen &&
+                             !isWantedOtherwise(m_seen->scale);
         (presets ? isOfOld ? m_last : m_typed : m_none)->setChecked(true);
     }
     setFocusProxy(chosen() == m_typed ? static_cast<QWidget *>(m_value) : chosen());

@@ -133,12 +133,13 @@ std::optional<Complaint> foundInParameterization(const EncoderSession &encoder)
     if (encoder.latest().state != EncoderState::parameterization)
         return std::nullopt;
     const QString place = encoder.place().shown();
-    return Complaint{ExitCode::refused,
-                     QStringLiteral("foundInParameterization"),
-                     sentence(CommandLine::tr("%1 is in parameterization and gives no position; what was read of it "
-                                              "holds until run. %2"),
-                              {place, whatRunMakesValid(encoder)}),
-                     {place}};
+    return Complaint{
+        ExitCode::refused,
+        QStringLiteral("foundInParameterization"),
+        sentence(CommandLine::tr("%1 is in parameterization and gives no position; what was read of it "
+                                 "holds until run. %2"),
+                 {place, whatRunMakesValid(encoder)}),
+        {place}};
 }
 
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)

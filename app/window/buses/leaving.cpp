@@ -113,14 +113,16 @@ bool Leaving::waitsForZeros() const
     return std::ranges::any_of(left, &EncoderBus::waitsForZeros);
 }
 
-// Nobody tries any longer once the bus is closed. If they arrive while this is asked, there is nothing to ask.
+// Nobody tries any longer once the bus is closed. If they arrive while this is asked, there is nothing to
+// ask.
 bool Leaving::askAboutZeros()
 {
     QMessageBox box(QMessageBox::Warning, title(), tr("The zeros of the ALARM STOP have not arrived."),
                     QMessageBox::NoButton, &m_window);
     setHelpTopic(box, "README.md#leaving");
-    box.setInformativeText(tr("The outputs may be as they were. The program goes on trying as long as the bus stays "
-                              "connected; afterwards nobody does. Stop the machine by its own means."));
+    box.setInformativeText(
+        tr("The outputs may be as they were. The program goes on trying as long as the bus stays "
+           "connected; afterwards nobody does. Stop the machine by its own means."));
     QPushButton *go = box.addButton(tr("&Give up, and go on"), QMessageBox::DestructiveRole);
     go->setToolTip(tr("The zeros are not sent any more"));
     QPushButton *cancel = box.addButton(QMessageBox::Cancel);

@@ -64,8 +64,8 @@ private:
     std::function<void()> m_then;
     bool m_outAnswered = false;
     bool m_zerosAnswered = false; // those of an ALARM STOP that have not arrived
-    bool m_waitsForZero = false; // or for what run brings back
-    bool m_asks = false;         // a question is open
+    bool m_waitsForZero = false;  // or for what run brings back
+    bool m_asks = false;          // a question is open
 };
 
 } // namespace codewheel

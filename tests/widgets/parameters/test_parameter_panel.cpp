@@ -203,7 +203,8 @@ TEST_F(Parameters, TheRegistersOfTheBusChipAreFoldedAwayUntilOpened)
     EXPECT_EQ(model().rowCount(), rows + 16);
     click(QStringLiteral("Read from encoder"));
     finishJob();
-    EXPECT_TRUE(textAt(Parameter::of(u"opc-register-0"), ParameterModel::knownColumn).startsWith(QStringLiteral("0237h")))
+    EXPECT_TRUE(textAt(Parameter::of(u"opc-register-0"), ParameterModel::knownColumn)
+                    .startsWith(QStringLiteral("0237h")))
         << textAt(Parameter::of(u"opc-register-0"), ParameterModel::knownColumn).toStdString();
     table().setFocus();
     table().setCurrentIndex(head());

@@ -252,7 +252,8 @@ Complaint zerosMissing(std::chrono::seconds patience)
         {static_cast<std::int64_t>(patience.count())}};
 }
 
-// Says after a second that the zeros have not arrived, though this thread may be held by a gateway that is mute.
+// Says after a second that the zeros have not arrived, though this thread may be held by a gateway that is
+// mute.
 class LateZeros
 {
 public:

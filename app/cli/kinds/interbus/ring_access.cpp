@@ -200,9 +200,10 @@ void RingAccess::addFigures(const Call &, const EncoderSession &, Answer &answer
     const auto &told = m_ring.latest().told;
     answer.json.insert(QStringLiteral("ringRuns"), told ? QJsonValue(!told->stands()) : QJsonValue());
     if (!told)
-        answer.text += CommandLine::tr("Whether the ring runs behind the gateway is not known: the settings do not "
-                                       "say which status bits tell it.") +
-                       u'\n';
+        answer.text +=
+            CommandLine::tr("Whether the ring runs behind the gateway is not known: the settings do not "
+                            "say which status bits tell it.") +
+            u'\n';
 }
 
 Checked<Answer> RingAccess::scan(const Call &call)

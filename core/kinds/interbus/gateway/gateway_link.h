@@ -3,8 +3,8 @@
 
 #include "kinds/interbus/gateway/gateway_counter.h"
 #include "kinds/interbus/gateway/gateway_map.h"
-#include "kinds/interbus/gateway/word_gate.h"
 #include "kinds/interbus/gateway/register_tries.h"
+#include "kinds/interbus/gateway/word_gate.h"
 #include "kinds/interbus/ring/process_data_link.h"
 
 #include <functional>

@@ -331,8 +331,8 @@ Result<void> GatewayLink::writeBlocks(Overwrites overwrites)
     return {};
 }
 
-// A gateway may take fewer registers in one request than Modbus allows, and says so by exception 3; no test can
-// find that out without writing. The same words go out again, in smaller blocks.
+// A gateway may take fewer registers in one request than Modbus allows, and says so by exception 3; no test
+// can find that out without writing. The same words go out again, in smaller blocks.
 bool GatewayLink::writesLess(const Refusal &why, const RegisterBlock &block)
 {
     constexpr std::int64_t illegalValue = 3;

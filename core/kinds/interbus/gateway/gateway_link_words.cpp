@@ -12,8 +12,8 @@
 namespace codewheel {
 namespace {
 
-constexpr int readsInDoubt = 2;    // more in one exchange, while words are not believed (assumed)
-constexpr int readsOfSeldom = 5;   // the same, where an exchange has to do by itself (assumed)
+constexpr int readsInDoubt = 2;  // more in one exchange, while words are not believed (assumed)
+constexpr int readsOfSeldom = 5; // the same, where an exchange has to do by itself (assumed)
 // Between two looks at the status register: where it decides what is shown, and where it is only shown.
 constexpr Instant betweenDecisions = std::chrono::milliseconds(100);
 constexpr Instant betweenStatus = std::chrono::milliseconds(500);
@@ -57,7 +57,8 @@ Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
         if (isClosed && !m_isWriting && connectsAgain(tries))
             mayBeLate = false;
         else if (!done && !tries.goOn(done))
-            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));
+            return tl::unexpected(
+                registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));
     }
 }
 
@@ -77,7 +78,8 @@ Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
         }
         const bool isKept = !done.error().isSent && m_readsBack && connectsAgain(tries);
         if (!isKept && !tries.goOn(done))
-            return tl::unexpected(registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));
+            return tl::unexpected(
+                registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));
         for (Device &device : m_devices)
             device.own.wasNotAnswered();
         if (m_readsBack && overwrites == Overwrites::ours)

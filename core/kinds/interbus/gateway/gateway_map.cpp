@@ -10,7 +10,6 @@
 namespace codewheel {
 namespace {
 
-
 tl::unexpected<Refusal> mapWrong(const QString &text)
 {
     return refuse(RefusalKind::badInput, RefusalId::registerMapWrong, {text});

@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// How often a transaction is tried, and when again: at once where no valid answer came, after a pause that doubles
-// each time where the gateway is busy.
+// How often a transaction is tried, and when again: at once where no valid answer came, after a pause that
+// doubles each time where the gateway is busy.
 class RegisterTries
 {
 public:
@@ -19,8 +19,8 @@ public:
 
     int sent() const { return m_sent; }
     int failures() const { return m_failures; } // without a valid answer
-    // Whether the transaction that has failed is to be repeated: waits until then. An interrupted wait becomes the
-    // error.
+    // Whether the transaction that has failed is to be repeated: waits until then. An interrupted wait
+    // becomes the error.
     bool goOn(RegisterPort::Done &done);
     // It failed without having been sent: whether that may happen once more.
     bool mayFailAgain() { return ++m_failures <= m_settings.retries; }

@@ -49,7 +49,8 @@ Result<void> K3Run::plan(Word in, Word out)
     return {};
 }
 
-// Error 1 or 3: what can be read from it is not what it works with, or what run will check. It gets all values.
+// Error 1 or 3: what can be read from it is not what it works with, or what run will check. It gets all
+// values.
 Job K3Run::whatIsDone(Word in) const
 {
     Job what = m_job;

@@ -29,8 +29,8 @@ constexpr std::size_t headerLength = 7;
 constexpr std::size_t shortestAnswer = headerLength + 1;
 constexpr std::size_t longestAnswer = 260; // MODBUS Messaging on TCP/IP, 3.1.3
 constexpr std::size_t mostAtOnce = 4'096;
-constexpr int mostDrained = 64;       // times as much that nobody asked for, before an exchange
-constexpr unsigned triedEvery = 16;   // connections to a gateway that closes each
+constexpr int mostDrained = 64;         // times as much that nobody asked for, before an exchange
+constexpr unsigned triedEvery = 16;     // connections to a gateway that closes each
 constexpr Instant shortestConnect = 2s; // a network may take longer than a unit
 constexpr int longestMemory = 1'000;    // transactions
 

@@ -66,7 +66,8 @@ std::optional<Fault> leftInParameterization(const RingSession &bus, std::size_t 
     const NodeId node = bus.structure()[device].number;
     const EncoderSession *encoder = bus.encoder(node);
     if (its.reading.state != EncoderState::parameterization || !encoder->device().hasWords() ||
-        (its.out != k3::normalRunning && !its.outIsFound) || its.leftOut || its.heldByJob || encoder->runningJob())
+        (its.out != k3::normalRunning && !its.outIsFound) || its.leftOut || its.heldByJob ||
+        encoder->runningJob())
         return std::nullopt;
     Fault fault =
         ofEncoder(node, {Role::attention, EncoderFaultText::tr("parameters", "parameterization")},

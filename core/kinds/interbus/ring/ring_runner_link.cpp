@@ -134,9 +134,8 @@ void RingRunner::Private::tellUnheardWords()
     for (const std::size_t i : written) {
         if (image[i] == ring.devices[i].out || link.boundsWordsToCycles())
             continue;
-        tellOfDevice(i, {.severity = Severity::attention,
-                         .id = MessageId::outLeft,
-                         .arguments = {hexWord(image[i])}});
+        tellOfDevice(
+            i, {.severity = Severity::attention, .id = MessageId::outLeft, .arguments = {hexWord(image[i])}});
         if (image[i] != 0)
             ring.devices[i].leftOut = image[i];
     }

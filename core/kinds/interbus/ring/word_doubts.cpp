@@ -15,10 +15,10 @@ namespace {
 constexpr Instant usualConfirmation = std::chrono::milliseconds(50); // at most, assumed
 constexpr Instant toldFor = std::chrono::seconds(5);
 constexpr Instant judgedEvery = std::chrono::milliseconds(250);
-constexpr int suspicious = 3;          // wrong words
-constexpr std::uint64_t farAway = 1024; // steps; between two snapshots a shaft turns less than that
+constexpr int suspicious = 3;             // wrong words
+constexpr std::uint64_t farAway = 1024;   // steps; between two snapshots a shaft turns less than that
 constexpr std::uint64_t farFromRest = 64; // the same of one that stood still (assumed)
-constexpr int standing = 3;              // snapshots
+constexpr int standing = 3;               // snapshots
 
 // After the last position comes 0 again, which is no jump; the number of positions is usually a power of two.
 bool isFarFromZero(std::int64_t position, std::uint64_t far)

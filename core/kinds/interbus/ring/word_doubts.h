@@ -20,8 +20,8 @@ public:
 
     void look(const Snapshot &ring, const ProfileOf &profileOf, const Judge &judge);
 
-    // IN fell to 00000000 from a position far away, while OUT stayed as it was; since then it is that, whatever
-    // was sent.
+    // IN fell to 00000000 from a position far away, while OUT stayed as it was; since then it is that,
+    // whatever was sent.
     bool mayBeOff(std::size_t device) const
     {
         return device < m_devices.size() && m_devices[device].mayBeOff;
@@ -40,7 +40,7 @@ private:
         Word out = 0;
         std::optional<std::int64_t> position{};
         bool mayBeOff = false;
-        int sameFor = 0; // snapshots
+        int sameFor = 0;                     // snapshots
         std::optional<Instant> waitsSince{}; // for a confirmation
         std::optional<Instant> slowAt{};
         Word slowWord = 0;

@@ -8,13 +8,13 @@
 
 namespace codewheel {
 
-// Which words are believed behind a link that may tear them: a read-out answer, of which one half may still be
-// that of the word before, counts once it has stood for longer than any gateway copies. What never stands is
-// left to whoever waits for it.
+// Which words are believed behind a link that may tear them: a read-out answer, of which one half may still
+// be that of the word before, counts once it has stood for longer than any gateway copies. What never stands
+// is left to whoever waits for it.
 class StandingAnswer
 {
 public:
-    static constexpr Instant time = std::chrono::milliseconds(50);    // assumed
+    static constexpr Instant time = std::chrono::milliseconds(50);     // assumed
     static constexpr Instant longest = std::chrono::milliseconds(500); // that it is waited for (assumed)
 
     bool counts(Word in, bool isAnswer, Instant now)

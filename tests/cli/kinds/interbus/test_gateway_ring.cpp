@@ -130,7 +130,8 @@ TEST(CliGatewayRing, AnAlarmStopOfAMuteGatewaySaysSoAndSendsItsZeros)
     const CliRun run = RingProject().run(line("master alarm-stop --patience 3"),
                                          QStringLiteral("modbus-tcp:127.0.0.1:%1").arg(mute.port()));
     EXPECT_EQ(run.exit, 1);
-    EXPECT_TRUE(run.err.starts_with("codewheel-cli: The zeros of the ALARM STOP have not arrived yet.")) << run.err;
+    EXPECT_TRUE(run.err.starts_with("codewheel-cli: The zeros of the ALARM STOP have not arrived yet."))
+        << run.err;
     EXPECT_THAT(run.err, HasSubstr("were sent over the lost link"));
     EXPECT_THAT(run.err, HasSubstr("have not arrived within 3 s"));
     const QByteArray zeros = QByteArray::fromHex("1000000006") + '\x0c' + QByteArray(12, '\0');

@@ -114,8 +114,8 @@ private:
         constexpr PhysicalResolution thirteenPlusTwelveBit{.stepsPerTurn = 8192, .turns = 4096};
         auto ring = std::make_shared<SimulatedRing>();
         for (int i = 0; i < faultyEncoders; ++i) {
-            auto encoder = std::make_unique<FrabaK3>(thirteenPlusTwelveBit, 97 * i,
-                                                     FrabaPlate{.serialNumber = 20'000 + static_cast<Word>(i)});
+            auto encoder = std::make_unique<FrabaK3>(
+                thirteenPlusTwelveBit, 97 * i, FrabaPlate{.serialNumber = 20'000 + static_cast<Word>(i)});
             encoder->setSpeed(3.0 + i);
             encoders.push_back(encoder.get());
             ring->add({.number = DeviceNumber{i + 1, 0}.node(),
@@ -277,10 +277,12 @@ private:
         EncoderSession &encoder = m_session.encoder(bus().places()[device]);
         const std::array<Job, 6> some{
             ReadParameters{{Parameter::direction, Parameter::revolutions}},
-            SendWords{.words = {0x0200'0000U | static_cast<Word>(pick(100, 8'000)), k3::run, k3::normalRunning}},
+            SendWords{
+                .words = {0x0200'0000U | static_cast<Word>(pick(100, 8'000)), k3::run, k3::normalRunning}},
             ResetToDefault{},
             WriteParameters{.values = {{Parameter::steps, pick(100, 8'000)}}, .previous = {}},
-            SetPreset{pick(0, 1'000), PresetCommand::profile}, EndParameterization{}};
+            SetPreset{pick(0, 1'000), PresetCommand::profile},
+            EndParameterization{}};
         encoder.tell(Parameter::startUpMode, 1);
         const auto id = encoder.start(some.at(static_cast<std::size_t>(pick(0, 5))));
         if (!id)

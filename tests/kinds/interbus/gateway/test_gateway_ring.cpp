@@ -516,11 +516,12 @@ TEST_F(TrippedWatchdog, ThatHasNoRegisterCannotBeAcknowledged)
 // The link is not lost, and the way out stays offered.
 TEST_F(TrippedWatchdog, ZerosOfAnAlarmStopWaitUntilItIsAcknowledged)
 {
-    session = std::make_unique<GatewaySession>(
-        GatewayMaking{.settings = {.watchdogRegister = WatchdogPort::at, .watchdogValue = WatchdogPort::value}},
-        [this](std::unique_ptr<RegisterPort> port) {
-            return std::make_unique<WatchdogPort>(std::move(port), control);
-        });
+    session =
+        std::make_unique<GatewaySession>(GatewayMaking{.settings = {.watchdogRegister = WatchdogPort::at,
+                                                                    .watchdogValue = WatchdogPort::value}},
+                                         [this](std::unique_ptr<RegisterPort> port) {
+                                             return std::make_unique<WatchdogPort>(std::move(port), control);
+                                         });
     ASSERT_TRUE(session->bus->open(EncoderBus::Start::operating));
     session->bus->channel("1.0"_ring)->stage(0x2021'0001);
     session->bus->channel("1.0"_ring)->write();

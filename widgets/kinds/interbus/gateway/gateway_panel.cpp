@@ -115,7 +115,7 @@ void GatewayPanel::refresh()
     switch (m_bus.state()) {
     case BusState::open:
         m_state->setState((shown.told && shown.told->stands()) || shown.outputsAreBlocked ? Role::fault
-                                                                                      : Role::running,
+                                                                                          : Role::running,
                           stateOf(shown));
         break;
     case BusState::opening:
