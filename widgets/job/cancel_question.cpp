@@ -86,8 +86,9 @@ bool tookCams(const Progress &progress)
 
 CancelSituation situationOf(const EncoderSession &encoder, const Progress &progress)
 {
-    const bool isActive = progress.confirmed.empty() && !isTakingValue(progress) &&
-                          encoder.latest().state == EncoderState::operation;
+    const EncoderState state = encoder.latest().state;
+    const bool hasRun = state == EncoderState::operation || state == EncoderState::readOut; // read back
+    const bool isActive = progress.confirmed.empty() && !isTakingValue(progress) && hasRun;
     return {.taken = progress.confirmed,
             .tookCams = tookCams(progress),
             .isActive = !activatesByRun(encoder.device()) || isActive,

@@ -44,11 +44,10 @@ QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt);
 // Adds it as "inDoubt", where there is something.
 void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &doubt);
 Complaint aboutCancelling();
-// About a job that was refused, and about its link if that is gone.
 // An encoder that shows that it is in parameterization: it gives no position, and run makes valid what nobody
 // has read. Empty: it is not.
 std::optional<Complaint> foundInParameterization(const EncoderSession &encoder);
-
+// About a job that was refused, and about its link if that is gone.
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
 
 } // namespace codewheel

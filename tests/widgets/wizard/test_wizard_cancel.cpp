@@ -64,6 +64,18 @@ TEST_F(WizardHandshake, CancelBeforeAnythingWasTakenAsksNothing)
     EXPECT_EQ(fraba().eepromWrites(), 0);
 }
 
+// IN shows the answer of the read-out then, and no position; run was sent long before.
+TEST_F(WizardHandshake, WhileItIsReadBackWhatItHasTakenIsValidAlready)
+{
+    begin();
+    step(5);
+    ASSERT_EQ(fraba().latest().state, EncoderState::readOut);
+    const auto question = test::Question::answeredBy(QStringLiteral("Leave it with what it has"));
+    click("wizardCancel");
+    settle();
+    EXPECT_EQ(fraba().latest().state, EncoderState::operation);
+}
+
 // Steps: 1 steps, 2 revolutions, 3 run, 4 normal running, then the read-back.
 struct CancelRow
 {
