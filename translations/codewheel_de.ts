@@ -1982,10 +1982,6 @@
         <translation>Die Nullen des ALARM-STOPPs wurden gesendet und bestätigt. OUT lässt sich über diese Verbindung nicht zurücklesen.</translation>
     </message>
     <message>
-        <source>The link is lost, so the zeros of the ALARM STOP have not arrived: they go out first once it is back. Stop the machine by its own means.</source>
-        <translation>Die Verbindung ist unterbrochen, die Nullen des ALARM-STOPPs sind also nicht angekommen: Sie gehen als Erstes hinaus, sobald sie wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
-    </message>
-    <message>
         <source>Offered to others at %1 by Modbus.</source>
         <translation>Wird anderen an %1 über Modbus angeboten.</translation>
     </message>
@@ -2076,6 +2072,14 @@
     <message>
         <source>The project has the serial number %1, and the encoder reports %2: check which encoder it is, and correct the project.</source>
         <translation>Im Projekt steht die Seriennummer %1, und der Geber meldet %2: Prüfen, welcher Geber es ist, und das Projekt berichtigen.</translation>
+    </message>
+    <message>
+        <source>ALARM STOP: 00000000 is sent to all devices of the ring.</source>
+        <translation>ALARM-STOPP: 00000000 wird an alle Teilnehmer des Rings gesendet.</translation>
+    </message>
+    <message>
+        <source>The link is lost, and nothing says whether the zeros of the ALARM STOP have arrived: they are sent again each second, and once it is back. Stop the machine by its own means.</source>
+        <translation>Die Verbindung ist abgebrochen, und nichts sagt, ob die Nullen des ALARM-STOPPs angekommen sind: Sie werden jede Sekunde wieder gesendet, und sobald die Verbindung wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
     </message>
 </context>
 <context>
@@ -3395,6 +3399,11 @@
         <comment>parameter = value</comment>
         <translation>%1: noch nicht übernommen</translation>
     </message>
+    <message>
+        <source>%1: not answered</source>
+        <comment>meaning of OUT</comment>
+        <translation>%1: nicht beantwortet</translation>
+    </message>
 </context>
 <context>
     <name>Traffic</name>
@@ -3673,6 +3682,10 @@
     <message>
         <source>Not known</source>
         <translation>Nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>nicht beantwortet</translation>
     </message>
 </context>
 <context>
@@ -7749,6 +7762,10 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>Whether the ring runs behind the gateway is not known: the settings do not say which status bits tell it.</source>
         <translation>Ob der Ring hinter dem Gateway läuft, ist nicht bekannt: Die Einstellungen sagen nicht, welche Statusbits es melden.</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>nicht beantwortet</translation>
     </message>
 </context>
 <context>
@@ -13125,10 +13142,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Sendet 00000000 an diese Geräte und fährt dann fort. Was in der Parametrierung ist, bleibt dort</translation>
     </message>
     <message>
-        <source>The zeros of the ALARM STOP have not arrived.</source>
-        <translation>Die Nullen des ALARM-STOPPs sind nicht angekommen.</translation>
-    </message>
-    <message>
         <source>The outputs may be as they were. The program goes on trying as long as the bus stays connected; afterwards nobody does. Stop the machine by its own means.</source>
         <translation>Die Ausgänge können sein, wie sie waren. Das Programm versucht es weiter, solange der Bus verbunden bleibt; danach tut es niemand mehr. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
     </message>
@@ -13143,6 +13156,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>&amp;Keep trying</source>
         <translation>&amp;Weiter versuchen</translation>
+    </message>
+    <message>
+        <source>Nothing says that the zeros of the ALARM STOP have arrived.</source>
+        <translation>Nichts sagt, dass die Nullen des ALARM-STOPPs angekommen sind.</translation>
     </message>
 </context>
 <context>
@@ -17694,6 +17711,10 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>A job that was cut may have left %1 in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
         <translation>Ein abgerissener Auftrag hat vielleicht %1 in OUT von %2 hinterlassen, das sich nicht zurücklesen lässt. Dann zeigt der Geber vielleicht keine Position.</translation>
+    </message>
+    <message>
+        <source>Not 00000000 before: %1.</source>
+        <translation>Vorher nicht 00000000: %1.</translation>
     </message>
 </context>
 <context>

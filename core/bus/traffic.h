@@ -25,6 +25,7 @@ struct TrafficRow
     std::uint64_t cycle = 0;           // of the bus, if it has cycles
     Word out = 0;
     Word in = 0;
+    bool isAnswered = true;             // false: its link was lost in this cycle
     QByteArray bytes{};                 // as on the wire, unless what passes is words
     std::function<QString()> meaning{}; // in the current language
     bool isAutomatic = false; // asked automatically by the bus, or its answer, and nothing is wrong with it

@@ -39,9 +39,11 @@ QString exchangeText(const DeviceDescription &device, const Exchange &row, std::
 {
     const auto [out, in] = explainExchange(device, row, asked);
     QString answer = explanationText(device, in);
-    if (isOnly(out, MeaningId::normalRunning))
+    if (row.isAnswered && isOnly(out, MeaningId::normalRunning))
         return answer;
     const QString question = explanationText(device, out);
+    if (!row.isAnswered)
+        return QCoreApplication::translate("Trace", "%1: not answered", "meaning of OUT").arg(question);
     if (out.isUnique() && asksForParameter(out.first().id)) {
         if (isOnly(in, MeaningId::confirmed) && in.first().number == out.first().number)
             return QCoreApplication::translate("Trace", "%1: confirmed", "parameter = value").arg(question);

@@ -21,6 +21,7 @@ struct Exchange
     std::optional<Mode> mode;
     std::optional<PositionCoding> coding;
     bool outIsKnown = true; // a gateway may not show it
+    bool isAnswered = true; // false: the link was lost in this cycle; `in` is the last word seen
 
     friend bool operator==(const Exchange &, const Exchange &) = default;
 };

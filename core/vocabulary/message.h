@@ -18,6 +18,7 @@ enum class MessageId : std::uint8_t {
     busStarted,        //
     busStopped,        //
     alarmStop,         // all OUT words set to 0
+    zerosAsked,        // on a gateway: they are on their way
     zerosReadBack,     // of the ALARM STOP, on a gateway
     zerosOverwritten,  // they were sent, but something else was read back: text of what is where
     zerosSent,         // and cannot be read back

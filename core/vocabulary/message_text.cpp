@@ -26,6 +26,8 @@ constexpr std::array messageRows{
     MessageRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
     MessageRow{MessageId::alarmStop, "alarmStop",
                QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
+    MessageRow{MessageId::zerosAsked, "zerosAsked",
+               QT_TRANSLATE_NOOP("Message", "ALARM STOP: 00000000 is sent to all devices of the ring.")},
     MessageRow{MessageId::zerosReadBack, "zerosReadBack",
                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
                                             "read back as 00000000.")},
@@ -37,10 +39,10 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
                                             "cannot be read back on this link.")},
     MessageRow{MessageId::zerosWait, "zerosWait",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The link is lost, so the zeros of the ALARM STOP have not arrived: "
-                                 "they go out first once it is back. Stop the machine by its own "
-                                 "means.")},
+               QT_TRANSLATE_NOOP(
+                   "Message", "The link is lost, and nothing says whether the zeros of the ALARM STOP have "
+                              "arrived: they are sent again each second, and once it is back. Stop the "
+                              "machine by its own means.")},
     MessageRow{MessageId::zerosLate, "zerosLate",
                QT_TRANSLATE_NOOP(
                    "Message",

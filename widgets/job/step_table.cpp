@@ -89,7 +89,7 @@ void StepTable::setCurrent(int index, bool waitsForUser)
 // A row is reported before the step that follows from it: it belongs to the last step that put this word out.
 void StepTable::answer(const Exchange &row)
 {
-    for (int i = std::min(m_current, rowCount() - 1); i >= 0; --i) {
+    for (int i = std::min(m_current, rowCount() - 1); i >= 0 && row.isAnswered; --i) {
         const StepRow &of = rowAt(i);
         if (of.step.out != row.out || of.state == StepState::next || of.state == StepState::planned)
             continue;

@@ -257,7 +257,7 @@ QString TrafficModel::cellText(const ShownTraffic &row, TrafficColumn column,
     case TrafficColumn::out:
         return hexWord(what.out);
     case TrafficColumn::in:
-        return hexWord(what.in);
+        return what.isAnswered ? hexWord(what.in) : QString(QChar(0x2013));
     case TrafficColumn::text:
         return controlText(what.bytes, controls);
     case TrafficColumn::meaning:

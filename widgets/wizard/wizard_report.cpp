@@ -85,8 +85,10 @@ ReportSection wordSection(const HandshakeRecord &record, const DeviceDescription
                       {Column::number, Column::code, Column::code, Column::text, Column::text},
                       {}};
     for (const Exchange &row : record.rows)
-        table.rows.push_back({{QString::number(row.cycle), hexWord(row.out), hexWord(row.in),
-                               meaningOf(device, row, true), meaningOf(device, row, false)}});
+        table.rows.push_back(
+            {{QString::number(row.cycle), hexWord(row.out),
+              row.isAnswered ? hexWord(row.in) : QString(QChar(0x2013)), meaningOf(device, row, true),
+              row.isAnswered ? meaningOf(device, row, false) : WizardReport::tr("not answered")}});
     return {.heading = WizardReport::tr("Words"), .blocks = {table}};
 }
 

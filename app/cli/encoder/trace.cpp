@@ -59,8 +59,9 @@ QStringList traceCells(const DeviceDescription &device, const Exchange &row, con
     if (device.outWords == 0)
         return {QString::number(row.cycle), hexWord(row.in), explanationText(device, in)};
     return {QString::number(row.cycle), row.outIsKnown ? hexWord(row.out) : QStringLiteral("-"),
-            hexWord(row.in), row.outIsKnown ? explanationText(device, out) : CommandLine::tr("not known"),
-            inText(device, in, scale)};
+            row.isAnswered ? hexWord(row.in) : QStringLiteral("-"),
+            row.outIsKnown ? explanationText(device, out) : CommandLine::tr("not known"),
+            row.isAnswered ? inText(device, in, scale) : CommandLine::tr("not answered")};
 }
 
 QJsonObject traceRowJson(const DeviceDescription &device, const Exchange &row, const Exchange *before,
@@ -70,9 +71,9 @@ QJsonObject traceRowJson(const DeviceDescription &device, const Exchange &row, c
     QJsonObject json{{QStringLiteral("cycle"), static_cast<qint64>(row.cycle)},
                      {QStringLiteral("microseconds"), static_cast<qint64>(row.at.count())},
                      {QStringLiteral("out"), row.outIsKnown ? wordJson(row.out) : QJsonValue()},
-                     {QStringLiteral("in"), wordJson(row.in)},
+                     {QStringLiteral("in"), row.isAnswered ? wordJson(row.in) : QJsonValue()},
                      {QStringLiteral("outMeanings"), row.outIsKnown ? meaningsJson(out) : QJsonArray()},
-                     {QStringLiteral("inMeanings"), meaningsJson(in)}};
+                     {QStringLiteral("inMeanings"), row.isAnswered ? meaningsJson(in) : QJsonArray()}};
     if (isRod(device))
         json.insert(QStringLiteral("millimetres"), millimetresJson(rodPosition(device, in), scale));
     return json;

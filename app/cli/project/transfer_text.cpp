@@ -13,6 +13,7 @@
 #include "jobs/write_plan.h"
 #include "journal/eeprom_cost.h"
 #include "transfer/transfer_words.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -210,6 +211,9 @@ QJsonArray accountJson(const Call &call, const TransferAccount &account)
         for (const AccountCamRow &row : encoder.cams)
             cams.append(QJsonObject{{QStringLiteral("program"), static_cast<int>(row.program)},
                                     {QStringLiteral("became"), keyOf(becameKeys, row.became)}});
+        QJsonArray outLeft;
+        for (const Word word : encoder.outLeft)
+            outLeft.append(hexWord(word));
         encoders.append(placeJson(call, encoder.place,
                                   {{QStringLiteral("begun"), encoder.isBegun},
                                    {QStringLiteral("why"), refusalJson(encoder.why)},
@@ -222,7 +226,8 @@ QJsonArray accountJson(const Call &call, const TransferAccount &account)
                                    {QStringLiteral("positionUnknown"), encoder.positionUnknown},
                                    {QStringLiteral("positionBefore"), numberJson(encoder.positionBefore)},
                                    {QStringLiteral("positionAfter"), numberJson(encoder.positionAfter)},
-                                   {QStringLiteral("leftIn"), stateKey(encoder.leftIn)}}));
+                                   {QStringLiteral("leftIn"), stateKey(encoder.leftIn)},
+                                   {QStringLiteral("outLeft"), outLeft}}));
     }
     return encoders;
 }

@@ -113,12 +113,13 @@ bool Leaving::waitsForZeros() const
     return std::ranges::any_of(left, &EncoderBus::waitsForZeros);
 }
 
-// Nobody tries any longer once the bus is closed. If they arrive while this is asked, there is nothing to
-// ask.
+// Nobody tries any longer once the bus is closed. If they arrive while this is asked, nobody has answered:
+// the user stays, and sees it.
 bool Leaving::askAboutZeros()
 {
-    QMessageBox box(QMessageBox::Warning, title(), tr("The zeros of the ALARM STOP have not arrived."),
-                    QMessageBox::NoButton, &m_window);
+    QMessageBox box(QMessageBox::Warning, title(),
+                    tr("Nothing says that the zeros of the ALARM STOP have arrived."), QMessageBox::NoButton,
+                    &m_window);
     setHelpTopic(box, "README.md#leaving");
     box.setInformativeText(
         tr("The outputs may be as they were. The program goes on trying as long as the bus stays "
@@ -131,10 +132,10 @@ bool Leaving::askAboutZeros()
     const QObject whileOpen;
     connect(m_buses, &Buses::updated, &whileOpen, [&] {
         if (!waitsForZeros())
-            box.accept();
+            box.reject();
     });
     box.exec();
-    m_zerosAnswered = box.clickedButton() == go || !waitsForZeros();
+    m_zerosAnswered = box.clickedButton() == go;
     if (!m_zerosAnswered)
         stay();
     return m_zerosAnswered;

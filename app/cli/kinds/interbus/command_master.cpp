@@ -32,10 +32,11 @@ constexpr const char *masterExamples[] = {"master", "master segment 6 off --yes"
                                           "master --after 31000 --fault-plan resources/examples/faults.json"};
 
 constexpr std::chrono::seconds betweenTries{1};
-constexpr int longestTrial = 86'400'000; // ms
-constexpr int afterwards = 10;           // cycles, for faults that come back at once
-constexpr int usualPatience = 10;        // s
-constexpr int longestPatience = 3'600;   // s
+constexpr int longestTrial = 86'400'000;                   // ms
+constexpr int afterwards = 10;                             // cycles, for faults that come back at once
+constexpr std::chrono::milliseconds whetherTheyStand{500}; // zeros that have arrived
+constexpr int usualPatience = 10;                          // s
+constexpr int longestPatience = 3'600;                     // s
 
 constexpr std::array masterOptions{
     busOption,
@@ -326,6 +327,11 @@ Checked<Told> sendZerosPatiently(const Call &call, RingAccess &access, std::chro
     }
     if (!isOver)
         return tl::unexpected(zerosMissing(patience));
+    for (const auto looked = steady_clock::now() + whetherTheyStand;
+         steady_clock::now() < looked && !stop.came();) {
+        std::this_thread::sleep_for(look);
+        bus.pump();
+    }
     return told;
 }
 

@@ -217,6 +217,8 @@ void K3Knowledge::observeOperation(Word in, Word out, Instant now)
         observeRun(in, now);
     else if (isConfirmed(out) && !m_wordIsOfOthers)
         m_known.countEepromWrite(); // a power cycle drops what is pending; its word is still in OUT
+    if (m_wordsMayTear && (out & k3::startBit) == 0 && !k3::isOperation(m_in))
+        forgetUnseenRun();
     m_pending.clear();
     m_lastConfirmed.reset();
     m_foundConfirmed.reset();
@@ -239,6 +241,15 @@ void K3Knowledge::observeRun(Word in, Instant now)
     if (in == 0 && !m_device.capabilities.reads) // otherwise the read-out tells
         m_unproven = m_pending;
     m_hasRun = true;
+}
+
+// Behind a gateway IN may be seen before the OUT that caused it: run of another master, as likely as a power
+// cycle.
+void K3Knowledge::forgetUnseenRun()
+{
+    for (const ParameterDescription &parameter : m_device.parameters)
+        if (parameter.number && (m_foundConfirmed || m_pending.contains(*parameter.number)))
+            forgetNumber(*parameter.number);
 }
 
 // What was taken while nobody saw the encoder becomes valid, too. Only the last of it stood in IN.

@@ -69,6 +69,7 @@ private:
     void observeOperation(Word in, Word out, Instant now);
     void observeRun(Word in, Instant now);
     void activateUnseen();
+    void forgetUnseenRun();
     void observeMode(Word out, Instant now);
     void observePreset(Word out);
     void observeManufacturerPreset();

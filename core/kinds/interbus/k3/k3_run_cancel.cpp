@@ -83,7 +83,7 @@ bool K3Run::mayStillAct(bool hasGoneOut) const
     const bool isSent = m_steps.begun && !m_steps.atEnd() &&
                         (hasGoneOut || m_steps.current().out == m_encoder.knowledge.lastOut());
     return isSent && (mayBeTaken(m_steps.current()) || setsPosition(m_steps.current()) ||
-                      m_steps.current().kind == StepKind::run);
+                      m_steps.current().out == k3::run);
 }
 
 // What was under way when the job was cancelled may still be confirmed.

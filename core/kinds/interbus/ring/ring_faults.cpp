@@ -114,14 +114,19 @@ Fault lostLink(const RingSession &bus)
                               : RingFaultText::tr("The program looks for the ring each second. Check the "
                                                   "cable to the master, and whether it is switched on.");
     const QString zeros =
-        bus.latest().zerosAreDue ? u' ' + messageText({.id = MessageId::zerosWait}) : QString();
+        bus.latest().zerosAreDue
+            ? u' ' + messageText({.id = MessageId::zerosWait}) + u' ' +
+                  sentence(RingFaultText::tr("Not 00000000 before: %1."), {bus.outBeforeZeros()})
+            : QString();
     return standstill({Role::fault, RingFaultText::tr("link lost")}, why + again + zeros);
 }
 
 // As its gateway says.
 Fault toldFault(const RingSession &bus, const ToldRing &told)
 {
-    Fault fault = standstill(bus.outline().state(), refusalText(told.whyItStands()));
+    const QString zeros =
+        bus.areZerosBeforeRing() ? u' ' + messageText({.id = MessageId::zerosBeforeRing}) : QString();
+    Fault fault = standstill(bus.outline().state(), refusalText(told.whyItStands()) + zeros);
     if (const auto place = told.place ? faultPlaceOf(*told.place) : std::nullopt)
         fault.node = place->number;
     return fault;
@@ -221,10 +226,14 @@ std::vector<Fault> ringFaults(const RingSession &bus)
     const auto &told = bus.latest().told;
     if (bus.isOpen() && bus.isRunning() && told && told->stands())
         faults.push_back(toldFault(bus, *told));
-    if (bus.isOpen() && bus.latest().outputsAreBlocked)
+    const bool areLate = bus.isOpen() && bus.areZerosLate();
+    if (bus.isOpen() && bus.latest().outputsAreBlocked) {
         faults.push_back(blockedOutputs());
-    if (bus.isOpen() && bus.areZerosLate())
+        if (areLate)
+            faults.back().text.prepend(lateZeros(bus).text + u' ');
+    } else if (areLate) {
         faults.push_back(lateZeros(bus));
+    }
     const std::size_t devices = std::min(bus.structure().size(), bus.latest().devices.size());
     for (std::size_t i = 0; bus.isOpen() && i < devices; ++i)
         if (bus.latest().devices[i].leftOut && !bus.latest().devices[i].heldByJob)

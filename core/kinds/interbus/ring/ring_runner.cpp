@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/ring_runner_private.h"
 #include "kinds/interbus/ring/send_permission.h"
+#include "vocabulary/hex.h"
 
 #include <algorithm>
 
@@ -178,7 +179,9 @@ void RingRunner::Private::carryOut(command::AlarmStop)
     endJobs(RefusalId::alarmStop);
     zeroOut();
     tellOfRing({.severity = Severity::attention,
-                .id = ring.connected ? MessageId::alarmStop : MessageId::zerosWait});
+                .id = !ring.connected              ? MessageId::zerosWait
+                      : link.boundsWordsToCycles() ? MessageId::alarmStop
+                                                   : MessageId::zerosAsked});
     if (readingIn)
         endReadIn(refuse(RefusalKind::stopped, RefusalId::alarmStop));
     lookAtMaster();
@@ -238,6 +241,7 @@ void RingRunner::Private::exchange()
     ring.at = std::max(ring.at, link.now()); // a gateway takes its time
     ring.outputsAreBlocked = ring.outputsAreBlocked && !sendsZeros && !writes;
     tellWritten();
+    lookWhetherZerosStand();
     lookAtToldRing();
     for (std::size_t i = 0; i < image.size(); ++i)
         step(i);
@@ -255,7 +259,25 @@ Result<void> RingRunner::Private::sendZeros()
         device.outIsKnown = true;
     if (!link.boundsWordsToCycles())
         tellZeros(*sent);
+    if (sent->areThere == true)
+        zerosStandUntil = link.now() + std::chrono::seconds(3);
     return {};
+}
+
+// They have arrived, and a controller that writes its image in each of its cycles may have written since.
+void RingRunner::Private::lookWhetherZerosStand()
+{
+    if (!zerosStandUntil || zerosAreDue || ring.operate)
+        return;
+    QStringList others;
+    for (std::size_t i = 0; i < image.size(); ++i)
+        if (image[i] != 0)
+            others << QStringLiteral("%1 %2 (%3)")
+                          .arg(structure[i].number.toString(), hexWord(image[i]), link.outAt(i));
+    if (!others.isEmpty())
+        tellZeros({.areThere = false, .notZero = others.join(QStringLiteral(", "))});
+    if (!others.isEmpty() || ring.at >= *zerosStandUntil)
+        zerosStandUntil.reset();
 }
 
 void RingRunner::Private::tellZeros(const ProcessDataLink::ZerosSent &zeros)

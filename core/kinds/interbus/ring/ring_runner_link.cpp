@@ -45,6 +45,7 @@ RingFound RingRunner::Private::found(RingStructure there, std::vector<Word> out)
 void RingRunner::Private::loseLink(const Refusal &why)
 {
     ring.connected = false;
+    traceUnansweredWords();
     tellUnheardWords();
     runsAgain = ring.state == MasterState::run;
     leaveRun(MasterState::busFail, ofLink(why));
@@ -126,6 +127,22 @@ void RingRunner::Private::tryToReopen()
     if (!outIsKnown)
         tellOutIsUnknown();
     comeBack();
+}
+
+// Those that went out, or were about to, in the cycle that failed.
+void RingRunner::Private::traceUnansweredWords()
+{
+    for (std::size_t i = 0; i < image.size() && !link.boundsWordsToCycles(); ++i) {
+        const Snapshot::Device &device = ring.devices[i];
+        if (image[i] != device.out)
+            tell(i, Exchange{.cycle = ring.cycle,
+                             .at = ring.at,
+                             .out = image[i],
+                             .in = device.in,
+                             .mode = device.reading.mode,
+                             .coding = device.reading.coding,
+                             .isAnswered = false});
+    }
 }
 
 // Words by hand that went out, or were about to, in the exchange that failed.

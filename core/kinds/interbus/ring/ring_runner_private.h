@@ -46,6 +46,7 @@ struct RingRunner::Private
     void publish();
     void exchange();
     Result<void> sendZeros();
+    void lookWhetherZerosStand();
     void zerosAreBlockedBy(const Refusal &why);
     void sendZerosUnheard();
     void tellZeros(const ProcessDataLink::ZerosSent &zeros);
@@ -101,6 +102,7 @@ struct RingRunner::Private
     void leaveRing(std::size_t device);
     void takeDriverEvents(std::size_t device, std::optional<Word> left = {});
     void forgetDevices();
+    void traceUnansweredWords();
     void tellUnheardWords();
     std::optional<Word> wordLeftThere(std::size_t i) const;
     std::optional<Word> wordLeftBy(const Refusal &why, std::size_t device) const;
@@ -139,12 +141,13 @@ struct RingRunner::Private
         Word word;
         Word before; // what would have gone out
     };
-    std::shared_ptr<RingGuests> guests{};    // null: the ring is offered to nobody
-    std::vector<GuestChange> guestChanges{}; // in this cycle
-    unsigned generationOfGuests = 0;         // of the ring that they were shown
-    Instant reopenAt{};                      // of a lost link
-    Instant zerosAgainAt{};                  // those that were refused
-    bool sentUnheard = false;                // zeros, over the lost link: told
+    std::shared_ptr<RingGuests> guests{};     // null: the ring is offered to nobody
+    std::vector<GuestChange> guestChanges{};  // in this cycle
+    unsigned generationOfGuests = 0;          // of the ring that they were shown
+    Instant reopenAt{};                       // of a lost link
+    std::optional<Instant> zerosStandUntil{}; // so long it is looked whether they do
+    Instant zerosAgainAt{};                   // those that were refused
+    bool sentUnheard = false;                 // zeros, over the lost link: told
 };
 
 } // namespace codewheel

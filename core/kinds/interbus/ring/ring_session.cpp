@@ -152,6 +152,11 @@ std::unique_ptr<ProcessDataLink> RingSession::useLink(std::unique_ptr<ProcessDat
     return before;
 }
 
+bool RingSession::areZerosBeforeRing() const
+{
+    return d->zerosAreBeforeRing;
+}
+
 const QString &RingSession::outBeforeZeros() const
 {
     return d->outBeforeZeros;
@@ -175,6 +180,7 @@ void RingSession::close()
         tell({.at = d->latest().at, .severity = Severity::fault, .id = MessageId::zerosGivenUp});
     d->zerosAskedAt.reset();
     d->zerosAreLate = false;
+    d->zerosAreBeforeRing = false;
     d->toBringBack.reset();
     auto closed = std::make_shared<Snapshot>(d->latest());
     closed->state = MasterState::ready;
@@ -367,6 +373,10 @@ void RingSession::dispatch(Message message, std::optional<std::size_t> device)
         d->zerosAskedAt.reset();
         d->zerosAreLate = false;
     }
+    if (message.id == MessageId::zerosBeforeRing || message.id == MessageId::ringRunsAgain)
+        d->zerosAreBeforeRing = message.id == MessageId::zerosBeforeRing;
+    if (message.id == MessageId::outLeft && device) // by hand: it is not to be sent again
+        d->channels[*device]->unstage();
     tell(message);
     const bool wasOutOfSight = message.id == MessageId::linkBack || message.id == MessageId::ringRunsAgain;
     if (wasOutOfSight && !isSimulated())

@@ -88,6 +88,8 @@ public:
     void alarmStop() override;
     // The zeros of an ALARM STOP were asked for a second ago, and have not arrived.
     bool areZerosLate() const;
+    // They are on the gateway, and its ring has not run since.
+    bool areZerosBeforeRing() const;
     bool waitsForZeros() const override;
     // Of a ring that could not be opened: ProcessDataLink::sendZerosUnheard().
     bool sendZerosUnheard();

@@ -70,6 +70,7 @@ struct RingSession::Private
     StoppedBy stoppedBy = StoppedBy::other;
     std::optional<Instant> zerosAskedAt{}; // and nothing has been told of them yet; by the link's clock
     bool zerosAreLate = false;
+    bool zerosAreBeforeRing = false;
     QString outBeforeZeros{};
     std::optional<Place> toBringBack{}; // once the ring operates
     CrcHistory crcHistory;

@@ -15,6 +15,7 @@ TrafficRow RingTraffic::row(Place place, const Exchange &exchange)
         .cycle = exchange.cycle,
         .out = exchange.out,
         .in = exchange.in,
+        .isAnswered = exchange.isAnswered,
         .meaning = [device = m_device, exchange, asked] { return exchangeText(*device, exchange, asked); }};
 }
 

@@ -306,6 +306,25 @@ TEST(CliGatewayRing, ATransferWritesOnlyWhenItIsToldTo)
     EXPECT_THAT(project.run(line("read 3.0 steps"), peer.link()).out, HasSubstr("700"));
 }
 
+TEST(CliGatewayRing, ATransferThatIsCutSaysWhatItLeavesInOut)
+{
+    const RingProject project;
+    auto wanted = loadProject(project.file());
+    ASSERT_TRUE(wanted);
+    wanted->devices[0].wanted = {{Parameter::steps, 500}};
+    ASSERT_TRUE(saveProject(*wanted, project.file()));
+    const auto transfer = [&](const QString &more) {
+        GatewayPeer peer(line("--vanish-behind 80000000"));
+        return runLine(QStringLiteral("transfer %1 --ledger %2 --link %3 --yes %4")
+                           .arg(project.file(), project.path(line("ledger.sqlite")), peer.link(), more));
+    };
+    const CliRun run = transfer({});
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("OUT may still hold 80000000"));
+    const QJsonObject encoder = transfer(line("--json")).json()[u"encoders"].toArray().first().toObject();
+    EXPECT_TRUE(encoder[u"outLeft"].toArray().contains(line("80000000")));
+}
+
 TEST(CliGatewayRing, WhatTheEncodersHaveIsStoredInTheProject)
 {
     GatewayPeer peer(line("--devices 2"));

@@ -343,6 +343,27 @@ TEST(LostGateway, AJobThatIsCutByStoppingTheBusSaysWhatItLeaves)
 }
 
 // Nothing is sent by itself. What is offered clears OUT, reads what is not known, and settles the account.
+// What has gone out is in the trace, though nobody knows what came of it.
+TEST(LostGateway, TheLastWordIsInTheTraceWithoutAnAnswer)
+{
+    int cuts = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        std::vector<Exchange> rows;
+        QObject::connect(&gateway.session.encoder(lostFraba), &EncoderSession::exchanged,
+                         gateway.session.bus.get(), [&](const Exchange &row) { rows.push_back(row); });
+        if (!gateway.lostAt(write, lostFraba, writeSteps))
+            break;
+        const Word left = gateway.session.gateway->out().front();
+        if (rows.empty()) // before its first word
+            continue;
+        EXPECT_EQ(rows.back().out, left);
+        cuts += rows.back().isAnswered ? 0 : 1;
+    }
+    EXPECT_GE(cuts, 4);
+}
+
 // The word reaches the encoder, which confirms and stores it.
 TEST(LostGateway, AWordByHandIsToldAndCountedAsPerhaps)
 {
@@ -358,6 +379,7 @@ TEST(LostGateway, AWordByHandIsToldAndCountedAsPerhaps)
     const auto told = std::ranges::find(gateway.session.messages, MessageId::outLeft, &Message::id);
     ASSERT_NE(told, gateway.session.messages.end());
     EXPECT_EQ(told->arguments, std::vector<RefusalArgument>{QStringLiteral("020000FF")});
+    EXPECT_FALSE(channel.staged()) << "it is not to be sent once more";
     gateway.giveLinkBack();
     EXPECT_TRUE(gateway.faultThatOffers(FaultAction::bringBack));
     gateway.bringBack(lostFraba);

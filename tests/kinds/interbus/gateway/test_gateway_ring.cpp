@@ -169,7 +169,7 @@ TEST_F(GatewayRing, AlarmStopWritesZerosInWatchAndWhileStopped)
         ring->bus->alarmStop();
         ring->bus->advance(100ms);
         EXPECT_TRUE(ring->isOutZero()) << isRunning;
-        EXPECT_EQ(ring->countOf(MessageId::alarmStop), 1u);
+        EXPECT_EQ(ring->countOf(MessageId::zerosAsked), 1u);
         EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 1u);
         const int writes = ring->gateway->writes();
         ring->bus->advance(1s);
@@ -222,7 +222,7 @@ TEST_F(GatewayRing, TheZerosOfAnAlarmStopGoFirstOnceTheLinkIsBack)
     ring->bus->alarmStop();
     ring->bus->advance(100ms);
     EXPECT_EQ(ring->countOf(MessageId::zerosWait), 1u);
-    EXPECT_EQ(ring->countOf(MessageId::alarmStop), 0u) << "nothing was set to 0";
+    EXPECT_EQ(ring->countOf(MessageId::zerosAsked), 0u) << "nothing was set to 0";
     EXPECT_EQ(outThere(), ownWord);
     giveLinkBack();
     EXPECT_TRUE(ring->isOutZero());
@@ -604,6 +604,23 @@ TEST_F(ZerosOverALostLink, AreSentThoughNobodyAnswers)
     session.bus->advance(5s);
     EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 1u);
     EXPECT_FALSE(session.bus->waitsForZeros());
+}
+
+// A controller that writes its image in each of its cycles.
+TEST(OverwrittenZeros, AreToldThoughTheyHadArrived)
+{
+    GatewaySession session;
+    ASSERT_TRUE(session.bus->open(EncoderBus::Start::watching));
+    session.bus->advance(1s);
+    session.bus->alarmStop();
+    session.bus->advance(500ms);
+    ASSERT_EQ(session.countOf(MessageId::zerosReadBack), 1u);
+    session.gateway->setOut(0, 0x2021'0001);
+    session.bus->advance(2s);
+    EXPECT_EQ(session.countOf(MessageId::zerosOverwritten), 1u);
+    session.gateway->setOut(0, 0x2021'0002);
+    session.bus->advance(5s);
+    EXPECT_EQ(session.countOf(MessageId::zerosOverwritten), 1u) << "told once";
 }
 
 TEST_F(ZerosOverALostLink, AreGivenUpAloud)

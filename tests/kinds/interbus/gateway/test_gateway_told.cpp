@@ -145,6 +145,10 @@ TEST_F(ToldRingBehindGateway, ThatStandsGetsNoZeros)
     session.bus->advance(1s);
     EXPECT_EQ(session.countOf(MessageId::zerosBeforeRing), 1u);
     EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 0u);
+    ASSERT_EQ(faults().size(), 1u);
+    EXPECT_TRUE(faults().front().text.contains(QStringLiteral("zeros of the ALARM STOP are in the gateway")));
+    say(ringRuns);
+    EXPECT_FALSE(session.bus->areZerosBeforeRing());
 }
 
 TEST_F(ToldRingBehindGateway, EndsTheJobsThatItInterrupts)

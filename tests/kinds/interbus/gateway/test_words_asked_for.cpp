@@ -252,7 +252,7 @@ private:
         EXPECT_FALSE(isForeign && m_isLate) << "there is nobody else";
         if (isForeign)
             giveUp();
-        m_alarmStops -= countOf(MessageId::alarmStop);
+        m_alarmStops -= countOf(MessageId::zerosAsked);
         if (m_alarmStops == 0 && countOf(MessageId::zerosReadBack) + countOf(MessageId::zerosOverwritten) > 0)
             m_zerosAreDue = false;
     }

@@ -64,6 +64,19 @@ TEST_F(Wire, WhatStandsConfirmedIsCountedOnce)
     EXPECT_EQ(baumer.eepromWrites(), 1);
 }
 
+// Behind a gateway, in Watch: IN is seen before the OUT that caused it.
+TEST_F(Wire, RunOfAnotherMasterThatIsSeenTooLateLeavesNothingKnown)
+{
+    fraba.expectTornWords();
+    fraba.set({{Parameter::steps, 4096, Evidence::read, {}}, {Parameter::direction, 3, Evidence::read, {}}});
+    play(fraba,
+         {{0, pos}, {0, 0xC200'0800}, {0x0200'0800, 0xC200'0800}, {0x0200'0800, 384}, {0x8000'0000, 384}});
+    EXPECT_EQ(fraba.value(Parameter::steps), std::nullopt);
+    fraba.set({{Parameter::steps, 4096, Evidence::read, {}}, {Parameter::direction, 3, Evidence::read, {}}});
+    play(fraba, {{0, 384}, {0, 0xC600'0004}, {0, 385}});
+    EXPECT_EQ(fraba.value(Parameter::direction), std::nullopt);
+}
+
 // The link was lost behind the confirmation, and what was known came back by the serial number.
 TEST_F(Wire, WhatWasTakenUnseenBecomesValidWithRun)
 {
