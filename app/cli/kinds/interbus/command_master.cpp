@@ -253,26 +253,40 @@ Complaint zerosMissing(std::chrono::seconds patience)
         {static_cast<std::int64_t>(patience.count())}};
 }
 
-// Says after a second that the zeros have not arrived, though this thread may be held by a gateway that is
-// mute.
+void tellLateZeros(const Call &call)
+{
+    call.terminal.complain(CommandLine::tr(
+        "The zeros of the ALARM STOP have not arrived yet. Stop the machine by its own means."));
+}
+
+// Says so after a second, though this thread may be held by a gateway that is mute. Nobody else may write to
+// the terminal before end().
 class LateZeros
 {
 public:
     explicit LateZeros(const Call &call)
-        : m_saysSo([&call](const std::stop_token &stop) {
+        : m_saysSo([this, &call](const std::stop_token &stop) {
             std::mutex mutex;
             std::unique_lock lock(mutex);
             std::condition_variable_any over;
-            if (over.wait_for(lock, stop, patience, [] { return false; }); !stop.stop_requested())
-                call.terminal.complain(CommandLine::tr(
-                    "The zeros of the ALARM STOP have not arrived yet. Stop the machine by its own means."));
+            if (over.wait_for(lock, stop, patience, [] { return false; }); stop.stop_requested())
+                return;
+            tellLateZeros(call);
+            m_isTold = true;
         })
     {}
+    bool end() // whether it was told
+    {
+        m_saysSo.request_stop();
+        m_saysSo.join();
+        return m_isTold;
+    }
 
 private:
     static constexpr std::chrono::seconds patience{1};
 
-    std::jthread m_saysSo;
+    bool m_isTold = false;
+    std::jthread m_saysSo; // last: it uses the rest
 };
 
 // Of a ring that does not open: the gateway may hear what it does not answer.
@@ -280,9 +294,11 @@ Checked<void> openForZeros(const Call &call, RingAccess &access, const std::func
                            std::chrono::steady_clock::time_point end)
 {
     using std::chrono::steady_clock;
-    const LateZeros late(call);
-    bool isSent = false;
+    LateZeros late(call);
     Checked<void> opened = access.open();
+    if (!late.end() && !opened)
+        tellLateZeros(call);
+    bool isSent = false;
     while (!opened && goesOn()) {
         if (access.ring().sendZerosUnheard() && !std::exchange(isSent, true))
             call.terminal.complain(messageText({.id = MessageId::zerosUnheard}));

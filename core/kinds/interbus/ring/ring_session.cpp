@@ -28,6 +28,13 @@ Event behindGateway(Event event)
     return event;
 }
 
+// The word of the message that OUT may hold it.
+QString sentIn(const Message &message)
+{
+    const auto *word = message.arguments.empty() ? nullptr : std::get_if<QString>(&message.arguments.front());
+    return word != nullptr ? *word : QString();
+}
+
 bool isAboutZeros(MessageId id)
 {
     return id == MessageId::zerosReadBack || id == MessageId::zerosOverwritten ||
@@ -376,7 +383,8 @@ void RingSession::dispatch(Message message, std::optional<std::size_t> device)
     if (message.id == MessageId::zerosBeforeRing || message.id == MessageId::ringRunsAgain)
         d->zerosAreBeforeRing = message.id == MessageId::zerosBeforeRing;
     if (message.id == MessageId::outLeft && device) // by hand: it is not to be sent again
-        d->channels[*device]->unstage();
+        if (WordChannel &channel = *d->channels[*device]; hexWord(channel.shownOut()) == sentIn(message))
+            channel.unstage();
     tell(message);
     const bool wasOutOfSight = message.id == MessageId::linkBack || message.id == MessageId::ringRunsAgain;
     if (wasOutOfSight && !isSimulated())
