@@ -135,6 +135,7 @@ TEST(CliGatewayRing, AnAlarmStopOfAMuteGatewaySaysSoAndSendsItsZeros)
     EXPECT_THAT(run.err, HasSubstr("were sent over the lost link"));
     EXPECT_THAT(run.err, HasSubstr("have not arrived within 3 s"));
     const QByteArray zeros = QByteArray::fromHex("1000000006") + '\x0c' + QByteArray(12, '\0');
+    const std::scoped_lock lock(mutex);
     EXPECT_TRUE(std::ranges::any_of(heard, [&](const QByteArray &one) { return one == zeros; }));
 }
 
