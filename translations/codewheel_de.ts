@@ -2026,10 +2026,6 @@
         <translation>Der Ring von Sitzplatz %1 beginnt neu, mit Werkseinstellungen.</translation>
     </message>
     <message>
-        <source>Sent, and not answered: %1. Whether the encoder has it is not known until it is read.</source>
-        <translation>Gesendet und nicht beantwortet: %1. Ob der Geber es hat, ist nicht bekannt, bis er ausgelesen wird.</translation>
-    </message>
-    <message>
         <source>The zeros of the ALARM STOP were sent, but OUT was read back as something else: %1. Somebody else may write to it: stop the machine by its own means.</source>
         <translation>Die Nullen des ALARM-STOPPs wurden gesendet, aber OUT wurde anders zurückgelesen: %1. Vielleicht schreibt noch jemand darauf: Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
     </message>
@@ -2080,6 +2076,10 @@
     <message>
         <source>The link is lost, and nothing says whether the zeros of the ALARM STOP have arrived: they are sent again each second, and once it is back. Stop the machine by its own means.</source>
         <translation>Die Verbindung ist abgebrochen, und nichts sagt, ob die Nullen des ALARM-STOPPs angekommen sind: Sie werden jede Sekunde wieder gesendet, und sobald die Verbindung wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>The last word was not answered, so the encoder may or may not have this: %1. Read it to know.</source>
+        <translation>Das letzte Wort wurde nicht beantwortet, der Geber kann dies also haben oder nicht: %1. Auslesen, um es zu wissen.</translation>
     </message>
 </context>
 <context>
@@ -3153,6 +3153,10 @@
     <message>
         <source>The encoder seems to answer differently each time (IN %1): the gateway puts halves of different words together. Set a longer copy time in the settings of the gateway, then read again.</source>
         <translation>Der Geber scheint jedes Mal anders zu antworten (IN %1): Das Gateway setzt Hälften verschiedener Wörter zusammen. In den Einstellungen des Gateways eine längere Kopierzeit einstellen, dann noch einmal auslesen.</translation>
+    </message>
+    <message>
+        <source>Say first whether the encoder at %1 is the same as before.</source>
+        <translation>Zuerst angeben, ob der Geber an %1 noch derselbe ist.</translation>
     </message>
 </context>
 <context>
@@ -12117,11 +12121,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>sie ist beschädigt oder unvollständig</translation>
     </message>
     <message>
-        <source>%1 %2 (register %3)</source>
-        <comment>a device, its word, its first register</comment>
-        <translation>%1 %2 (Register %3)</translation>
-    </message>
-    <message>
         <source>bits from 0 to 15, as %1, or %2</source>
         <translation>Bits von 0 bis 15, wie %1, oder %2</translation>
     </message>
@@ -17705,16 +17704,16 @@ Zustand: %3 (%4)</translation>
         <translation>Das Gateway hat das letzte Schreiben nicht ausgeführt (Exception 4). Der Watchdog seiner Ausgänge hat vielleicht angesprochen: Quittieren Sie ihn und schalten Sie dann wieder auf Bedienen.</translation>
     </message>
     <message>
-        <source>A job that was cut has left %1 in OUT of %2. The encoder may show no position, and the controller gets none.</source>
-        <translation>Ein abgerissener Auftrag hat %1 in OUT von %2 hinterlassen. Der Geber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
-    </message>
-    <message>
-        <source>A job that was cut may have left %1 in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
-        <translation>Ein abgerissener Auftrag hat vielleicht %1 in OUT von %2 hinterlassen, das sich nicht zurücklesen lässt. Dann zeigt der Geber vielleicht keine Position.</translation>
-    </message>
-    <message>
         <source>Not 00000000 before: %1.</source>
         <translation>Vorher nicht 00000000: %1.</translation>
+    </message>
+    <message>
+        <source>%1 was left in OUT of %2. The encoder may show no position, and the controller gets none.</source>
+        <translation>%1 ist in OUT von %2 stehen geblieben. Der Geber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
+    </message>
+    <message>
+        <source>%1 may have been left in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
+        <translation>%1 steht vielleicht noch in OUT von %2, das sich nicht zurücklesen lässt. Dann zeigt der Geber vielleicht keine Position.</translation>
     </message>
 </context>
 <context>
@@ -20881,10 +20880,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Earlier values</source>
         <translation>Vorige Werte</translation>
-    </message>
-    <message>
-        <source>No earlier values of %1 are kept.</source>
-        <translation>Von %1 ist nichts aufbewahrt.</translation>
     </message>
 </context>
 <context>

@@ -167,11 +167,8 @@ void LedgerKeeper::isSame(Place place)
                               watched.beforeItMet.end());
     watched.beforeItMet.clear();
     watched.isAsked = false;
-    if (watched.identity.by != CountedBy::place && !watched.unassigned.empty()) {
-        m_book->attribute(watched.unassigned, watched.identity);
-        if (watched.identity.by == CountedBy::serialNumber)
-            watched.unassigned.clear();
-    }
+    if (watched.identity.by != CountedBy::place)
+        attribute(watched);
     showCount(place);
 }
 
@@ -201,8 +198,8 @@ void LedgerKeeper::move(Place from, Place to)
     watched.progress = before.progress;
     watched.byHand = before.byHand;
     watched.unassigned = before.unassigned;
-    if (watched.identity.by == CountedBy::place && !watched.unassigned.empty())
-        m_book->attribute(watched.unassigned, watched.identity);
+    if (watched.identity.by == CountedBy::place)
+        attribute(watched);
     showCount(to);
 }
 
@@ -234,10 +231,14 @@ void LedgerKeeper::watch(Place place)
     showCount(place);
 }
 
+EncoderIdentity LedgerKeeper::ofPlace(Place place) const
+{
+    return {.by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place};
+}
+
 EncoderIdentity LedgerKeeper::identity(Place place) const
 {
-    EncoderIdentity identity{
-        .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place};
+    EncoderIdentity identity = ofPlace(place);
     const EncoderSession *encoder = m_bus.encoder(place);
     if (encoder == nullptr)
         return identity;
@@ -265,12 +266,19 @@ void LedgerKeeper::identify(Place place)
     tellOtherSerialNumber(place, now);
     if (before.by == CountedBy::serialNumber)
         watched.unassigned.clear(); // from now on it may be another encoder
-    if (now.by != CountedBy::place && !watched.unassigned.empty()) {
-        m_book->attribute(watched.unassigned, now);
-        if (now.by == CountedBy::serialNumber)
-            watched.unassigned.clear();
-    }
+    if (now.by != CountedBy::place)
+        attribute(watched);
     showCount(place);
+}
+
+// A label may yet be corrected; a serial number that was read cannot be.
+void LedgerKeeper::attribute(Watched &watched)
+{
+    if (watched.unassigned.empty())
+        return;
+    m_book->attribute(watched.unassigned, watched.identity);
+    if (watched.identity.by == CountedBy::serialNumber)
+        watched.unassigned.clear();
 }
 
 // Of the label it was typed; what is no decimal number is not compared.
@@ -430,21 +438,17 @@ void LedgerKeeper::showCount(Place place)
 // What was counted by the place before its serial number was known may have been written to this encoder.
 void LedgerKeeper::addDoubtOfPlace(EepromCount &count, Place place) const
 {
-    const EepromCount ofPlace = ledger()->writes(
-        {.by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place});
-    count.atPlace = ofPlace.atMost() + writesBeforeItMet(place);
-    if (ofPlace.atMost() > 0 && (!count.since.isValid() || ofPlace.since < count.since))
-        count.since = ofPlace.since;
+    const EepromCount there = ledger()->writes(ofPlace(place));
+    count.atPlace = there.atMost() + writesBeforeItMet(place);
+    if (there.atMost() > 0 && (!count.since.isValid() || there.since < count.since))
+        count.since = there.since;
 }
 
 // As long as nobody has said whether it is the same encoder. What stands under the place as it is called now
 // is counted there.
 int LedgerKeeper::writesBeforeItMet(Place place) const
 {
-    const QString now =
-        EncoderIdentity{
-            .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place}
-            .key();
+    const QString now = ofPlace(place).key();
     int most = 0;
     for (const qint64 id : m_watched.at(place).beforeItMet)
         if (const auto record = ledger()->record(id);

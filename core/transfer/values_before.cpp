@@ -12,7 +12,8 @@ FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper)
 {
     return [&keeper](Place place) {
         std::vector<ValuesBefore> all;
-        if (keeper.ledger() == nullptr)
+        const EncoderSession *encoder = keeper.bus().encoder(place);
+        if (keeper.ledger() == nullptr || (encoder && encoder->knownBefore()))
             return all;
         for (const Ledger::Entry &entry : keeper.ledger()->valuesBefore(keeper.identity(place))) {
             ValuesBefore one{place, entry.at, entry.device, {}, entry.place};
@@ -36,6 +37,13 @@ FindValuesBefore valuesBeforeOf(FindLedgers ledgers)
                 return valuesBeforeOf(*keeper)(place);
         return std::vector<ValuesBefore>();
     };
+}
+
+Refusal whyNothingBefore(const EncoderSession &encoder)
+{
+    if (encoder.knownBefore())
+        return {RefusalKind::device, RefusalId::notSaidWhetherSame, {encoder.place().shown()}};
+    return {RefusalKind::device, RefusalId::noValuesFromBefore, {encoder.place().shown()}};
 }
 
 TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &places)

@@ -27,11 +27,14 @@ struct ValuesBefore
 // What can be restored at a place, the newest first.
 using FindValuesBefore = std::function<std::vector<ValuesBefore>(Place)>;
 
-// As kept in the ledger; for a job whose end was not seen, everything it was to write. The keeper must
-// outlive it.
+// As kept in the ledger; for a job whose end was not seen, everything it was to write. Nothing while it is
+// asked whether the encoder there is the same as before. The keeper must outlive it.
 FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper);
 // From the keeper of the bus at the place.
 FindValuesBefore valuesBeforeOf(FindLedgers ledgers);
+
+// Of an encoder of which nothing was found.
+Refusal whyNothingBefore(const EncoderSession &encoder);
 
 // The place is the project's, if there is one: another encoder there may have another past.
 TransferWish wishToRestore(const ValuesBefore &before, const ProjectPlaces &places);

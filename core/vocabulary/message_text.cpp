@@ -88,10 +88,11 @@ constexpr std::array messageRows{
     MessageRow{MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
     MessageRow{MessageId::broughtBack, "broughtBack",
                QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
-    MessageRow{MessageId::inDoubt, "inDoubt",
-               QT_TRANSLATE_NOOP(
-                   "Message",
-                   "Sent, and not answered: %1. Whether the encoder has it is not known until it is read.")},
+    MessageRow{
+        MessageId::inDoubt, "inDoubt",
+        QT_TRANSLATE_NOOP(
+            "Message",
+            "The last word was not answered, so the encoder may or may not have this: %1. Read it to know.")},
     MessageRow{MessageId::outLeft, "outLeft",
                QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
                                             "it back once the bus runs again.")},

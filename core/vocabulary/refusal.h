@@ -131,6 +131,7 @@ enum class RefusalId : std::uint8_t {
     serviceRefused,         // service number, Word IN
     magnetOutOfRange,       // Word IN
     noValuesFromBefore,     // place
+    notSaidWhetherSame,     // place
     escCommandUnknown,      // command: the encoder answered 03
     escOutOfRange,          // command with its data: the encoder answered 05
     escNoAnswer,            // command, tries

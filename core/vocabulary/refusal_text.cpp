@@ -379,6 +379,8 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::noValuesFromBefore, "noValuesFromBefore",
                QT_TRANSLATE_NOOP(
                    "Refusal", "There is nothing to restore at %1: no values from before a write are kept.")},
+    RefusalRow{RefusalId::notSaidWhetherSame, "notSaidWhetherSame",
+               QT_TRANSLATE_NOOP("Refusal", "Say first whether the encoder at %1 is the same as before.")},
     RefusalRow{RefusalId::escCommandUnknown, "escCommandUnknown",
                QT_TRANSLATE_NOOP("Refusal",
                                  "The encoder does not know the command %1 (answer 03). Nothing was "

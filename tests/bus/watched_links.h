@@ -80,6 +80,7 @@ public:
             return gone();
         return PassingLink::sendZeros(in);
     }
+    bool sendZerosUnheard() override { return !m_watch.isGone && PassingLink::sendZerosUnheard(); }
     void interrupt() override
     {
         m_watch.interrupt();

@@ -12,8 +12,13 @@ using namespace std::chrono_literals;
 
 constexpr std::array exceptionCodes{1, 2, 3, 4, 5, 6, 8, 10, 11};
 constexpr Instant longestAway = 5s; // after a connection was closed
-constexpr Instant longestBusy = 3s;
+constexpr Instant longestSpell = 3s;
 constexpr Instant lateAnswerIsKept = 1s; // until the line is quiet again
+
+int endOf(int first, std::span<const Register> registers)
+{
+    return first + static_cast<int>(registers.size());
+}
 
 } // namespace
 
@@ -27,6 +32,8 @@ RegisterFaults RegisterFaults::ofAllKinds(double rate)
             .exception = rate,
             .closed = rate / 4,
             .busy = rate / 4,
+            .shortArea = rate / 8,
+            .limited = rate / 8,
             .torn = rate};
 }
 
@@ -91,18 +98,30 @@ std::optional<RegisterPort::Done> FaultyRegisterPort::failBefore(const Request &
         wait(now() + timeOut);
         return failed(RegisterError::Kind::noAnswer);
     }
-    if (happens(m_faults.busy, busy))
-        m_busyUntil = now() + someTime(longestBusy);
-    if (now() < m_busyUntil) {
+    if (const int code = exceptionTo(request); code != 0) {
         wait(now() + 1ms);
-        return tl::unexpected(RegisterError{RegisterError::Kind::exception, 6, {}});
-    }
-    if (happens(m_faults.exception, exception)) {
-        wait(now() + 1ms);
-        return tl::unexpected(RegisterError{
-            RegisterError::Kind::exception, exceptionCodes.at(m_random() % exceptionCodes.size()), {}});
+        return tl::unexpected(RegisterError{RegisterError::Kind::exception, code, {}});
     }
     return std::nullopt;
+}
+
+bool FaultyRegisterPort::isInSpell(Instant &until, double rate, Kind kind)
+{
+    if (happens(rate, kind))
+        until = now() + someTime(longestSpell);
+    return now() < until;
+}
+
+// 0: none.
+int FaultyRegisterPort::exceptionTo(const Request &request)
+{
+    if (isInSpell(m_busyUntil, m_faults.busy, busy))
+        return 6;
+    if (isInSpell(m_shortUntil, m_faults.shortArea, shortArea) && request.outEnd > shortEnd)
+        return 2;
+    if (isInSpell(m_limitedUntil, m_faults.limited, limited) && request.length > mostRegisters)
+        return 3;
+    return happens(m_faults.exception, exception) ? exceptionCodes.at(m_random() % exceptionCodes.size()) : 0;
 }
 
 std::optional<FaultyRegisterPort::Registers> FaultyRegisterPort::takeLate(const Request &request)
@@ -193,7 +212,8 @@ RegisterPort::Done FaultyRegisterPort::read(RegisterArea area, int first, std::s
                               if (read)
                                   tear(area, first, registers);
                               return read;
-                          }},
+                          },
+                          area == RegisterArea::holding ? endOf(first, to) : 0},
                          to);
     if (done && m_watch->read)
         m_watch->read(area);
@@ -207,7 +227,8 @@ RegisterPort::Done FaultyRegisterPort::write(int first, std::span<const Register
                          if (m_watch->writing)
                              m_watch->writing();
                          return m_port->write(first, from);
-                     }},
+                     },
+                     endOf(first, from)},
                     {});
 }
 
@@ -219,7 +240,8 @@ RegisterPort::Done FaultyRegisterPort::writeAndRead(int writeFirst, std::span<co
                          if (m_watch->writing)
                              m_watch->writing();
                          return m_port->writeAndRead(writeFirst, from, readFirst, registers);
-                     }},
+                     },
+                     endOf(writeFirst, from)},
                     to);
 }
 

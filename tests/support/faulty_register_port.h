@@ -22,8 +22,10 @@ struct RegisterFaults
     double cut = 0;     // the answer is damaged
     double exception = 0;
     double closed = 0;
-    double busy = 0; // for a while: every transaction is refused
-    double torn = 0; // of the words read: one register as the last read gave it
+    double busy = 0;      // for a while: every transaction is refused
+    double shortArea = 0; // for a while: its OUT ends at shortEnd (exception 2)
+    double limited = 0;   // for a while: no more than mostRegisters in a request (exception 3)
+    double torn = 0;      // of the words read: one register as the last read gave it
 
     static RegisterFaults ofAllKinds(double rate);
 };
@@ -50,6 +52,8 @@ public:
         exception,
         closed,
         busy,
+        shortArea,
+        limited,
         torn,
         staleAnswer,
         kinds
@@ -73,6 +77,8 @@ public:
 
     static constexpr Instant timeOut = std::chrono::milliseconds(500);
     static constexpr Instant latest = std::chrono::seconds(2); // a late answer is after its request
+    static constexpr int shortEnd = 6;
+    static constexpr std::size_t mostRegisters = 4;
 
 private:
     using Registers = std::vector<Register>;
@@ -86,14 +92,17 @@ private:
     struct Request
     {
         int function = 0;
-        std::size_t length = 0;
+        std::size_t length = 0; // that of its answer
         std::function<Done(Registers &)> carryOut;
+        int outEnd = 0; // behind the last holding register
     };
 
     bool happens(double rate, Kind kind);
     Done transact(const Request &request, std::span<Register> to);
     // What is answered without the gateway, if that is.
     std::optional<Done> failBefore(const Request &request);
+    int exceptionTo(const Request &request);
+    bool isInSpell(Instant &until, double rate, Kind kind);
     Done answer(const Request &request, Registers registers, std::span<Register> to);
     std::optional<Registers> takeLate(const Request &request);
     void dropWhatHasCome(const Request &request);
@@ -109,6 +118,8 @@ private:
     bool m_open = false;
     Instant m_opensAgainAt{};
     Instant m_busyUntil{};
+    Instant m_shortUntil{};
+    Instant m_limitedUntil{};
     std::deque<LateAnswer> m_late;
     struct LastRead
     {

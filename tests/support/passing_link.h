@@ -24,10 +24,21 @@ public:
         return m_link->exchange(out, in);
     }
     Result<void> watch(std::span<Word> out, std::span<Word> in) override { return m_link->watch(out, in); }
+    void claimOut(std::size_t device) override { m_link->claimOut(device); }
+    bool writesOut(std::size_t device) const override { return m_link->writesOut(device); }
     Result<ZerosSent> sendZeros(std::span<Word> in) override { return m_link->sendZeros(in); }
+    bool sendZerosUnheard() override { return m_link->sendZerosUnheard(); }
+    std::vector<QString> outPlaces() const override { return m_link->outPlaces(); }
+    Result<void> acknowledgeWatchdog() override { return m_link->acknowledgeWatchdog(); }
+    std::optional<ToldRing> toldRing() const override { return m_link->toldRing(); }
     std::optional<Instant> age(std::size_t device) const override { return m_link->age(device); }
     bool isUpToDate(std::size_t device) const override { return m_link->isUpToDate(device); }
     std::shared_ptr<const LinkFigures> figures() const override { return m_link->figures(); }
+    std::optional<DataCheck> checkWord(std::size_t device, Word in,
+                                       const EncoderSession &encoder) const override
+    {
+        return m_link->checkWord(device, in, encoder);
+    }
     Instant now() const override { return m_link->now(); }
     void wait(Instant until) override { m_link->wait(until); }
     bool isDue() const override { return m_link->isDue(); }

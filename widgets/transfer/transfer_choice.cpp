@@ -4,6 +4,7 @@
 #include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "transfer/project_places.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
@@ -158,8 +159,8 @@ void TransferChoice::fillBefore()
                               .arg(before.place.shown(), timeOf(before, m_buses.now(before.place)),
                                    textOf(before, encoder ? &encoder->device() : nullptr)));
     m_before->setEnabled(!m_befores.empty());
-    if (m_befores.empty())
-        m_before->addItem(tr("No earlier values of %1 are kept.").arg(m_number.shown()));
+    if (m_befores.empty() && encoder)
+        m_before->addItem(refusalText(whyNothingBefore(*encoder)));
 }
 
 void TransferChoice::showParts()

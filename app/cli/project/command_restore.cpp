@@ -147,8 +147,7 @@ Checked<Answer> runRestore(const Call &call)
     if (!all)
         return tl::unexpected(all.error());
     if (all->empty())
-        return tl::unexpected(complaintAbout(
-            {RefusalKind::device, RefusalId::noValuesFromBefore, {(*encoder)->place().shown()}}));
+        return tl::unexpected(complaintAbout(whyNothingBefore(**encoder)));
     if (call.arguments.has("--list"))
         return listedValues(call, **encoder, *all);
     const auto before = valuesMeant(call, *all, *at);

@@ -56,8 +56,11 @@ void TransferPages::setEncoder(const ShownEncoder &shown)
     EncoderSession *encoder = shown.session();
     m_number = encoder ? std::optional(encoder->place()) : std::nullopt;
     m_isOnlyPlanned = shown.isThere() && !encoder;
-    if (encoder)
+    if (encoder) {
         connect(encoder, &EncoderSession::finished, this, &TransferPages::showActions, Qt::QueuedConnection);
+        connect(encoder, &EncoderSession::knownBeforeChanged, this, &TransferPages::showActions,
+                Qt::QueuedConnection);
+    }
     showActions();
 }
 
@@ -80,13 +83,11 @@ void TransferPages::showActions()
     m_actions.restoreValues->setText(
         before.empty() ? tr("Restore earlier &values…")
                        : tr("Restore &values of %1…").arg(timeOf(before.front(), m_buses.now(*m_number))));
-    explain(
-        *m_actions.restoreValues,
-        !canBeWritten ? why
-        : before.empty()
-            ? refusalText({RefusalKind::device, RefusalId::noValuesFromBefore, {encoder->place().shown()}})
-            : tr("Shows what the encoder had before this program wrote to it, and writes "
-                 "it again"));
+    explain(*m_actions.restoreValues,
+            !canBeWritten    ? why
+            : before.empty() ? refusalText(whyNothingBefore(*encoder))
+                             : tr("Shows what the encoder had before this program wrote to it, and writes "
+                                  "it again"));
 }
 
 bool TransferPages::isBusy() const

@@ -176,13 +176,16 @@ bool GatewayLink::sendZerosUnheard()
     return isSent;
 }
 
-QString GatewayLink::outAt(std::size_t device) const
+std::vector<QString> GatewayLink::outPlaces() const
 {
+    std::vector<QString> places;
     const auto map = GatewayMap::of(m_ring, m_settings);
-    if (!map || device >= map->devices() || map->out(device).count == 0)
-        return {};
-    return sentence(GatewayTexts::tr("register %1", "the first of a device"),
-                    {QString::number(map->out(device).first)});
+    for (std::size_t i = 0; map && i < map->devices(); ++i)
+        places.push_back(map->out(i).count == 0
+                             ? QString()
+                             : sentence(GatewayTexts::tr("register %1", "the first of a device"),
+                                        {QString::number(map->out(i).first)}));
+    return places;
 }
 
 // An exchange is what elsewhere is a bus cycle: with the time the ring takes to react.

@@ -49,7 +49,7 @@ public:
     // sends them once more if they are not.
     Result<ZerosSent> sendZeros(std::span<Word> in) override;
     bool sendZerosUnheard() override;
-    QString outAt(std::size_t device) const override;
+    std::vector<QString> outPlaces() const override;
     Result<void> acknowledgeWatchdog() override;
     void claimOut(std::size_t device) override;
     bool writesOut(std::size_t device) const override;
@@ -112,7 +112,6 @@ private:
                                    Overwrites overwrites);
     void claimAll();
     Result<ZerosSent> areZerosThere();
-    QString notZero(const std::vector<Word> &there) const;
 
     // Transactions (gateway_link_words.cpp).
     RegisterPort::Done transact(const std::function<RegisterPort::Done()> &call, bool again);

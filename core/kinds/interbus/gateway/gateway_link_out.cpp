@@ -359,21 +359,9 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()
         if (std::ranges::all_of(there, [](Word word) { return word == 0; }))
             return ZerosSent{.areThere = true};
         if (m_port->now() >= end)
-            return ZerosSent{.areThere = false, .notZero = notZero(there)};
+            return ZerosSent{.areThere = false, .notZero = wordsNotZero(*this, m_ring, there)};
         m_port->wait(m_port->now() + betweenReads);
     }
-}
-
-// "3.0 20210001 (register 4)".
-QString GatewayLink::notZero(const std::vector<Word> &there) const
-{
-    QStringList texts;
-    for (std::size_t i = 0; i < there.size(); ++i)
-        if (there[i] != 0)
-            texts << sentence(
-                GatewayTexts::tr("%1 %2 (register %3)", "a device, its word, its first register"),
-                {m_ring[i].number.toString(), hexWord(there[i]), QString::number(m_map->out(i).first)});
-    return texts.join(QStringLiteral(", "));
 }
 
 } // namespace codewheel

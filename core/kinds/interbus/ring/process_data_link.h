@@ -60,8 +60,8 @@ public:
     // Sends 00000000 to all devices though nothing is heard of the peer: it may hear us. Opens the link for
     // that, and closes it. Whether anything went out; it is not known whether it arrived.
     virtual bool sendZerosUnheard() { return false; }
-    // Where the peer has the OUT of a device: "register 4"; empty: that says nothing. Any thread.
-    virtual QString outAt(std::size_t /*device*/) const { return {}; }
+    // Where the peer has the OUT of each device: "register 4"; none: that says nothing. Any thread.
+    virtual std::vector<QString> outPlaces() const { return {}; }
     // Its watchdog has set its outputs to 0 since nobody wrote for a while: they are to be written again.
     virtual Result<void> acknowledgeWatchdog()
     {
@@ -106,5 +106,9 @@ public:
     // the link, and is used by the thread that exchanges.
     virtual MasterLink *master() { return nullptr; }
 };
+
+// The words that are not 00000000, and where the peer has them: "1.0 20210001 (register 0), 3.0 40000000
+// (register 4)". Empty: all are.
+QString wordsNotZero(const ProcessDataLink &link, const RingStructure &ring, std::span<const Word> out);
 
 } // namespace codewheel

@@ -132,7 +132,7 @@ Fault toldFault(const RingSession &bus, const ToldRing &told)
     return fault;
 }
 
-// What a job was about to do when its link was lost, or the bus stopped.
+// A word of a job, or by hand, when the link was lost or the bus stopped.
 Fault leftOut(const RingSession &bus, std::size_t device)
 {
     const Snapshot::Device &its = bus.latest().devices[device];
@@ -140,11 +140,11 @@ Fault leftOut(const RingSession &bus, std::size_t device)
     const QString number = bus.structure()[device].number.toString();
     const QString text =
         its.outIsKnown
-            ? sentence(RingFaultText::tr("A job that was cut has left %1 in OUT of %2. The encoder may "
-                                         "show no position, and the controller gets none."),
+            ? sentence(RingFaultText::tr("%1 was left in OUT of %2. The encoder may show no position, and "
+                                         "the controller gets none."),
                        {word, number})
-            : sentence(RingFaultText::tr("A job that was cut may have left %1 in OUT of %2, which cannot "
-                                         "be read back. The encoder may show no position then."),
+            : sentence(RingFaultText::tr("%1 may have been left in OUT of %2, which cannot be read back. "
+                                         "The encoder may show no position then."),
                        {word, number});
     return {.node = bus.structure()[device].number,
             .shown = bus.outline().state(device).shown,

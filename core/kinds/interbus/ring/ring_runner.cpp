@@ -269,13 +269,9 @@ void RingRunner::Private::lookWhetherZerosStand()
 {
     if (!zerosStandUntil || zerosAreDue || ring.operate)
         return;
-    QStringList others;
-    for (std::size_t i = 0; i < image.size(); ++i)
-        if (image[i] != 0)
-            others << QStringLiteral("%1 %2 (%3)")
-                          .arg(structure[i].number.toString(), hexWord(image[i]), link.outAt(i));
+    const QString others = wordsNotZero(link, structure, image);
     if (!others.isEmpty())
-        tellZeros({.areThere = false, .notZero = others.join(QStringLiteral(", "))});
+        tellZeros({.areThere = false, .notZero = others});
     if (!others.isEmpty() || ring.at >= *zerosStandUntil)
         zerosStandUntil.reset();
 }

@@ -95,19 +95,14 @@ void RingSession::Private::keepEepromWrites(const RingEvent &event)
         Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
 }
 
-// What is not 00000000: "1.0 20210001 (register 0)".
+// What is not 00000000; a dash where all is.
 QString RingSession::Private::outNow() const
 {
-    QStringList texts;
-    const Snapshot &shown = latest();
-    for (std::size_t i = 0; i < std::min(structure.size(), shown.devices.size()); ++i) {
-        if (shown.devices[i].out == 0)
-            continue;
-        const QString at = link->outAt(i);
-        const QString text = structure[i].number.toString() + u' ' + hexWord(shown.devices[i].out);
-        texts << (at.isEmpty() ? text : text + QStringLiteral(" (%1)").arg(at));
-    }
-    return texts.isEmpty() ? QStringLiteral("\u2013") : texts.join(QStringLiteral(", "));
+    const std::vector<Snapshot::Device> &devices = latest().devices;
+    std::vector<Word> out(devices.size());
+    std::ranges::transform(devices, out.begin(), &Snapshot::Device::out);
+    const QString texts = wordsNotZero(*link, structure, out);
+    return texts.isEmpty() ? QStringLiteral("\u2013") : texts;
 }
 
 std::size_t RingSession::Private::indexOf(NodeId node) const

@@ -84,8 +84,14 @@ TEST_F(GatewayInWindowTest, WhatWasKnownBeforeADisconnectionIsAskedForOnce)
     ASSERT_TRUE(panel->isVisible());
     ASSERT_TRUE(bar->isVisible());
     EXPECT_TRUE(bar->sentence().contains(QStringLiteral("Steps = 8192"))) << bar->sentence().toStdString();
+    const auto whyNothingToRestore = [this] { return actions().restoreValues->toolTip(); };
+    EXPECT_TRUE(whyNothingToRestore().contains(QStringLiteral("Say first whether")))
+        << whyNothingToRestore().toStdString();
     click(button(*bar, QStringLiteral("The same")));
+    advance(5);
     EXPECT_FALSE(bar->isVisible());
+    EXPECT_TRUE(whyNothingToRestore().contains(QStringLiteral("no values from before")))
+        << whyNothingToRestore().toStdString();
     EXPECT_EQ(bus().encoder(fraba)->known(Parameter::steps)->value, 8'192);
     EXPECT_FALSE(bus().encoder(fraba)->known(Parameter::startUpMode));
     EXPECT_EQ(bank->writes, 0);

@@ -74,10 +74,21 @@ public:
         return done;
     }
 
+    bool sendZerosUnheard() override
+    {
+        EXPECT_TRUE(m_rules.zerosAreDue);
+        m_asked.assign(m_gateway->out().size(), 0);
+        m_isUnheard = true;
+        const bool isSent = PassingLink::sendZerosUnheard();
+        m_isUnheard = false;
+        m_asked.clear();
+        return isSent;
+    }
+
 private:
     void lookBeforeWrite()
     {
-        EXPECT_TRUE(m_isReadBack) << "written before OUT was read back";
+        EXPECT_TRUE(m_isReadBack || m_isUnheard) << "written before OUT was read back";
         EXPECT_FALSE(m_asked.empty()) << "nobody has asked for it";
         m_before = m_gateway->out();
     }
@@ -106,6 +117,7 @@ private:
     std::vector<Word> m_asked;
     std::vector<Word> m_before;
     bool m_isReadBack = false;
+    bool m_isUnheard = false; // zeros to a gateway that does not answer
 };
 
 } // namespace codewheel::test

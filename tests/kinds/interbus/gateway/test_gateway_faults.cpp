@@ -4,9 +4,9 @@
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "kinds/interbus/simulator/simulated_ring.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
-#include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "tests/kinds/interbus/gateway/checked_link.h"
+#include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/support/gateway_session.h"
 
 namespace codewheel {
@@ -118,13 +118,7 @@ private:
                 thirteenPlusTwelveBit, 97 * i, FrabaPlate{.serialNumber = 20'000 + static_cast<Word>(i)});
             encoder->setSpeed(3.0 + i);
             encoders.push_back(encoder.get());
-            ring->add({.number = DeviceNumber{i + 1, 0}.node(),
-                       .idCode = 0x37,
-                       .deviceCode = 0x0237,
-                       .inWords = 2,
-                       .outWords = 2,
-                       .deviceKey = QStringLiteral("fraba-ocd-ib")},
-                      std::move(encoder));
+            ring->add(frabaAt(i + 1), std::move(encoder));
         }
         return {.link = std::make_unique<SimulatedRingLink>(ring), .controls = ring};
     }

@@ -2,6 +2,7 @@
 // What works on the training ring works behind a gateway that tears words and shows OUT late.
 #include "bus/word_channel.h"
 #include "kinds/interbus/simulator/fraba_k3.h"
+#include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/support/fraba_appendix.h"
 #include "tests/support/gateway_session.h"
 #include "tests/support/passing_port.h"
@@ -237,13 +238,7 @@ TEST(GatewayAppendix, EveryRowOfTheManualIsAnsweredAsDocumented)
             EncoderTiming{.startUp = row.happening == Happening::startsUp ? 1000 : 0});
         SimulatedDevice &device = *encoder;
         auto ring = std::make_shared<SimulatedRing>();
-        ring->add({.number = NodeId("1.0"),
-                   .idCode = 0x37,
-                   .deviceCode = 0x0237,
-                   .inWords = 2,
-                   .outWords = 2,
-                   .deviceKey = QStringLiteral("fraba-ocd-ib")},
-                  std::move(encoder));
+        ring->add(frabaAt(1), std::move(encoder));
         const auto gateway =
             std::make_shared<SimulatedGateway>(ring, SimulatedGateway::Ways{.tears = 0.3, .lag = 3ms});
         GatewayLink link(std::make_unique<SimulatedGatewayPort>(gateway), {},
