@@ -334,10 +334,11 @@ int K3Knowledge::writesInDoubt(Word out)
 {
     int perhaps = std::exchange(m_presetIsOpen, false) ? 1 : 0;
     const bool stands = out == m_out;
-    if (!stands)
+    if (!stands) {
         countConfirmed();
-    else if (k3::isParameterWord(out) && !m_wordIsOfOthers &&
-             (m_asked || m_pending.contains(k3::number(out))))
+        perhaps += m_asked && !m_wordIsOfOthers ? 1 : 0; // it may be confirmed after it left OUT
+    } else if (k3::isParameterWord(out) && !m_wordIsOfOthers &&
+               (m_asked || m_pending.contains(k3::number(out))))
         ++perhaps;
     if (!stands && k3::isParameterWord(out))
         ++perhaps;

@@ -62,9 +62,12 @@ Job K3Run::whatIsDone(Word in) const
     return what;
 }
 
-void K3Run::watch(Word in, Word /*out*/)
+void K3Run::watch(Word in, Word out)
 {
+    m_goesOut.reset();
     lookForLateAnswer(in);
+    if (m_leftOff && !m_late && out != m_leftOff->out)
+        m_leftOff.reset();
     lookForRestart(in);
 }
 

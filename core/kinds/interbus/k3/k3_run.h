@@ -71,6 +71,8 @@ private:
     bool canRestore() const override;
     bool isPositionStep(const K3Step &step) const override;
     const ParameterValues &confirmed() const override { return m_confirmed.values; }
+    bool mayLeftOffAct(bool nextMayBeSent) const;
+    void doubtStep(InDoubt &doubt, const K3Step &step);
     void lookForRestart(Word in);
     void lookForLateAnswer(Word in);
     void dropConfirmed();
@@ -83,6 +85,8 @@ private:
     Job m_whatIsDone; // the job, as the encoder was when it began
     Confirmed m_confirmed;
     std::optional<K3LateAnswer> m_late;
+    std::optional<K3Step> m_leftOff; // by a cancel; its word may still act
+    std::optional<Word> m_goesOut;   // that word, in the next exchange
     std::optional<Refusal> m_mismatch; // found when reading back, which goes on
     std::optional<Refusal> m_notSet;   // the position, or it is not known whether it was; the rest goes on
     Word m_inWhenAsked = 0;

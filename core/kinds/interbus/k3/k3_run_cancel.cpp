@@ -39,6 +39,10 @@ void K3Run::leaveOffAt(Instant now)
     if (begun && isPositionStep(m_steps.current()))
         m_account.outcome.inDoubt.position = true;
     const bool runIsOnItsWay = begun && m_steps.current().kind == StepKind::run;
+    if (begun && !runIsOnItsWay) {
+        m_leftOff = m_steps.current();
+        m_goesOut = m_leftOff->out;
+    }
     m_steps.all.resize(m_steps.index + (runIsOnItsWay ? 1 : 0));
     m_steps.begun = runIsOnItsWay;
     m_steps.append({K3Plan::toNormal(false)});
@@ -58,32 +62,45 @@ void K3Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 {
     const Word last = m_encoder.knowledge.lastOut();
     const bool isSent = m_steps.begun && !m_steps.atEnd() && (nextMayBeSent || m_steps.current().out == last);
-    const Word out = isSent ? m_steps.current().out : last;
+    const Word out = isSent ? m_steps.current().out : nextMayBeSent ? m_goesOut.value_or(last) : last;
     if (out == k3::run) {
         doubt.values = std::exchange(m_confirmed.values, {});
         doubt.reset = std::exchange(m_confirmed.reset, false);
     }
-    if (isSent) {
-        const K3Step &step = m_steps.current();
-        if (const auto value = valueGivenBy(step))
-            doubt.values.push_back(*value);
-        else
-            doubt.reset = doubt.reset || (step.kind == StepKind::parameter && !step.parameter);
-        doubt.position = setsPosition(step);
-        if (step.kind == StepKind::camParameter)
-            doubt.camPrograms = {step.camProgram};
-    }
+    if (mayLeftOffAct(nextMayBeSent))
+        doubtStep(doubt, *m_leftOff);
+    if (isSent)
+        doubtStep(doubt, m_steps.current());
     doubt.eepromWrites = m_encoder.loseSight(out);
     if (out != k3::normalRunning)
         doubt.out = {out};
 }
 
+void K3Run::doubtStep(InDoubt &doubt, const K3Step &step)
+{
+    if (const auto value = valueGivenBy(step))
+        replaceValue(doubt.values, *value);
+    else
+        doubt.reset = doubt.reset || (step.kind == StepKind::parameter && !step.parameter);
+    doubt.position = doubt.position || setsPosition(step);
+    if (step.kind == StepKind::camParameter)
+        doubt.camPrograms = {step.camProgram};
+}
+
+bool K3Run::mayLeftOffAct(bool nextMayBeSent) const
+{
+    const bool hasGone = !m_goesOut || *m_goesOut == m_encoder.knowledge.lastOut() || hasGoneOut(*m_goesOut);
+    return m_leftOff && (nextMayBeSent || hasGone);
+}
+
 bool K3Run::mayStillAct(bool hasGoneOut) const
 {
+    const auto acts = [](const K3Step &step) {
+        return mayBeTaken(step) || setsPosition(step) || step.out == k3::run;
+    };
     const bool isSent = m_steps.begun && !m_steps.atEnd() &&
                         (hasGoneOut || m_steps.current().out == m_encoder.knowledge.lastOut());
-    return isSent && (mayBeTaken(m_steps.current()) || setsPosition(m_steps.current()) ||
-                      m_steps.current().out == k3::run);
+    return (isSent && acts(m_steps.current())) || (mayLeftOffAct(false) && acts(*m_leftOff));
 }
 
 // What was under way when the job was cancelled may still be confirmed.

@@ -131,8 +131,9 @@ protected:
     bool isPrepared() const { return m_isPrepared; }
     bool hasGoneOut() const
     {
-        return m_unseen && m_steps.begun && !m_steps.atEnd() && m_steps.current().out == *m_unseen;
+        return m_steps.begun && !m_steps.atEnd() && hasGoneOut(m_steps.current().out);
     }
+    bool hasGoneOut(Word out) const { return m_unseen == out; }
 
 private:
     WordAnswer takeAnswer(WordAnswer answer, Word in)

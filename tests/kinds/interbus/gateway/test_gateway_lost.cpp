@@ -177,6 +177,40 @@ TEST(LostGateway, NoAccountDiffersFromWhatTheEncoderHasDone)
     EXPECT_GE(inDoubt, 2) << "behind the parameter word, and behind run";
 }
 
+// Its word may have been about to go out, and goes out with the exchange that fails; or it is answered late.
+TEST(LostGateway, AJobThatWasCancelledAccountsForTheWordThatWasUnderWay)
+{
+    const SendWords words{.words = {0x0200'00FF, k3::run, k3::normalRunning}};
+    int lost = 0;
+    int inDoubt = 0;
+    for (const Job &job : {Job(writeSteps), Job(words), Job(ResetToDefault{})})
+        for (Instant until = 10ms; until <= 150ms; until += 10ms)
+            for (int write = 0; write < 3; ++write) {
+                SCOPED_TRACE(testing::Message() << job.index() << ' ' << until.count() << ' ' << write);
+                LostGateway gateway;
+                EncoderSession &encoder = gateway.session.encoder(lostFraba);
+                std::optional<Outcome> outcome;
+                QObject::connect(&encoder, &EncoderSession::finished, &encoder,
+                                 [&](const Outcome &how) { outcome = how; });
+                const int before = gateway.writesOf(lostFraba);
+                ASSERT_TRUE(encoder.start(job));
+                gateway.session.bus->advance(until);
+                gateway.control->writesLeft = write;
+                encoder.cancel(OnCancel::leaveAsIs);
+                gateway.session.bus->advance(2s);
+                if (!outcome || !gateway.control->isAway || outcome->result)
+                    continue;
+                ++lost;
+                gateway.session.gateway->passUntil(gateway.session.bus->now());
+                const int done = gateway.writesOf(lostFraba) - before;
+                EXPECT_GE(done, outcome->eepromWrites);
+                EXPECT_LE(done, outcome->eepromWrites + outcome->inDoubt.eepromWrites);
+                inDoubt += outcome->inDoubt.eepromWrites;
+            }
+    EXPECT_GT(lost, 30);
+    EXPECT_GT(inDoubt, 10);
+}
+
 TEST(LostGateway, BehindRunTheValuesAreActiveAndStoredAndNotKnown)
 {
     for (int write = 0;; ++write) {
