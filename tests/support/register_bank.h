@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace codewheel::test {
 
@@ -21,6 +22,8 @@ struct RegisterBank
     Instant busyUntil{}; // it refuses everything with busyCode
     int busyCode = 6;
     std::size_t mostWritten = 123; // in one request; more is exception 3
+    std::optional<int>
+        tripped{}; // the register that acknowledges its watchdog; every other write is exception 4
     std::function<void()> onWrite; // after each one
 
     std::map<int, Register> &of(RegisterArea area) { return area == RegisterArea::input ? input : holding; }
@@ -59,6 +62,9 @@ public:
             return exception(2);
         if (from.size() > m_bank->mostWritten)
             return exception(3);
+        if (m_bank->tripped.value_or(first) != first)
+            return exception(4);
+        m_bank->tripped.reset();
         put(first, from);
         return {};
     }

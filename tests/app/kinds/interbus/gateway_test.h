@@ -9,6 +9,8 @@
 #include "widgets/kinds/interbus/gateway/registers_page.h"
 #include "widgets/kinds/interbus/training/training_panel.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/structure/fault_banner.h"
+#include "widgets/structure/structure_view.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -16,6 +18,9 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
 
 #include <algorithm>
 
@@ -67,11 +72,45 @@ protected:
         field->setFocus();
         QTest::keyClicks(field, host);
     }
+    // Of the form that is shown.
+    template <typename Field>
+    Field &setting(const char *name)
+    {
+        for (auto *field : connection().findChildren<Field *>(QLatin1String(name)))
+            if (field->isVisibleTo(&connection()))
+                return *field;
+        ADD_FAILURE() << "no field " << name;
+        return *connection().findChild<Field *>(QLatin1String(name));
+    }
     void connectGateway()
     {
         choose(QStringLiteral("gateway.hall"));
+        connectChosen();
+    }
+    void connectChosen()
+    {
         click(button(connection(), QStringLiteral("Connect")));
         advance(20);
+    }
+    FaultBanner &banner() { return *window().findChild<FaultBanner *>(); }
+    // What the tree shows, row by row.
+    QString treeTexts(const QModelIndex &parent = {})
+    {
+        const QAbstractItemModel &rows =
+            *window().findChild<StructureView *>()->findChild<QTreeView *>()->model();
+        QString texts;
+        for (int row = 0; row < rows.rowCount(parent); ++row) {
+            for (int column = 0; column < rows.columnCount(parent); ++column)
+                texts += rows.index(row, column, parent).data().toString() + u'|';
+            texts += u'\n' + treeTexts(rows.index(row, 0, parent));
+        }
+        return texts;
+    }
+    void press(const char *button)
+    {
+        auto *its = banner().findChild<QToolButton *>(QLatin1String(button));
+        ASSERT_TRUE(its->isVisible() && its->isEnabled()) << button;
+        QTest::mouseClick(its, Qt::LeftButton);
     }
     bool isSaidToBeReal()
     {

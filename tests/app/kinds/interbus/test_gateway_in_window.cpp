@@ -23,6 +23,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QTest>
@@ -224,6 +225,81 @@ TEST_F(GatewayInWindowTest, AlarmStopWritesZerosAndSaysThatTheyArrived)
             isSaid |= shown->messages().index(i, column).data().toString().contains(
                 QStringLiteral("zeros of the ALARM STOP have arrived"));
     EXPECT_TRUE(isSaid);
+}
+
+TEST_F(GatewayInWindowTest, ATrippedWatchdogIsAcknowledgedByWhoeverSaysSo)
+{
+    constexpr int acknowledges = 4'096;
+    choose(QStringLiteral("gateway.hall"));
+    setting<QSpinBox>("watchdog").setValue(acknowledges);
+    connectChosen();
+    bus().setOperate(true);
+    advance(20);
+    send(fraba, 0x0200'00FF);
+    bank->tripped = acknowledges;
+    const int writes = bank->writes;
+    advance(5'000);
+    ASSERT_TRUE(bus().isOpen()) << "it still shows IN";
+    EXPECT_FALSE(bus().isOperating());
+    EXPECT_TRUE(banner().sentence().contains(QStringLiteral("watchdog")))
+        << banner().sentence().toStdString();
+    EXPECT_TRUE(treeTexts().contains(QStringLiteral("outputs blocked"))) << treeTexts().toStdString();
+    EXPECT_EQ(bank->writes, writes);
+    press("acknowledgeWatchdog");
+    advance(100);
+    EXPECT_EQ(bank->holding[acknowledges], 1);
+    EXPECT_EQ(bank->writes, writes + 1) << "and nothing else";
+    EXPECT_FALSE(bus().isOperating());
+    EXPECT_FALSE(treeTexts().contains(QStringLiteral("outputs blocked")));
+}
+
+TEST_F(GatewayInWindowTest, AnAlarmStopWaitsForTheWatchdogToBeAcknowledged)
+{
+    constexpr int acknowledges = 4'096;
+    choose(QStringLiteral("gateway.hall"));
+    setting<QSpinBox>("watchdog").setValue(acknowledges);
+    connectChosen();
+    bus().setOperate(true);
+    advance(20);
+    send(fraba, 0x0200'00FF);
+    bank->tripped = acknowledges;
+    actions().alarmStop->trigger();
+    advance(3'000);
+    EXPECT_EQ(outThere(0), 0x0200'00FFu);
+    EXPECT_TRUE(banner().sentence().contains(QStringLiteral("zeros"))) << banner().sentence().toStdString();
+    press("acknowledgeWatchdog");
+    advance(2'000);
+    EXPECT_EQ(outThere(0), 0u);
+    EXPECT_FALSE(banner().sentence().contains(QStringLiteral("zeros"))) << banner().sentence().toStdString();
+}
+
+TEST_F(GatewayInWindowTest, ARingThatItsGatewaySaysHasFailedIsNotShownAsLive)
+{
+    constexpr int status = 8'192;
+    bank->input[status] = 0x20;
+    choose(QStringLiteral("gateway.hall"));
+    setting<QSpinBox>("status").setValue(status);
+    setting<QSpinBox>("run-bit").setValue(5);
+    setting<QLineEdit>("fault-bits").setText(QStringLiteral("2+3"));
+    connectChosen();
+    ASSERT_TRUE(bus().isOpen());
+    EXPECT_FALSE(banner().isVisible()) << banner().sentence().toStdString();
+    EXPECT_TRUE(bus().encoder(fraba)->freshness().isLive());
+    bus().encoder(fraba)->tell(Parameter::steps, 8'192);
+
+    bank->input[status] = 0x04;
+    advance(3'000);
+    EXPECT_TRUE(banner().sentence().contains(QStringLiteral("its ring has failed")))
+        << banner().sentence().toStdString();
+    EXPECT_FALSE(bus().encoder(fraba)->freshness().isLive());
+    EXPECT_TRUE(treeTexts().contains(QStringLiteral("FRABA OCD-IB K3|cut off"))) << treeTexts().toStdString();
+
+    bank->input[status] = 0x20;
+    advance(3'000);
+    EXPECT_FALSE(banner().isVisible()) << banner().sentence().toStdString();
+    EXPECT_TRUE(bus().encoder(fraba)->freshness().isLive());
+    EXPECT_TRUE(bus().encoder(fraba)->knownBefore()) << "other encoders may be there now";
+    EXPECT_FALSE(bus().encoder(fraba)->known(Parameter::steps));
 }
 
 // Whoever disconnects or quits gives them up, and is asked; the usual answer is not to.
