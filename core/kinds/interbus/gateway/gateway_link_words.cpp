@@ -13,8 +13,9 @@ namespace codewheel {
 namespace {
 
 constexpr int readsInDoubt = 2;  // more in one exchange, while words are not believed (assumed)
-constexpr int readsOfSeldom = 5; // the same, where an exchange has to do by itself (assumed)
+constexpr int readsOfSeldom = 5; // the same, where it is polled seldom, and an exchange has to do by itself (assumed)
 // Between two looks at the status register: where it decides what is shown, and where it is only shown.
+constexpr Instant seldom = std::chrono::milliseconds(250);
 constexpr Instant betweenDecisions = std::chrono::milliseconds(100);
 constexpr Instant betweenStatus = std::chrono::milliseconds(500);
 
@@ -141,10 +142,10 @@ bool GatewayLink::hasDoubtful(const RegisterBlock &block) const
     return false;
 }
 
-// Reads of three exchanges are too far apart to say that a position moves.
+// Reads of three exchanges are so far apart that a shaft has often gone too far between them.
 bool GatewayLink::pollsSeldom() const
 {
-    return 2 * m_settings.pollInterval >= WordGate::longestMovement;
+    return m_settings.pollInterval >= seldom;
 }
 
 bool GatewayLink::needsTime(const RegisterBlock &block) const

@@ -23,8 +23,9 @@ public:
     static constexpr int nearBy = 0x8000; // steps between two reads in a row (assumed)
     // A position near the last one believed may wait that long for what comes next (assumed).
     static constexpr Instant shortWait = std::chrono::milliseconds(10);
-    // Three reads that take longer than this say nothing about the one in the middle (assumed).
-    static constexpr Instant longestMovement = std::chrono::milliseconds(500);
+    // Three reads that take longer than this say nothing about the one in the middle (assumed): a slow gateway
+    // answers each in 1.5 s.
+    static constexpr Instant longestMovement = std::chrono::seconds(5);
 
     // Empty: not known, so no word is taken for a moving position. `registers`: a word of one cannot be torn.
     // `copyTime`: so far apart the gateway may copy the registers of a word.

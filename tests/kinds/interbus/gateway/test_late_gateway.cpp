@@ -146,7 +146,30 @@ TEST_P(SlowGateway, JobsAreCarriedOut)
     EXPECT_EQ(outcome->written, job.values);
 }
 
-INSTANTIATE_TEST_SUITE_P(MillisecondsPerAnswer, SlowGateway, testing::Values(500, 1'000, 1'500));
+// No two reads are alike, and the third comes late: its position is known all the same, and its values.
+TEST_P(SlowGateway, AnEncoderWhoseShaftTurnsIsSeenAndRead)
+{
+    const Instant answer = std::chrono::milliseconds(GetParam());
+    GatewaySession late({.settings = {.timeOut = 5s}, .transaction = answer});
+    ASSERT_TRUE(late.bus->open(EncoderBus::Start::operating));
+    late.ring->setSpeed(lateFraba.node, 20);
+    late.bus->advance(16 * answer);
+    for (int i = 0; i < 10; ++i) {
+        late.bus->advance(8 * answer);
+        const Reading &shown = late.encoder(lateFraba).latest();
+        EXPECT_GT(shown.at, late.bus->now() - 8 * answer);
+        EXPECT_TRUE(late.gateway->wasIn(0, shown.in, shown.at - answer));
+    }
+    std::optional<Outcome> outcome;
+    QObject::connect(&late.encoder(lateFraba), &EncoderSession::finished, late.bus.get(),
+                     [&](const Outcome &how) { outcome = how; });
+    ASSERT_TRUE(late.encoder(lateFraba).start(ReadParameters{{Parameter::steps}}));
+    late.bus->advance(60 * answer);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(whyOf(*outcome), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(MillisecondsPerAnswer, SlowGateway, testing::Values(100, 200, 500, 1'000, 1'500));
 
 } // namespace
 } // namespace codewheel
