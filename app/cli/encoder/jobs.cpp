@@ -8,13 +8,58 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/value_lines.h"
 #include "jobs/job_report.h"
+#include "jobs/step_text.h"
 #include "jobs/what_run_makes_valid.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
+#include <chrono>
+
 namespace codewheel {
 namespace {
+
+// What a terminal shows of a job that takes long, as behind a slow gateway.
+class JobProgress
+{
+public:
+    JobProgress(const Terminal &terminal, const DeviceDescription &device)
+        : m_terminal(terminal)
+        , m_device(device)
+    {}
+    ~JobProgress()
+    {
+        if (m_isShown)
+            m_terminal.showProgress({});
+    }
+    JobProgress(const JobProgress &) = delete;
+    JobProgress &operator=(const JobProgress &) = delete;
+
+    void at(const Progress &progress)
+    {
+        if (static_cast<std::size_t>(progress.index) < progress.steps.size())
+            m_text = sentence(CommandLine::tr("Step %1 of %2: %3. Ctrl+C cancels."),
+                              {QString::number(progress.index + 1), QString::number(progress.steps.size()),
+                               stepText(m_device, progress.steps[static_cast<std::size_t>(progress.index)])});
+    }
+    void cancelled() { m_text = CommandLine::tr("Cancelled: what is under way is ended first."); }
+    void look()
+    {
+        if (m_text == m_shown || std::chrono::steady_clock::now() < m_begun + std::chrono::seconds(1))
+            return;
+        m_shown = m_text;
+        m_isShown = true;
+        m_terminal.showProgress(m_shown);
+    }
+
+private:
+    const Terminal &m_terminal;
+    const DeviceDescription &m_device;
+    const std::chrono::steady_clock::time_point m_begun = std::chrono::steady_clock::now();
+    QString m_text;
+    QString m_shown;
+    bool m_isShown = false;
+};
 
 // A bus is in Watch until something has to be sent.
 Result<JobId> startOn(BusAccess &bus, const AllowedJob &allowed)
@@ -27,7 +72,7 @@ Result<JobId> startOn(BusAccess &bus, const AllowedJob &allowed)
 }
 
 // Until it has ended.
-void carryOut(BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
+void carryOut(const Terminal &terminal, BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
 {
     EncoderSession &encoder = allowed.encoder();
     const auto started = startOn(bus, allowed);
@@ -36,9 +81,12 @@ void carryOut(BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
         return;
     }
     bool running = true;
+    JobProgress shown(terminal, encoder.device());
     QObject scope;
-    QObject::connect(&encoder, &EncoderSession::progressed, &scope,
-                     [&](const Progress &progress) { finished.lastStep = progress; });
+    QObject::connect(&encoder, &EncoderSession::progressed, &scope, [&](const Progress &progress) {
+        finished.lastStep = progress;
+        shown.at(progress);
+    });
     QObject::connect(&encoder, &EncoderSession::finished, &scope, [&](const Outcome &ended) {
         running = ended.job != *started;
         finished.outcome = ended;
@@ -48,7 +96,9 @@ void carryOut(BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
         if (stop.came()) {
             finished.wasCancelled = true;
             encoder.cancel(OnCancel::leaveAsIs);
+            shown.cancelled();
         }
+        shown.look();
         bus.advance(bus.lookInterval());
     }
 }
@@ -59,7 +109,7 @@ FinishedJob run(const Call &call, const AllowedJob &allowed, JobTrace &trace)
     BusAccess &bus = call.busOf(encoder.place());
     trace.begin(encoder);
     FinishedJob finished;
-    carryOut(bus, allowed, finished);
+    carryOut(call.terminal, bus, allowed, finished);
     bus.rest();
     bus.lookAgain(encoder);
     return finished;

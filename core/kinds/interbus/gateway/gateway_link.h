@@ -135,6 +135,7 @@ private:
     std::vector<Register> m_backRegisters; // as read back
     GatewayCounter m_counter;
     Instant m_answeredAt{}; // the last transaction: half-way between request and answer
+    Instant m_answerTook{};
     Instant m_nextExchange{};
     bool m_hasExchanged = false; // since the last wait()
     Instant m_nextStatus{};

@@ -27,6 +27,7 @@ RegisterPort::Done GatewayLink::transact(const std::function<RegisterPort::Done(
     RegisterPort::Done done = call();
     const Instant ended = m_port->now();
     m_answeredAt = begun + (ended - begun) / 2;
+    m_answerTook = ended - begun;
     m_counter.transaction(done, begun, ended, again);
     return done;
 }
@@ -103,7 +104,7 @@ void GatewayLink::takeBlock(const RegisterBlock &block)
         if (!gateway::holds(block, its))
             continue;
         const Word read = m_map->word(gateway::part(m_inRegisters, its, m_settings.inFirst));
-        m_devices[i].believed |= m_devices[i].in.take(read, m_answeredAt);
+        m_devices[i].believed |= m_devices[i].in.take(read, m_answeredAt, m_answerTook);
     }
 }
 

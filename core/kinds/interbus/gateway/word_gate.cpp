@@ -5,6 +5,7 @@
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/profiles.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -36,8 +37,9 @@ bool WordGate::mayMove(Word word) const
 // The shaft was there: it came by on its way from the one to the other.
 bool WordGate::isOnTheWay(const Read &before, const Read &read, const Read &after) const
 {
+    const Instant longest = longestMovement + answersOfMovement * std::min(read.took, after.took);
     if (!mayMove(before.word) || !mayMove(read.word) || !mayMove(after.word) ||
-        after.at - before.at > longestMovement)
+        after.at - before.at > longest)
         return false;
     const std::int64_t there = std::int64_t{read.word} - before.word;
     const std::int64_t on = std::int64_t{after.word} - read.word;
@@ -62,9 +64,9 @@ bool WordGate::isJump(const Read &read, const std::optional<Read> &before) const
     return mayMove(read.word) && !isExpected;
 }
 
-bool WordGate::take(Word word, Instant at)
+bool WordGate::take(Word word, Instant at, Instant took)
 {
-    const Read read{word, at};
+    const Read read{word, at, took};
     const auto last = std::exchange(m_last, read);
     const auto beforeLast = std::exchange(m_beforeLast, last);
     const bool isEqual = last && last->word == word;

@@ -23,16 +23,18 @@ public:
     static constexpr int nearBy = 0x8000; // steps between two reads in a row (assumed)
     // A position near the last one believed may wait that long for what comes next (assumed).
     static constexpr Instant shortWait = std::chrono::milliseconds(10);
-    // Three reads that take longer than this say nothing about the one in the middle (assumed): a slow gateway
-    // answers each in 1.5 s.
-    static constexpr Instant longestMovement = std::chrono::seconds(5);
+    // Three reads that take longer than this, and than the answers of a slow gateway take, say nothing about
+    // the one in the middle (assumed).
+    static constexpr Instant longestMovement = std::chrono::milliseconds(500);
+    static constexpr int answersOfMovement = 4;
 
     // Empty: not known, so no word is taken for a moving position. `registers`: a word of one cannot be torn.
     // `copyTime`: so far apart the gateway may copy the registers of a word.
     WordGate(std::optional<Profile> profile, int registers, Instant copyTime);
 
-    // Takes what one read gave, and says whether there is a word that can be believed; it is word() then.
-    bool take(Word read, Instant at);
+    // Takes what one read gave, `took` after it was asked for, and says whether there is a word that can be
+    // believed; it is word() then.
+    bool take(Word read, Instant at, Instant took = {});
     Word word() const { return m_word; } // the last one that could be believed; 0: none yet
     Instant readAt() const { return m_wordAt; }
     bool hasWord() const { return m_hasWord; }
@@ -49,6 +51,7 @@ private:
     {
         Word word = 0;
         Instant at{};
+        Instant took{};
     };
 
     bool mayMove(Word word) const;

@@ -60,6 +60,19 @@ TEST(CliGatewayRing, ReadingGoesToOperateAndBack)
     EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
 }
 
+// On a terminal only.
+TEST(CliGatewayRing, AJobThatTakesLongSaysWhereItIs)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    const QString slow = peer.link(line("interval=250"));
+    const CliRun seen = project.run(line("read 3.0 steps"), slow, {.isThere = true});
+    EXPECT_EQ(seen.exit, 0) << seen.err;
+    EXPECT_THAT(seen.err, HasSubstr("Step "));
+    EXPECT_THAT(seen.err, HasSubstr("Ctrl+C cancels"));
+    EXPECT_EQ(project.run(line("read 3.0 steps"), slow).err, "");
+}
+
 TEST(CliGatewayRing, WritingIsAskedForAndCountedWhereThoseOfRealEncodersAre)
 {
     GatewayPeer peer;

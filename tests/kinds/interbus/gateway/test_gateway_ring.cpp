@@ -731,7 +731,7 @@ TEST(SeldomPolledGateway, AShaftThatTurnsFasterThanItAnswersIsUnsettledAndNotCut
     ASSERT_TRUE(gateway.bus->open(EncoderBus::Start::watching));
     gateway.bus->advance(20s); // it stands, and is seen
     EXPECT_TRUE(gateway.encoder(seldomSeen).freshness().isLive());
-    gateway.training.controls->setSpeed(seldomSeen.node, 1'000);
+    gateway.training.controls->setSpeed(seldomSeen.node, 600);
     gateway.bus->advance(120s);
     const NodeState state = gateway.bus->outline().state(0);
     EXPECT_EQ(state.shown.word, QLatin1String("unsettled"));
