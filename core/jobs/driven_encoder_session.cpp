@@ -117,6 +117,8 @@ void DrivenEncoderSession::take(const Event &event, Instant at)
         take(*outcome, at);
     else if (const auto *progress = std::get_if<Progress>(&event))
         Q_EMIT progressed(*progress);
+    else if (const auto *doubt = std::get_if<InDoubt>(&event))
+        take(*doubt, at);
     else
         take(std::get<KnowledgeChanged>(event));
 }
@@ -131,6 +133,17 @@ void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
     for (Message &message : jobReport(m_job, outcome, m_description))
         report(std::move(message), at);
     Q_EMIT finished(outcome);
+}
+
+void DrivenEncoderSession::take(const InDoubt &doubt, Instant at)
+{
+    m_inDoubt = doubt;
+    for (const ParameterValue &value : doubt.values)
+        replaceValue(m_taken.values, value);
+    m_taken.reset = m_taken.reset || doubt.reset;
+    m_takenAt = at;
+    for (Message &message : doubtReport(doubt, m_description))
+        report(std::move(message), at);
 }
 
 void DrivenEncoderSession::takeWhatWaitsForRun(const Outcome &outcome, Instant at)
@@ -153,8 +166,9 @@ std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
 {
     std::vector<Parameter> parameters;
     for (const ParameterDescription &its : m_description.parameters) {
-        const bool isInDoubt = m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter);
-        if (its.number && its.readOut && isInDoubt && !known(its.parameter))
+        const bool isValue = its.number && (m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter));
+        const bool isOfPosition = m_inDoubt.position && its.parameter == Parameter::zeroOffset;
+        if (its.readOut && (isValue || isOfPosition) && !known(its.parameter))
             parameters.push_back(its.parameter);
     }
     return parameters;

@@ -74,6 +74,7 @@ private:
     void take(const Outcome &outcome, Instant at);
     void take(const KnowledgeChanged &change);
     void compareWithBefore();
+    void take(const InDoubt &doubt, Instant at);
     void takeWhatWaitsForRun(const Outcome &outcome, Instant at);
     void postAllKnown();
 
@@ -89,7 +90,7 @@ private:
     JobId m_lastJob = 0;
     std::optional<JobId> m_runningJob;
     Job m_job;
-    InDoubt m_inDoubt; // of the last job that ended out of sight
+    InDoubt m_inDoubt; // of the last job that ended out of sight, or of words by hand
     InDoubt m_taken;   // by the encoder, confirmed or perhaps, and not run
     Instant m_takenAt{};
     int m_eepromWrites = 0;

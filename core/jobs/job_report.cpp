@@ -173,8 +173,6 @@ QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
     return texts.join(QStringLiteral(", "));
 }
 
-namespace {
-
 std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device)
 {
     std::vector<Message> messages;
@@ -191,8 +189,6 @@ std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &
                             .arguments = {words.join(QCoreApplication::translate("JobReport", " or "))}});
     return messages;
 }
-
-} // namespace
 
 QStringList doubtSentences(const InDoubt &doubt, const DeviceDescription &device)
 {

@@ -18,6 +18,9 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
 // "Steps = 255, position"; empty: nothing.
 QString doubtText(const InDoubt &doubt, const DeviceDescription &device);
 
+// What was sent and not answered, by a job or by hand.
+std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device);
+
 // The part of it about what was sent and not answered, in words; empty: nothing.
 QStringList doubtSentences(const InDoubt &doubt, const DeviceDescription &device);
 

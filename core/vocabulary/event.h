@@ -88,7 +88,9 @@ struct KnowledgeChanged
     int eepromWrites = 0;                      // since the last such event, jobs included
 };
 
-using Event = std::variant<Progress, Outcome, KnowledgeChanged>;
+// InDoubt: of words sent by hand, whose EEPROM writes are counted by whoever sent them. That of a job is in
+// its outcome.
+using Event = std::variant<Progress, Outcome, KnowledgeChanged, InDoubt>;
 
 inline bool endedOutOfSight(const Outcome &outcome)
 {

@@ -28,6 +28,7 @@ public:
     }
     void setOthersWrite(bool on) override { m_encoder.knowledge.setOthersWrite(on); }
     void leaveStanding() override { m_encoder.countStanding(); }
+    void loseSight(Word out) override { m_encoder.loseSightByHand(out); }
     bool mayStand(Word out) const override { return !m_encoder.knowledge.isManufacturerPreset(out); }
 };
 

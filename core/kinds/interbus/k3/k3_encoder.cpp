@@ -91,6 +91,14 @@ int K3Encoder::loseSight(Word out)
     return perhaps;
 }
 
+void K3Encoder::loseSightByHand(Word out)
+{
+    InDoubt doubt = knowledge.inDoubtWith(out);
+    (void)loseSight(out);
+    if (doubt.hasSomething())
+        events.emplace_back(std::move(doubt));
+}
+
 // The jump of the position at a preset is not a movement of the shaft.
 void K3Encoder::observe(Word in, Word out, Instant now)
 {

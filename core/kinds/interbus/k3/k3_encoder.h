@@ -23,6 +23,8 @@ struct K3Encoder
     // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there.
     // Returns how many writes that may cost which are not counted.
     int loseSight(Word out);
+    // No job is running: what is in doubt is reported.
+    void loseSightByHand(Word out);
     EncoderState stateOf(Word in) const { return codewheel::stateOf(in, device.dialect.as<k3::Dialect>()); }
     static bool isAnswer(Word in) { return k3::isReadOutAnswer(in); }
     bool isError(Word in) const { return isErrorAnswer(in, device.dialect.as<k3::Dialect>()); }

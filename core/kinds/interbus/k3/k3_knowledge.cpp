@@ -139,7 +139,8 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
     const Word asked = stands ? out : m_asked.value_or(k3::normalRunning);
     const unsigned number = k3::number(in);
     if (!k3::isParameterWord(asked)) {
-        if (!m_pending.contains(number))
+        const bool isOfCams = mode() == Mode::cam || in == (k3::confirmation | out);
+        if (!m_pending.contains(number) && !isOfCams)
             m_foundConfirmed = in; // by a word that was not seen, nor those before it
         return;
     }
@@ -305,6 +306,33 @@ bool K3Knowledge::isConfirmed(Word out) const
     return k3::isParameterWord(out) && m_pending.contains(k3::number(out)) && m_asked != out;
 }
 
+InDoubt K3Knowledge::inDoubtWith(Word out) const
+{
+    InDoubt doubt;
+    if (m_othersWrite)
+        return doubt;
+    const auto add = [&](unsigned number, std::optional<Word> data) {
+        const ParameterDescription *parameter = m_device.findNumber(number);
+        doubt.reset = doubt.reset || number == resetNumber;
+        if (parameter != nullptr && data)
+            replaceValue(doubt.values, {parameter->parameter, *data});
+    };
+    for (const auto &[number, data] : m_pending)
+        add(number, data);
+    for (const Word word : {m_asked.value_or(k3::normalRunning), out})
+        if (k3::isParameterWord(word))
+            add(k3::number(word), k3::data(word));
+    doubt.position = setsPositionBy(out);
+    return doubt;
+}
+
+// 40000000 or 60000000 that was not in OUT before.
+bool K3Knowledge::setsPositionBy(Word out) const
+{
+    return out != m_out && (out & k3::presetBit) != 0 && (m_out & k3::presetBit) == 0 &&
+           !k3::isParameterWord(out) && mode() != Mode::cam && mayTakePreset(m_in);
+}
+
 int K3Knowledge::loseSight(Word out)
 {
     const int perhaps = writesInDoubt(out);
@@ -342,9 +370,7 @@ int K3Knowledge::writesInDoubt(Word out)
         ++perhaps;
     if (!stands && k3::isParameterWord(out))
         ++perhaps;
-    const bool isPreset = !stands && (out & k3::presetBit) != 0 && (m_out & k3::presetBit) == 0 &&
-                          !k3::isParameterWord(out) && mode() != Mode::cam && mayTakePreset(m_in);
-    if (isPreset) {
+    if (setsPositionBy(out)) {
         m_known.forget(Parameter::zeroOffset);
         m_known.forget(Parameter::presetFlag);
         perhaps += mayStorePreset(m_device) && m_presetArmed.value_or(true) ? 1 : 0;

@@ -5,6 +5,7 @@
 #include "jobs/known_values.h"
 #include "kinds/interbus/k3/k3_cam_knowledge.h"
 #include "kinds/interbus/k3/k3_mode.h"
+#include "vocabulary/event.h"
 
 #include <map>
 #include <optional>
@@ -31,6 +32,8 @@ public:
     // what it may have changed, or what may become active by it, is not known from now on. Returns how many
     // writes that may cost which are not counted.
     int loseSight(Word out);
+    // What that may change of what this program has sent, as far as words tell: values, reset, position.
+    InDoubt inDoubtWith(Word out) const;
     Word lastOut() const { return m_out; }
     // What is in OUT and confirmed has been written: counted before its word leaves OUT.
     void countStanding();
@@ -76,6 +79,7 @@ private:
     void countConfirmed();
     bool isConfirmed(Word out) const;
     int writesInDoubt(Word out);
+    bool setsPositionBy(Word out) const;
     void forgetNumber(unsigned number);
     void activate(unsigned number, std::optional<Word> data, Instant now);
     void reset(bool isProven, Instant now);

@@ -17,6 +17,7 @@ public:
     {}
 
     void setOthersWrite(bool on) override { m_encoder.knowledge.setOthersWrite(on); }
+    void loseSight(Word out) override { m_encoder.loseSightByHand(out); }
 };
 
 } // namespace codewheel

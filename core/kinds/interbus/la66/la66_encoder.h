@@ -26,6 +26,8 @@ struct La66Encoder
     void observe(Word in, Word out, Instant now);
     static bool isAnswer(Word in) { return la66::isServiceMode(in); }
     void forget(Parameter parameter);
+    // No job is running: what `out`, whose answer nobody sees, may have written is reported as in doubt.
+    void loseSightByHand(Word out);
     void reportChanges();
 
     static constexpr double finestStepsIn100Millimetres = 20'000; // of 0.005 mm (assumed)

@@ -18,6 +18,7 @@ public:
     void observe(Word in, Instant now);
     void setOthersWrite(bool on) { m_othersWrite = on; } // as CyclicDriver
 
+    const ParameterDescription *find(unsigned service) const { return m_device.findNumber(service); }
     KnownValues &values() { return m_values; }
     const KnownValues &values() const { return m_values; }
 

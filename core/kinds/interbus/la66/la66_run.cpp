@@ -15,6 +15,20 @@ void La66Encoder::forget(Parameter parameter)
     reportChanges();
 }
 
+void La66Encoder::loseSightByHand(Word out)
+{
+    if (!la66::isServiceMode(out) || !la66::isService(out) || !la66::isWrite(out) ||
+        la66::answers(reading.in, out))
+        return;
+    InDoubt doubt{.position = la66::service(out) == la66::presetAdjustment};
+    if (const auto *parameter = knowledge.find(la66::service(out))) {
+        doubt.values = {{parameter->parameter, la66::data(out)}};
+        forget(parameter->parameter);
+    }
+    if (doubt.hasSomething())
+        events.emplace_back(std::move(doubt));
+}
+
 void La66Encoder::reportChanges()
 {
     if (auto changes = knowledge.values().takeChanges())

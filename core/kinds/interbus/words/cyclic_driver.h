@@ -43,6 +43,11 @@ public:
     // What stands in OUT may not be seen to leave it for long: the bus is being stopped. No job is running.
     virtual void leaveStanding() {}
 
+    // The link is lost, and no job is running: nobody sees any more what becomes of `out`, which is in OUT or
+    // on its way there. What it may change, or words before it, is not known from now on, and reported as in
+    // doubt.
+    virtual void loseSight(Word /*out*/) {}
+
     // Once per bus cycle: `in` came in while `out` was on the bus. Returns what OUT shall be in the next
     // cycle: `out` itself unless a job wants something else.
     virtual Word cycle(Word in, Word out, Instant now) = 0;

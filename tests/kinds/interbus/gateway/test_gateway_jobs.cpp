@@ -133,11 +133,14 @@ TEST_P(GatewayJobs, CamsAreWrittenAndReadBack)
 {
     CamProgram program{.number = 2};
     program.cam[3] = {.start = 100, .stop = 2000, .active = true};
+    done(frabaPlace, ReadParameters{{Parameter::steps, Parameter::preset}});
     done(frabaPlace, WriteCams{.programs = {program}, .afterwards = SwitchMode{.mode = Mode::position}});
     const Outcome read =
         done(frabaPlace, ReadCams{.programs = {2}, .afterwards = SwitchMode{.mode = Mode::position}});
     ASSERT_EQ(read.camsRead.size(), 1u);
     EXPECT_EQ(read.camsRead[0], program);
+    EXPECT_TRUE(ring.encoder(frabaPlace).known(Parameter::steps)) << "a cam is no parameter";
+    EXPECT_TRUE(ring.encoder(frabaPlace).known(Parameter::preset));
 }
 
 TEST_P(GatewayJobs, AJobEndsWheneverItIsCancelledAndTheNextOneWorks)

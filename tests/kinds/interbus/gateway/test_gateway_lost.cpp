@@ -3,6 +3,7 @@
 // answer. What account and state say then is held against what the simulated encoder has done.
 #include "bus/bus_outline.h"
 #include "bus/word_channel.h"
+#include "journal/known_keeper.h"
 #include "journal/ledger_keeper.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "tests/support/gateway_session.h"
@@ -421,6 +422,48 @@ TEST(LostGateway, AWordByHandIsToldAndCountedAsPerhaps)
     gateway.session.bus->advance(10s);
     EXPECT_EQ(gateway.writesOf(lostFraba), 1);
     EXPECT_EQ(gateway.session.encoder(lostFraba).eepromCount().atMost(), 1);
+}
+
+// Whoever says that it is the same encoder does not bring back what the word may have changed.
+TEST(LostGateway, WhatAWordByHandMayHaveChangedIsNotKnown)
+{
+    struct ByHand
+    {
+        Word word;
+        Parameter changes;
+    };
+    for (const auto &[word, changes] :
+         {ByHand{0x0200'00FF, Parameter::steps}, ByHand{k3::initialisePreset, Parameter::zeroOffset}}) {
+        SCOPED_TRACE(testing::Message() << std::hex << word);
+        LostGateway gateway;
+        EncoderSession &encoder = gateway.session.encoder(lostFraba);
+        KnownKeeper keeper;
+        keeper.watch(*gateway.session.bus);
+        ASSERT_EQ(whyOf(gateway.session.finish(
+                      lostFraba, WriteParameters{.values = {{Parameter::preset, 500}}, .previous = {}})),
+                  "");
+        ASSERT_EQ(
+            whyOf(gateway.session.finish(
+                lostFraba, ReadParameters{{Parameter::steps, Parameter::zeroOffset, Parameter::direction}})),
+            "");
+        const auto before = encoder.known(changes);
+        ASSERT_TRUE(before);
+        gateway.control->writesLeft = 0;
+        WordChannel &channel = *gateway.session.bus->channel(lostFraba);
+        channel.stage(word);
+        ASSERT_TRUE(channel.write());
+        gateway.session.bus->advance(5s);
+        ASSERT_EQ(gateway.session.bus->state(), BusState::lost);
+        EXPECT_FALSE(encoder.known(changes));
+        EXPECT_EQ(gateway.session.countOf(MessageId::inDoubt), 1u);
+        gateway.giveLinkBack();
+        ASSERT_TRUE(encoder.knownBefore());
+        encoder.takeKnownBefore();
+        EXPECT_TRUE(encoder.known(Parameter::direction));
+        EXPECT_FALSE(encoder.known(changes));
+        gateway.comeBack();
+        EXPECT_NE(gateway.read(lostFraba, changes), before->value);
+    }
 }
 
 // The link was lost once more before it operated: nothing is sent by surprise when it does, much later.
