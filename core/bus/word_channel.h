@@ -25,6 +25,7 @@ struct WordsOnBus
     Word outEdges = 0;
     bool heldByJob = false;
     bool outIsKnown = true; // false: the bus does not tell it, and nobody has sent one yet
+    bool inIsKnown = true;  // false: words come, and none could be believed yet
 
     friend bool operator==(const WordsOnBus &, const WordsOnBus &) = default;
 };
@@ -51,6 +52,7 @@ public:
     Word outEdges() const { return m_words.outEdges; }
     bool heldByJob() const { return m_words.heldByJob; }
     bool outIsKnown() const { return m_words.outIsKnown; }
+    bool inIsKnown() const { return m_words.inIsKnown; }
     const Freshness &freshness() const { return m_freshness; } // of both words
     QDateTime dateTime(Instant at) const;
 

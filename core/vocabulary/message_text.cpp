@@ -47,7 +47,8 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP(
                    "Message",
                    "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. "
-                   "The program goes on trying. Stop the machine by its own means. Not 00000000 before: %1")},
+                   "The program goes on trying. Stop the machine by its own means. In OUT when it was last "
+                   "seen: %1.")},
     MessageRow{MessageId::zerosUnheard, "zerosUnheard",
                QT_TRANSLATE_NOOP("Message",
                                  "The zeros of the ALARM STOP were sent over the lost link, but nothing "

@@ -152,6 +152,7 @@ enum class RefusalId : std::uint8_t {
     ringDiffers,          // place, configured, found
     busFault,             // error code (Word), diagnostic parameter (Word): vocabulary/texts_of_kinds.h
     notInRing,            // place
+    wordNotSteady,        // place
     ringStands,           // status register of the gateway
     ringFailed,           // the same
     ringFailedAt,         // status register of the gateway, text of the place

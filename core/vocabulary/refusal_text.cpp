@@ -458,6 +458,11 @@ constexpr std::array refusalRows{
         RefusalId::notInRing, "notInRing",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
+    RefusalRow{RefusalId::wordNotSteady, "wordNotSteady",
+               QT_TRANSLATE_NOOP(
+                   "Refusal", "No two reads of IN of %1 agree, so it is not known what it shows. Check the "
+                              "word order, and where its registers begin. If they are right, its shaft is "
+                              "too fast for this gateway: stop it, or make the poll interval shorter.")},
     RefusalRow{RefusalId::ringStands, "ringStands",
                QT_TRANSLATE_NOOP("Refusal",
                                  "The gateway says that its ring does not run (status register %1): what it "

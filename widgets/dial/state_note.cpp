@@ -59,7 +59,7 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
     case EncoderState::unknown:
         return {unknownNote(device, reading)};
     case EncoderState::notSeen:
-        return {DialNote::tr("Nothing comes from the encoder."), Role::inactive};
+        return {DialNote::tr("No word of the encoder is known."), Role::inactive};
     case EncoderState::operation:
         break;
     }

@@ -103,7 +103,7 @@ bool WordLine::isKnown() const
 {
     if (m_channel == nullptr)
         return true;
-    const bool isThere = !isOut() || m_channel->outIsKnown() || m_channel->staged();
+    const bool isThere = isOut() ? m_channel->outIsKnown() || m_channel->staged() : m_channel->inIsKnown();
     return isThere && m_channel->freshness().reason() != Freshness::Reason::notRecorded;
 }
 
@@ -143,10 +143,11 @@ void WordLine::showWord()
 
 QString WordLine::explain() const
 {
+    if (!isKnown() && m_channel->freshness().isOfRecording())
+        return freshnessText(Freshness::Reason::notRecorded);
     if (!isKnown())
-        return m_channel->freshness().isOfRecording()
-                   ? freshnessText(Freshness::Reason::notRecorded)
-                   : tr("Not known: it cannot be read back. Operate replaces it.");
+        return isOut() ? tr("Not known what is there. Operate replaces it.")
+                       : freshnessText(Freshness::Reason::unsettled);
     if (m_description == nullptr)
         return tr("Not explained: there is no description of this device.");
     WordContext context;

@@ -192,13 +192,7 @@ Checked<void> GatewayAccess::inContact(const Call &call, Place place)
         return tl::unexpected(*standstill);
     if (!isSilent())
         return {};
-    return tl::unexpected(Complaint{
-        ExitCode::refused,
-        QStringLiteral("wordNotSteady"),
-        sentence(CommandLine::tr("No two reads of IN of %1 agree, so it is not known what the encoder "
-                                 "shows. Check its registers with codewheel-cli gateway."),
-                 {place.shown()}),
-        {place.toString()}});
+    return tl::unexpected(complaintAbout({RefusalKind::link, RefusalId::wordNotSteady, {place.shown()}}));
 }
 
 bool GatewayAccess::startThread()

@@ -116,7 +116,7 @@ Fault lostLink(const RingSession &bus)
     const QString zeros =
         bus.latest().zerosAreDue
             ? u' ' + messageText({.id = MessageId::zerosWait}) + u' ' +
-                  sentence(RingFaultText::tr("Not 00000000 before: %1."), {bus.outBeforeZeros()})
+                  sentence(RingFaultText::tr("In OUT when it was last seen: %1."), {bus.outBeforeZeros()})
             : QString();
     return standstill({Role::fault, RingFaultText::tr("link lost")}, why + again + zeros);
 }

@@ -372,6 +372,7 @@ void RingRunner::Private::step(std::size_t i)
     device.in = in;
     if (!age)
         return;
+    device.inIsKnown = true;
 
     const Instant at = ring.at - *age;
     if (driver) {
@@ -398,7 +399,7 @@ void RingRunner::Private::endWhatWaitsTooLong(std::size_t i)
 {
     if (!ring.devices[i].heldByJob || ring.at - ring.devices[i].reading.at < longestOutOfSight)
         return;
-    endJob(i, {RefusalKind::link, RefusalId::notInRing, {structure[i].number.toString()}});
+    endJob(i, ring.whyOutOfSight(i, structure[i].number.toString()));
 }
 
 void RingRunner::Private::tellWritten()
@@ -456,6 +457,8 @@ void RingRunner::Private::endJobs(const Refusal &why)
         drivers[i]->leaveStanding(); // before its job tells what it has written
         if (drivers[i]->busy())
             endJob(i, why);
+        else if (why.kind == RefusalKind::link)
+            drivers[i]->loseSight(image[i]);
         takeDriverEvents(i);
     }
 }

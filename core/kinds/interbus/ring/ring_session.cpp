@@ -95,14 +95,14 @@ void RingSession::Private::keepEepromWrites(const RingEvent &event)
         Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
 }
 
-// What is not 00000000; a dash where all is.
+// What is not 00000000; that word where all is.
 QString RingSession::Private::outNow() const
 {
     const std::vector<Snapshot::Device> &devices = latest().devices;
     std::vector<Word> out(devices.size());
     std::ranges::transform(devices, out.begin(), &Snapshot::Device::out);
     const QString texts = wordsNotZero(*link, structure, out);
-    return texts.isEmpty() ? QStringLiteral("\u2013") : texts;
+    return texts.isEmpty() ? hexWord(0) : texts;
 }
 
 std::size_t RingSession::Private::indexOf(NodeId node) const
@@ -221,7 +221,7 @@ void RingSession::lookForZeros()
     if (!d->zerosAskedAt || d->zerosAreLate || d->link->now() - *d->zerosAskedAt < patience)
         return;
     d->zerosAreLate = true;
-    tell({.at = d->latest().at,
+    tell({.at = d->link->now(),
           .severity = Severity::fault,
           .id = MessageId::zerosLate,
           .arguments = {d->outBeforeZeros}});
@@ -317,10 +317,16 @@ void RingSession::showDevice(std::size_t place)
                                                  .isSettled = !shown->isUnsettled(place),
                                                  .awakeSince = shown->awakeSince,
                                                  .now = shown->at};
-    const auto seen = shown->cycle > 0 ? std::optional(device.reading.at) : std::nullopt;
-    d->channels[place]->show(
-        {device.in, device.out, device.inEdges, device.outEdges, device.heldByJob, device.outIsKnown},
-        {seen, circumstances}, shown->at);
+    const bool isInKnown = device.inIsKnown || !shown->isUnsettled(place);
+    const auto seen = shown->cycle > 0 && isInKnown ? std::optional(device.reading.at) : std::nullopt;
+    d->channels[place]->show({.in = device.in,
+                              .out = device.out,
+                              .inEdges = device.inEdges,
+                              .outEdges = device.outEdges,
+                              .heldByJob = device.heldByJob,
+                              .outIsKnown = device.outIsKnown,
+                              .inIsKnown = isInKnown},
+                             {seen, circumstances}, shown->at);
     if (d->sessions[place] && !d->isStale(place))
         d->sessions[place]->show(device.reading, circumstances);
 }

@@ -15,7 +15,7 @@ Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &pl
     if (!ring.operate)
         return notNow(RefusalId::watchOnly);
     if (!ring.devices[device].inRing)
-        return refuse(RefusalKind::link, RefusalId::notInRing, {place});
+        return tl::unexpected(ring.whyOutOfSight(device, place));
     if (ring.devices[device].heldByJob)
         return notNow(whenHeld);
     return {};

@@ -51,6 +51,7 @@ struct Snapshot : RingState
             0; // the word before this one: it is in OUT still if one that was acknowledged got lost
         bool outIsFound = false; // it was there when the link was opened, and nobody has sent another since
         std::optional<Word> leftOut{}; // of a job that lost its link: OUT may still hold it
+        bool inIsKnown = false;        // a word has come from it
         bool inRing = true; // false: switched off with its segment, or behind a fault; its IN is an old one
     };
 
@@ -64,6 +65,13 @@ struct Snapshot : RingState
     {
         return figures != nullptr && !(told && told->stands()) && device < devices.size() &&
                !devices[device].inRing;
+    }
+    // Why nothing can be sent to the device or read from it.
+    Refusal whyOutOfSight(std::size_t device, const QString &place) const
+    {
+        return {RefusalKind::link,
+                isUnsettled(device) ? RefusalId::wordNotSteady : RefusalId::notInRing,
+                {place}};
     }
 };
 
