@@ -50,6 +50,7 @@ void LedgerKeeper::watchBus()
     connect(&m_bus, &EncoderBus::nodesChanged, this, &LedgerKeeper::watchDevices);
     connect(&m_bus, &EncoderBus::structureChanged, this, &LedgerKeeper::doubtUnassigned);
     connect(&m_bus, &EncoderBus::meetsAgain, this, &LedgerKeeper::meetAgain);
+    connect(&m_bus, &EncoderBus::replaced, this, &LedgerKeeper::leaveToPrevious);
     connect(&m_bus, &EncoderBus::named, this, &LedgerKeeper::watchNamed);
     connect(&m_bus, &EncoderBus::moved, this, &LedgerKeeper::move);
     connect(&m_bus, &EncoderBus::updated, this, qOverload<>(&LedgerKeeper::settleByHand));
@@ -109,9 +110,17 @@ std::map<Place, std::vector<qint64>> LedgerKeeper::onTheirWay() const
 
 void LedgerKeeper::setLabel(Place place, const QString &serialNumber)
 {
-    QString &label = m_labels[place];
-    if (std::exchange(label, serialNumber.trimmed()) != label)
-        identify(place);
+    const Label before =
+        std::exchange(m_labels[place], {.serialNumber = serialNumber.trimmed(), .project = m_project});
+    if (before.serialNumber == m_labels[place].serialNumber)
+        return;
+    identify(place);
+    Watched *watched = m_watched.contains(place) ? &m_watched[place] : nullptr;
+    const bool isTakenBack = before.project == m_project && !before.serialNumber.isEmpty();
+    if (watched != nullptr && isTakenBack && watched->identity.by == CountedBy::place) {
+        attribute(*watched);
+        showCount(place);
+    }
 }
 
 // Devices were added or removed, or have other sessions; the others are unchanged.
@@ -147,6 +156,16 @@ void LedgerKeeper::doubtUnassigned()
     for (auto &[place, watched] : m_watched) {
         watched.unassigned.clear();
         watched.beforeItMet.clear();
+    }
+}
+
+// Another encoder is at the place: what was written there so far was written to the one before.
+void LedgerKeeper::leaveToPrevious(Place place)
+{
+    if (const auto found = m_watched.find(place); found != m_watched.end()) {
+        found->second.unassigned.clear();
+        found->second.beforeItMet.clear();
+        found->second.doubtful.reset();
     }
 }
 
@@ -246,9 +265,10 @@ EncoderIdentity LedgerKeeper::identity(Place place) const
     if (const auto serial = reportedSerialNumber(*encoder)) {
         identity.by = CountedBy::serialNumber;
         identity.serialNumber = QString::number(*serial);
-    } else if (const auto label = m_labels.find(place); label != m_labels.end() && !label->second.isEmpty()) {
+    } else if (const auto label = m_labels.find(place);
+               label != m_labels.end() && !label->second.serialNumber.isEmpty()) {
         identity.by = CountedBy::labelSerialNumber;
-        identity.serialNumber = label->second;
+        identity.serialNumber = label->second.serialNumber;
     }
     return identity;
 }
@@ -286,14 +306,14 @@ void LedgerKeeper::tellOtherSerialNumber(Place place, const EncoderIdentity &rep
 {
     const auto label = m_labels.find(place);
     bool isNumber = false;
-    const qulonglong typed = label == m_labels.end() ? 0 : label->second.trimmed().toULongLong(&isNumber);
+    const qulonglong typed = label == m_labels.end() ? 0 : label->second.serialNumber.toULongLong(&isNumber);
     if (reported.by != CountedBy::serialNumber || !isNumber || typed == reported.serialNumber.toULongLong())
         return;
     Q_EMIT messaged({.at = m_bus.now(),
                      .place = place,
                      .severity = Severity::attention,
                      .id = MessageId::serialNumberDiffers,
-                     .arguments = {label->second, reported.serialNumber}});
+                     .arguments = {label->second.serialNumber, reported.serialNumber}});
 }
 
 Ledger::Entry LedgerKeeper::entryAt(const Watched &watched) const
@@ -418,7 +438,8 @@ void LedgerKeeper::settleDoubtful(Place place)
     showCount(place);
 }
 
-// While something is under way, what it may still write is no doubt about the past.
+// While a job is under way, what it may still write is no doubt about the past. A word by hand that stands in
+// OUT may have been written.
 void LedgerKeeper::showCount(Place place)
 {
     const Watched &watched = m_watched[place];
@@ -427,7 +448,7 @@ void LedgerKeeper::showCount(Place place)
     std::vector<qint64> running;
     if (watched.job)
         running.push_back(*watched.job);
-    if (watched.byHand)
+    if (watched.byHand && watched.byHand->awaited > 0)
         running.push_back(watched.byHand->id);
     EepromCount count = ledger()->writes(watched.identity, running);
     if (count.by != CountedBy::place)

@@ -105,6 +105,7 @@ private:
     void watch(Place place);
     void watchNamed(Place place);
     void doubtUnassigned();
+    void leaveToPrevious(Place place);
     void meetAgain();
     void isSame(Place place);
     void followQuestion(Place place);
@@ -145,7 +146,12 @@ private:
     std::shared_ptr<SafeLedger> m_book; // shared by all that keep the same file
     std::optional<Message> m_problem;
     QString m_project;
-    std::map<Place, QString> m_labels;
+    struct Label
+    {
+        QString serialNumber{}; // empty: none
+        QString project{};      // that says so
+    };
+    std::map<Place, Label> m_labels;
     std::map<Place, Watched> m_watched;
     std::map<Place, std::vector<ToStranger>> m_strangers;
 };

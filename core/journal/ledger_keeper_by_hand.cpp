@@ -20,6 +20,9 @@ void LedgerKeeper::beginByHand(Place place, Word word)
     const DeviceDescription &device = watched.encoder->device();
     if (const auto value = protocolOf(device).valueIn(device, word))
         replaceValue(noted->sent, *value);
+    const int before = watched.encoder->eepromCount().atMost();
+    showCount(place);
+    warn(place, before);
 }
 
 void LedgerKeeper::beginTyped(const TypedWrite &write)

@@ -87,6 +87,28 @@ TEST_F(LedgerKeeperTest, WhatWasCountedByThePlaceIsNotLostWithTheSerialNumber)
     EXPECT_TRUE(eepromCountText(countAt(fraba)).contains(QStringLiteral("counted by its place before")));
 }
 
+// What was written to the previous encoder is not the new one's; and whoever takes the replacement back has
+// the one that was written to, whatever it was called meanwhile.
+TEST_F(LedgerKeeperTest, AReplacementLeavesTheCountToThePreviousEncoder)
+{
+    keep(DatabasePlace::memory());
+    write(fraba, 255);
+    write(fraba, 256);
+    ASSERT_EQ(countAt(fraba).writes, 2);
+    ASSERT_TRUE(bus.replace(fraba, QStringLiteral("fraba-ocd-ib"), 4096, 8192));
+    keeper->setLabel(fraba, QStringLiteral("99999"));
+    EXPECT_EQ(countAt(fraba).by, CountedBy::labelSerialNumber);
+    EXPECT_EQ(countAt(fraba).writes, 0);
+    write(fraba, 257);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(countAt(fraba).atPlace, 2) << "perhaps: nobody knows whom the place meant";
+    keeper->setLabel(fraba, {});
+    EXPECT_EQ(countAt(fraba).by, CountedBy::place);
+    EXPECT_EQ(countAt(fraba).writes, 3);
+    keeper->setLabel(fraba, QStringLiteral("99999"));
+    EXPECT_EQ(countAt(fraba).writes, 1);
+}
+
 TEST_F(LedgerKeeperTest, CountsWordsByHand)
 {
     keep(DatabasePlace::memory());
@@ -111,7 +133,7 @@ TEST_F(LedgerKeeperTest, NotesAWordByHandBeforeItIsSent)
     send(0x020000FF);
     EXPECT_EQ(bus.channel(fraba)->out(), 0U);
     EXPECT_EQ(noted().perhaps, 1);
-    EXPECT_EQ(countAt(fraba).perhaps, 0); // it is under way
+    EXPECT_EQ(countAt(fraba).perhaps, 1) << "from the moment it may be written";
     bus.advance(50);
     send(0x04000002);
     EXPECT_EQ(noted().atMost(), 2);
