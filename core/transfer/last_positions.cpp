@@ -201,6 +201,32 @@ void LastPositions::follow(const EncoderBus &bus)
     connect(&bus, &QObject::destroyed, this, [this, its = &bus] { m_followed.erase(its); });
     connect(&bus, &EncoderBus::writeAboutToBeSent, this,
             [this](const TypedWrite &write) { scaledAnew(write.place, write.values); });
+    connect(&bus, &EncoderBus::meetsAgain, this, [this, its = &bus] { meetAgain(*its); });
+}
+
+// However short it was, the link was lost, and another encoder may be there now.
+void LastPositions::meetAgain(const EncoderBus &bus)
+{
+    for (const Place place : bus.places())
+        if (const auto found = m_watched.find(place); found != m_watched.end())
+            keepBefore(found->second, Since::unwatched);
+}
+
+// Whether it is the same as before is asked, and answered.
+void LastPositions::followQuestion(const EncoderSession &encoder)
+{
+    Watched &its = m_watched[encoder.place()];
+    const bool isAsked = encoder.knownBefore().has_value();
+    if (std::exchange(its.isAsked, isAsked) && !isAsked && its.before)
+        its.before->since = Since::gone;
+}
+
+void LastPositions::isSame(Place place)
+{
+    Watched &its = m_watched[place];
+    its.isAsked = false;
+    if (its.before && its.before->since == Since::unwatched)
+        its.before.reset();
 }
 
 void LastPositions::follow(const EncoderSession &encoder)
@@ -211,6 +237,8 @@ void LastPositions::follow(const EncoderSession &encoder)
     m_watched[its->place()].isScaleOld = true;
     connect(its, &QObject::destroyed, this, [this, its] { m_followed.erase(its); });
     connect(its, &EncoderSession::knownChanged, this, [this, its] { compareScale(*its); });
+    connect(its, &EncoderSession::isSameAsBefore, this, [this, its] { isSame(its->place()); });
+    connect(its, &EncoderSession::knownBeforeChanged, this, [this, its] { followQuestion(*its); });
     connect(its, &EncoderSession::jobAboutToStart, this, [this, its](const Job &job) {
         m_watched[its->place()].mayBeScaled = mayChangeScale(its->device(), job);
     });

@@ -16,7 +16,7 @@ class EncoderBus;
 struct SeenPosition
 {
     std::int64_t position = 0; // steps
-    QDateTime at;
+    QDateTime at{};
     // What came after it.
     enum class Since : std::uint8_t {
         there,     // the encoder was not seen to be away
@@ -77,6 +77,7 @@ private:
         ParameterValues scaleBefore{};        // known of the encoder with it
         QDateTime lookedAt{};                 // invalid: never
         std::chrono::milliseconds awayFor{};  // as seen
+        bool isAsked = false;                 // whether the encoder is the same as before
         bool mayBeScaled = false;             // by the job that runs, apart from values it writes
     };
 
@@ -85,6 +86,9 @@ private:
     void look(const EncoderBus &bus, const EncoderSession &encoder, const QDateTime &now, Watched &watched);
     void follow(const EncoderBus &bus);
     void follow(const EncoderSession &encoder);
+    void meetAgain(const EncoderBus &bus);
+    void followQuestion(const EncoderSession &encoder);
+    void isSame(Place place);
     void compareScale(const EncoderSession &encoder);
     void scaledAnew(Place place, SeenPosition::Scaled how);
     void scaledAnew(Place place, const ParameterValues &written);

@@ -238,7 +238,10 @@ TEST_F(PagesTest, AJobOfAPageThatIsClosedGoesOn)
     QTest::mouseClick(&find<QPushButton>("transferBegin"), Qt::LeftButton);
     advance(4);
     ASSERT_TRUE(transfer.isBusy());
+    const auto question = test::Question::answeredBy(QStringLiteral("Close the page"));
     press(Qt::Key_Escape);
+    EXPECT_TRUE(question.text().contains(QStringLiteral("only Cancel ends it")))
+        << question.text().toStdString();
     EXPECT_EQ(page(), &monitors());
     EXPECT_TRUE(transfer.isBusy());
     advance(500);

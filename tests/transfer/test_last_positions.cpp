@@ -175,6 +175,27 @@ TEST_F(LastPositionsOfTheRing, NothingIsWrittenToAnEncoderThatDoesNotAnswer)
     EXPECT_EQ(positions.at(fraba)->since, Since::gone);
 }
 
+// Even for a moment. Whoever answers says what came of it.
+TEST_F(LastPositionsOfTheRing, AfterALostLinkItIsNotSaidThatTheEncoderWasThereAllTheTime)
+{
+    pass(100);
+    const auto meetAgain = [this] {
+        encoder(fraba).setKnownBefore(
+            KnownBefore{.values = {{.parameter = Parameter::steps, .value = 8'192}}});
+        Q_EMIT bus.meetsAgain();
+        pass(100);
+    };
+    ASSERT_EQ(positions.at(fraba)->since, Since::there);
+    meetAgain();
+    EXPECT_EQ(positions.at(fraba)->since, Since::unwatched);
+    encoder(fraba).takeKnownBefore();
+    pass(100);
+    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+    meetAgain();
+    encoder(fraba).setKnownBefore({});
+    EXPECT_EQ(positions.at(fraba)->since, Since::gone) << "another one";
+}
+
 // Behind a gateway there are real ones.
 TEST_F(LastPositionsOfTheRing, OfSimulatedEncodersAreNotThoseOfARealRing)
 {

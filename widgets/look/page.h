@@ -19,6 +19,8 @@ public:
     virtual QString effect() const = 0;          // what it changes and sends, in a sentence
     // A sentence; empty: nothing. Does not count input that is not taken yet.
     virtual QString lostByClosing() const { return {}; }
+    // The same of a page whose job runs.
+    static QString goesOn() { return tr("What is being written goes on: only Cancel ends it."); }
     // The user has closed it: it starts afresh next time. A running job goes on, and is shown then.
     virtual void leave() {}
 

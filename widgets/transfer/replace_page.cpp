@@ -59,8 +59,8 @@ void ReplacePage::makeSteps()
 {
     m_write = new ReplaceWriteStep(m_replacing);
     m_account = new ReplaceAccountStep(m_replacing);
-    m_steps = {new ReplaceDeviceStep(m_replacing), new ReplacePositionStep(m_replacing, m_positions), m_write,
-               m_account};
+    m_position = new ReplacePositionStep(m_replacing, m_positions);
+    m_steps = {new ReplaceDeviceStep(m_replacing), m_position, m_write, m_account};
     QStringList titles;
     for (ReplaceStep *step : m_steps) {
         auto *scroll = new QScrollArea(m_pages);
@@ -89,7 +89,8 @@ ReplaceStep *ReplacePage::current() const
 // The steps are rebuilt, so that nothing typed for another encoder remains in them.
 void ReplacePage::replace(Place number)
 {
-    if (isBusy())
+    const bool isResultNew = m_hasBegun && !m_isResultSeen && m_replacing.place == number;
+    if (isBusy() || isResultNew)
         return;
     m_replacing.place = number;
     takePlanned();
@@ -98,6 +99,7 @@ void ReplacePage::replace(Place number)
     m_replacing.key = isAgain ? m_unfinished->key : QString();
     m_replacing.position.reset();
     m_hasBegun = false;
+    m_isResultSeen = false;
     while (QWidget *page = m_pages->widget(0)) {
         m_pages->removeWidget(page);
         delete page;
@@ -121,7 +123,12 @@ void ReplacePage::followProject()
     if (!isVisible() || m_hasBegun)
         return;
     takePlanned();
-    current()->refresh();
+    if (m_pages->currentIndex() != write || m_position->stillHolds()) {
+        current()->refresh();
+        return;
+    }
+    showStep(position);
+    m_position->askAnew();
 }
 
 // The old project's plan means nothing to another project. An account of what was written stays to be saved.
@@ -132,6 +139,12 @@ void ReplacePage::leaveProject()
         return;
     replace(m_replacing.place);
     Q_EMIT closeRequested();
+}
+
+void ReplacePage::showEvent(QShowEvent *event)
+{
+    Page::showEvent(event);
+    m_isResultSeen = m_isResultSeen || m_pages->currentIndex() == account;
 }
 
 void ReplacePage::resizeEvent(QResizeEvent *event)
@@ -181,6 +194,8 @@ QString ReplacePage::effect() const
 
 QString ReplacePage::lostByClosing() const
 {
+    if (isBusy())
+        return goesOn();
     const Replacement &now = m_replacing.now;
     const QString kept = m_unfinished && m_unfinished->place == m_replacing.place
                              ? m_unfinished->label.serialNumber
@@ -209,6 +224,7 @@ void ReplacePage::next()
         current()->setFocus();
     } else if (step == write) {
         m_hasBegun = true;
+        m_write->takeNew(); // before the project names its label
         putIntoProject();
         m_write->begin();
         Q_EMIT headChanged();
@@ -249,6 +265,7 @@ void ReplacePage::showAccount()
     Q_EMIT messaged(messageOf(what));
     m_account->show(what);
     showStep(account);
+    m_isResultSeen = isVisible();
 }
 
 void ReplacePage::showButtons()

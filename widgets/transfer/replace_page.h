@@ -16,6 +16,7 @@ class QStackedWidget;
 namespace codewheel {
 
 class ReplaceAccountStep;
+class ReplacePositionStep;
 class ReplaceWriteStep;
 class StepList;
 
@@ -45,6 +46,7 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
     enum Step : int { device, position, write, account };
@@ -76,10 +78,12 @@ private:
     std::optional<Unfinished> m_unfinished;
     const LastPositions &m_positions;
     std::array<ReplaceStep *, stepCount> m_steps{};
+    ReplacePositionStep *m_position = nullptr;
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;
     QuickPress m_press;      // the current one is shown
     bool m_hasBegun = false; // writing: what was reviewed is fixed from then on
+    bool m_isResultSeen = false;
     StepList *m_list = nullptr;
     QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;

@@ -164,8 +164,15 @@ QRadioButton *ReplacePositionStep::chosen() const
     return nullptr;
 }
 
+void ReplacePositionStep::takeSeen(const SeenPosition &seen)
+{
+    m_replacing.position = seen.position;
+    m_scale = seen.scale;
+}
+
 void ReplacePositionStep::takeTyped()
 {
+    m_scale = newSettings();
     const QString text = m_value->text().trimmed();
     const auto position = readWhole(text);
     if (position && *position >= 0)
@@ -178,15 +185,42 @@ void ReplacePositionStep::takeTyped()
                 : position.error());
 }
 
-// With what is written to it the encoder counts no further: it would refuse the position, with the rest
-// written.
-void ReplacePositionStep::refuseBeyondRange()
+// What is written to the new encoder.
+ParameterValues ReplacePositionStep::newSettings() const
 {
     ParameterValues values = storedSettings(m_replacing.before, m_replacing.now.device);
     for (const ParameterValue &wanted : m_replacing.before.wanted)
         replaceValue(values, wanted);
-    const auto total =
-        m_replacing.now.device->hasWords() ? totalRange(*m_replacing.now.device, values) : std::nullopt;
+    return values;
+}
+
+// With what is written to it the encoder counts no further than that.
+std::optional<std::int64_t> ReplacePositionStep::newRange() const
+{
+    return m_replacing.now.device->hasWords() ? totalRange(*m_replacing.now.device, newSettings())
+                                              : std::nullopt;
+}
+
+bool ReplacePositionStep::stillHolds() const
+{
+    if (!m_replacing.position)
+        return true;
+    const bool isOtherNow = isWantedOtherwise(m_scale) && m_replacing.before.wanted != m_wanted;
+    const auto total = newRange();
+    return !isOtherNow && (!total || *m_replacing.position < *total);
+}
+
+void ReplacePositionStep::askAnew()
+{
+    m_message->showMessage(
+        Role::attention, tr("Other values are wanted than when the position was chosen: with them it may be "
+                            "another place. Choose it once more."));
+}
+
+// It would refuse the position, with the rest written.
+void ReplacePositionStep::refuseBeyondRange()
+{
+    const auto total = newRange();
     if (!total || *m_replacing.position < *total)
         return;
     m_message->showMessage(Role::attention,
@@ -202,12 +236,14 @@ bool ReplacePositionStep::leave()
     m_replacing.position.reset();
     if (m_none->isChecked())
         return true;
+    m_wanted = m_replacing.before.wanted;
     if (m_last->isChecked() && m_seen)
-        m_replacing.position = m_seen->position;
+        takeSeen(*m_seen);
     else if (m_newest->isChecked() && m_since)
-        m_replacing.position = m_since->position;
+        takeSeen(*m_since);
     else if (m_kept->isChecked() && m_replacing.before.lastPosition)
-        m_replacing.position = m_replacing.before.lastPosition->position;
+        takeSeen({.position = m_replacing.before.lastPosition->position,
+                  .scale = storedSettings(m_replacing.before, nullptr)});
     else
         takeTyped();
     if (m_replacing.position)

@@ -23,6 +23,9 @@ public:
 
     void enter() override;
     bool leave() override;
+    // Whether the position that was chosen is still the same place, and can be set, with what is wanted now.
+    bool stillHolds() const;
+    void askAnew(); // since it is not
 
 private:
     void showOffers();
@@ -30,6 +33,9 @@ private:
     QString withScale(const QString &text, const ParameterValues &scale) const;
     QString textOf(const SeenPosition &seen) const; // %1 the position, %2 the time
     static QString tipOf(const SeenPosition &seen);
+    ParameterValues newSettings() const;
+    std::optional<std::int64_t> newRange() const;
+    void takeSeen(const SeenPosition &seen);
     void takeTyped();
     void refuseBeyondRange();
     QRadioButton *chosen() const;
@@ -37,6 +43,8 @@ private:
     const LastPositions &m_positions;
     std::optional<SeenPosition> m_seen;
     std::optional<SeenPosition> m_since; // after it, of whichever encoder
+    ParameterValues m_scale;             // of the position that was chosen
+    ParameterValues m_wanted;            // when it was
     QRadioButton *m_last;
     QRadioButton *m_newest;
     QRadioButton *m_kept;

@@ -111,7 +111,7 @@ bool ReplaceWriteStep::leave()
     return mayGoOn();
 }
 
-void ReplaceWriteStep::begin()
+void ReplaceWriteStep::takeNew()
 {
     m_isFixed = true;
     const Replacement &now = m_replacing.now;
@@ -121,6 +121,10 @@ void ReplaceWriteStep::begin()
         if (!replaced)
             m_message->showMessage(Role::attention, refusalText(replaced.error()));
     }
+}
+
+void ReplaceWriteStep::begin()
+{
     const QString &serial = m_replacing.now.serialNumber;
     m_source = serial.isEmpty() ? m_replacing.project.project().title : tr("Serial number %1").arg(serial);
     m_progress->begin();

@@ -32,7 +32,9 @@ public:
     QString nextText() const override { return tr("&Write"); }
 
     bool isBusy() const { return m_round.isRunning(); }
-    // From now on nothing that was known of the previous encoder is known of the one that is there.
+    // From now on nothing that was known of the previous encoder is known of the one that is there, and what
+    // is counted is its.
+    void takeNew();
     void begin();
     void cancel();
     // Of the writing, once it has ended.

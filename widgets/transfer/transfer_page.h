@@ -40,6 +40,7 @@ public:
     bool isBusy() const { return m_round.isRunning(); }
     QString title() const override { return tr("Transfer"); }
     QString effect() const override;
+    QString lostByClosing() const override { return isBusy() ? goesOn() : QString(); }
 
 Q_SIGNALS:
     void messaged(const codewheel::Message &message);

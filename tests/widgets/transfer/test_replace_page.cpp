@@ -135,6 +135,59 @@ TEST_F(ReplacePageTest, APositionBeyondTheWantedRangeIsRefusedBeforeAnythingIsWr
     EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 3/4"));
 }
 
+// The panel beside it goes on changing what is wanted.
+TEST_F(ReplacePageTest, OtherWantedValuesAskForThePositionOnceMore)
+{
+    const auto want = [this](std::int64_t steps, std::int64_t revolutions) {
+        project.editDevice(fraba, QStringLiteral("plan"), [&](ProjectDevice &device) {
+            device.wanted = {{Parameter::steps, steps}, {Parameter::revolutions, revolutions}};
+        });
+    };
+    const auto said = [this] {
+        return page.findChild<ReplacePositionStep *>()->findChild<InlineMessage *>()->sentence();
+    };
+    want(8'192, 4'096);
+    exchange();
+    page.replace(fraba);
+    click("replaceNext");
+    type("positionValue", "4000");
+    click("replaceNext");
+    ASSERT_EQ(page.title(), QStringLiteral("Replace encoder 3/4"));
+    project.editDevice(fraba, QStringLiteral("station"),
+                       [](ProjectDevice &device) { device.station = QStringLiteral("Lift"); });
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 3/4"));
+    want(4'096, 4'096);
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 2/4")) << "with these it is another place";
+    EXPECT_TRUE(said().contains(QStringLiteral("once more"))) << said().toStdString();
+    click("replaceNext");
+    ASSERT_EQ(page.title(), QStringLiteral("Replace encoder 3/4"));
+    want(2'048, 4'096);
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 2/4"));
+    click("replaceNext");
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 2/4")) << "it is beyond the range";
+}
+
+// Esc is no Cancel. What came of it is shown when the page is opened again.
+TEST_F(ReplacePageTest, WhileItIsWrittenClosingIsAskedAboutAndTheResultWaits)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    click("replaceNext");
+    ASSERT_TRUE(page.isBusy());
+    EXPECT_TRUE(page.lostByClosing().contains(QStringLiteral("only Cancel ends it")));
+    page.hide();
+    page.leave();
+    advanceWhileBusy(page);
+    page.replace(fraba);
+    page.show();
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 4/4"));
+    EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    page.replace(fraba);
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 1/4")) << "it was seen";
+}
+
 // The technician says which of the two encoders showed it.
 TEST_F(ReplacePageTest, ThePositionSinceThenIsOfferedToo)
 {
