@@ -49,7 +49,7 @@ struct ValueForm
     // Set if the range of the value depends on the options.
     Range (*range)(const ValueOptions &options) = nullptr;
     QString (*rangeText)() = nullptr; // if the options are not known
-    bool isTypedAsHex = false;
+    int typedHexDigits = 0;           // it is typed as hexadecimal number with so many digits; 0: decimal
 };
 
 struct ParameterDescription

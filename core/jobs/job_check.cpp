@@ -136,8 +136,9 @@ Result<void> checkRange(const ParameterDescription &parameter, std::int64_t valu
     if (value >= parameter.minimum && value <= parameter.maximum)
         return {};
     const auto asTyped = [&](std::int64_t number) {
-        return parameter.form != nullptr && parameter.form->isTypedAsHex
-                   ? RefusalArgument(hexWord(Word{static_cast<std::uint32_t>(number)}) + u'h')
+        constexpr int wholeWord = 8;
+        return parameter.form != nullptr && parameter.form->typedHexDigits == wholeWord
+                   ? RefusalArgument(hexWord(static_cast<Word>(number)) + u'h')
                    : RefusalArgument(number);
     };
     return refuse(

@@ -10,6 +10,7 @@
 #include "widgets/parameters/parameter_words.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QLocale>
 #include <QValidator>
 
@@ -19,15 +20,33 @@ namespace codewheel {
 
 namespace {
 
+struct ValueInputText
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::ValueInput)
+};
+
 constexpr double largestInput = 1e12; // beyond any range
 constexpr int typedDigits = 12;
+
+int hexDigitsOf(const ParameterDescription &parameter)
+{
+    return parameter.form != nullptr ? parameter.form->typedHexDigits : 0;
+}
+
+// "12" may be meant as 12h or as 0Ch.
+bool isOfBothKinds(const QString &text, int hexDigits)
+{
+    const QString plain = text.trimmed();
+    return hexDigits > 0 && plain.size() > 1 && plain.size() <= hexDigits &&
+           std::ranges::all_of(plain, [](QChar c) { return c.isDigit(); });
+}
 
 // As it is typed: mm for a length sent in micrometres, the bits of a scaling factor, otherwise a whole
 // number.
 QString inputText(const ParameterDescription &parameter, std::int64_t value)
 {
-    if (parameter.form != nullptr && parameter.form->isTypedAsHex)
-        return hexWord(static_cast<Word>(value)) + u'h';
+    if (const int digits = hexDigitsOf(parameter); digits > 0)
+        return hexWord(static_cast<Word>(value)).right(digits) + u'h';
     if (parameter.unit != Unit::micrometres)
         return QString::number(value);
     QLocale locale;
@@ -37,6 +56,13 @@ QString inputText(const ParameterDescription &parameter, std::int64_t value)
 
 tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &parameter, const QString &text)
 {
+    if (const int digits = hexDigitsOf(parameter); isOfBothKinds(text, digits)) {
+        const QString plain = text.trimmed();
+        const Word asDecimal = plain.toUInt();
+        return tl::unexpected(ValueInputText::tr("\"%1\" can be hexadecimal or decimal. Write %2 or %3.")
+                                  .arg(plain, plain.rightJustified(digits, u'0') + u'h',
+                                       hexWord(asDecimal).right(digits) + u'h'));
+    }
     if (parameter.unit != Unit::micrometres)
         return readWhole(text);
     const auto millimetres = readDecimal(text, QLocale());

@@ -8,6 +8,7 @@
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -592,6 +593,27 @@ TEST_F(Parameters, EveryControlHasANameAndATip)
         EXPECT_FALSE(control->toolTip().isEmpty()) << name.toStdString();
     }
     EXPECT_GE(checked, 4);
+}
+
+// The tree and the manual write it in hexadecimal.
+TEST(NumberInput, AnAddressOfTwoDigitsSaysWhichNumberItIs)
+{
+    const Catalog catalog = Catalog::builtIn();
+    const DeviceDescription *device = catalog.find(QStringLiteral("kuebler-esc-rs485"));
+    ASSERT_NE(device, nullptr);
+    NumberInput input(*device->find(Parameter::lineAddress));
+    input.setValue(18);
+    EXPECT_EQ(input.text(), QStringLiteral("12h"));
+    for (const auto &[text, value] :
+         {std::pair("12h", 18), std::pair("0Ch", 12), std::pair("0x0C", 12), std::pair("9", 9)}) {
+        input.setText(QLatin1String(text));
+        ASSERT_TRUE(input.value()) << text;
+        EXPECT_EQ(*input.value(), value) << text;
+    }
+    input.setText(QStringLiteral("12"));
+    ASSERT_FALSE(input.value());
+    EXPECT_TRUE(refusalText(input.value().error()).contains(QStringLiteral("Write 12h or 0Ch.")))
+        << refusalText(input.value().error()).toStdString();
 }
 
 } // namespace

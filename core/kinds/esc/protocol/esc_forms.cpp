@@ -64,14 +64,15 @@ QString factorRangeText()
 const ValueForm *escForm(Parameter parameter)
 {
     using enum esc::Command;
-    static constexpr ValueForm address{[](std::int64_t value, const Options &) {
-        return EscLineAddress{static_cast<std::uint8_t>(value)}.shown();
-    }};
+    static constexpr ValueForm address{
+        .text = [](std::int64_t value,
+                   const Options &) { return EscLineAddress{static_cast<std::uint8_t>(value)}.shown(); },
+        .typedHexDigits = 2};
     static constexpr ValueForm serial{
         [](std::int64_t value, const Options &) { return hexWord(rawOf(value)); }};
     static constexpr ValueForm code{
         [](std::int64_t value, const Options &) { return hexCode(rawOf(value), codeDigits); }};
-    static constexpr ValueForm factor{factorText, factorRange, factorRangeText, true};
+    static constexpr ValueForm factor{factorText, factorRange, factorRangeText, 8};
     static constexpr ValueForm operating{
         [](std::int64_t value, const Options &) { return bitsText(operatingParameters, value, false); }};
     static constexpr ValueForm alarmBits{
