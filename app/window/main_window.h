@@ -158,7 +158,7 @@ private:
     void showFault(BusId bus, const Fault &fault);
     void tellWhose();
     std::optional<Place> recordedEncoder(BusId opened) const;
-    void showOneOf(const std::vector<BusId> &buses);
+    void showOneOf(const std::vector<Place> &places);
     void chooseBusOf(Place place);
     void goTo(Place place);        // a device, or without a node a bus
     EncoderBus *chosenBus() const; // null: no bus, or it has no session

@@ -235,10 +235,14 @@ void MainWindow::tellWhose()
 }
 
 // What was undone there is seen.
-void MainWindow::showOneOf(const std::vector<BusId> &buses)
+void MainWindow::showOneOf(const std::vector<Place> &places)
 {
-    const auto shown = std::ranges::find_if(buses, [this](BusId bus) { return m_structure->has({bus}); });
-    if (shown != buses.end() && std::ranges::find(buses, m_chosenBus) == buses.end())
+    const auto shown = std::ranges::find_if(places, [this](Place place) { return m_structure->has(place); });
+    if (shown == places.end() || std::ranges::find(places, m_chosenBus, &Place::bus) != places.end())
+        return;
+    if (shown->isEmpty())
+        m_structure->choose(shown->bus);
+    else
         m_structure->choose(*shown);
 }
 

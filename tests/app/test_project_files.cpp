@@ -421,6 +421,18 @@ TEST_F(ProjectFilesTest, TheProjectNamesTheDevicesOfTheRing)
     EXPECT_EQ(bus().structure().front().deviceKey, QString());
 }
 
+TEST_F(ProjectFilesTest, WhatIsUndoneOnAnotherBusIsChosen)
+{
+    auto &structure = *window().findChild<StructureView *>();
+    document().editDevice(fraba, QStringLiteral("station"),
+                          [](ProjectDevice &device) { device.station = QStringLiteral("Lift"); });
+    const Place onLine = shown->plant().buses().places().back();
+    ASSERT_NE(onLine.bus, fraba.bus);
+    structure.choose(onLine);
+    document().undoStack().undo();
+    EXPECT_EQ(structure.current(), fraba);
+}
+
 TEST_F(ProjectFilesTest, APlanThatIsEditedDoesNotShiftTheNamesOfTheRing)
 {
     const RingStructure before = bus().structure();

@@ -82,7 +82,8 @@ Q_SIGNALS:
     void changed();     // anything of the project or of its devices
     void replaced();    // by another project; changed() is emitted as well
     void fileChanged(); // its name
-    void wentBackOrForth(const std::vector<codewheel::BusId> &buses); // undone or redone: in their plans
+    // Undone or redone: devices and buses whose plans have changed, devices first.
+    void wentBackOrForth(const std::vector<codewheel::Place> &places);
     void savedChanged(bool isSaved);
 
 private:

@@ -40,38 +40,39 @@ void ProjectStep::undo()
 {
     m_isNew = false;
     m_document.apply(m_before.content, m_first, m_after.devices.size(), m_before.devices, m_before.ids);
-    Q_EMIT m_document.wentBackOrForth(buses());
+    Q_EMIT m_document.wentBackOrForth(places());
 }
 
 void ProjectStep::redo()
 {
     m_document.apply(m_after.content, m_first, m_before.devices.size(), m_after.devices, m_after.ids);
     if (!m_isNew)
-        Q_EMIT m_document.wentBackOrForth(buses());
+        Q_EMIT m_document.wentBackOrForth(places());
 }
 
-std::vector<BusId> ProjectStep::buses() const
+std::vector<Place> ProjectStep::places() const
 {
-    std::vector<BusId> buses;
-    const auto take = [&buses](BusId bus) {
-        if (std::ranges::find(buses, bus) == buses.end())
-            buses.push_back(bus);
+    std::vector<Place> places;
+    const auto take = [&places](Place place) {
+        if (std::ranges::find(places, place) == places.end())
+            places.push_back(place);
     };
     const auto takeUnlessThere = [&](const State &here, const State &there) {
         for (const ProjectDevice &device : here.devices)
             if (std::ranges::find(there.devices, device) == there.devices.end())
-                take(device.bus);
+                take(device.place());
         for (const auto &[place, device] : here.content.others)
             if (const auto same = there.content.others.find(place);
                 same == there.content.others.end() || same->second != device)
-                take(place.bus);
+                take(place);
         for (const PlannedBus &bus : here.content.header.buses)
             if (std::ranges::find(there.content.header.buses, bus) == there.content.header.buses.end())
-                take(bus.id);
+                take({bus.id});
     };
     takeUnlessThere(m_after, m_before);
     takeUnlessThere(m_before, m_after);
-    return buses;
+    std::stable_partition(places.begin(), places.end(), [](Place place) { return !place.isEmpty(); });
+    return places;
 }
 
 // Merges only changes to the same devices in the same gesture, so that the two spans are the same.

@@ -28,7 +28,7 @@ public:
                 const QString &what, ProjectDocument::Gesture gesture);
 
     bool changesNothing() const { return m_before == m_after; }
-    std::vector<BusId> buses() const; // whose plan it changes
+    std::vector<Place> places() const; // devices and buses whose plan it changes, devices first
 
     void undo() override;
     void redo() override;
