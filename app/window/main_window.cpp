@@ -118,6 +118,13 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     m_files->setBeforeSaving([&plant](Project project) {
         return withLastPositions(std::move(project), plant.positions(), plant.buses());
     });
+    m_files->setEndsForOthers([&plant] {
+        QStringList ends;
+        for (const BusAtWork *bus : plant.all())
+            ends << bus->endsForOthers();
+        ends.removeAll(QString());
+        return ends.join(u'\n');
+    });
     makePages();
     makeDocks(messages);
     m_faults = new FaultNotice(

@@ -2,6 +2,8 @@
 #include "widgets/functions/function_questions.h"
 
 #include "catalog/device_description.h"
+#include "jobs/protocol.h"
+#include "jobs/values_to_write.h"
 #include "jobs/what_run_makes_valid.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/refusal_text.h"
@@ -26,6 +28,12 @@ struct Functions
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::EncoderFunctions)
 };
+
+bool isOutOfReach(const EncoderSession &encoder)
+{
+    const Freshness::Reason why = encoder.freshness().reason();
+    return why == Freshness::Reason::disconnected || why == Freshness::Reason::linkLost;
+}
 
 // With a picture beside the text. Qt lays a message box out anew when the style changes, without it.
 class BoxWithPicture : public QMessageBox
@@ -75,6 +83,10 @@ bool confirm(QWidget *window, const EncoderSession &encoder, const char *topic, 
     box.setPicture(picture);
     QObject::connect(&encoder, &QObject::destroyed, &box, &QDialog::reject);
     QObject::connect(&encoder, &EncoderSession::jobStarted, &box, &QDialog::reject);
+    QObject::connect(&encoder, &EncoderSession::freshnessChanged, &box, [&] {
+        if (isOutOfReach(encoder)) // what it asks about may not be so any more
+            box.reject();
+    });
     box.exec();
     return box.clickedButton() == yes;
 }
@@ -192,16 +204,23 @@ bool askToSendRun(QWidget *window, const EncoderSession &encoder)
 
 bool askToRestore(QWidget *window, const EncoderSession &encoder, const ParameterValues &values)
 {
+    const auto steps =
+        plannedSteps(encoder.device(), EndParameterization{values}, {.known = allKnown(encoder)});
+    const bool runsFirst = !steps || steps->empty() || steps->front().effect == Effect::activates;
+    const QString what =
+        runsFirst
+            ? Functions::tr("Run is sent first, and until the earlier values are written the encoder gives "
+                            "its position by what it has taken. Then these are written: %1.")
+            : Functions::tr("These are written before run is sent, so that the encoder gives no position by "
+                            "what it has taken: %1.");
     return confirm(
         window, encoder, "parameters.md#write",
         Functions::tr("Restore the earlier values of %1?").arg(encoder.place().shown()),
-        {Functions::tr(
-             "Run is sent first, and until the earlier values are written the encoder gives its position "
-             "by what it has taken. Then these are written: %1.")
-             .arg(valueList(encoder.device(), values)),
+        {what.arg(valueList(encoder.device(), values)),
          eepromCountText(encoder) + u' ' + eepromCostText(encoder, static_cast<int>(values.size()))},
         Functions::tr("&Restore"),
-        Functions::tr("Sends run, then writes the earlier values, then sends run again"));
+        runsFirst ? Functions::tr("Sends run, then writes the earlier values, then sends run again")
+                  : Functions::tr("Writes the earlier values, then sends run"));
 }
 
 } // namespace codewheel

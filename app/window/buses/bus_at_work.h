@@ -51,6 +51,8 @@ public:
     virtual void openTraining() {} // connects a training bus, in Operate
     // An encoder of a training bus whose shaft turns by itself.
     virtual std::optional<Place> turning() const { return std::nullopt; }
+    // What ends for others when the project or the program is closed, in a sentence; empty: nothing.
+    virtual QString endsForOthers() const { return {}; }
     virtual void start() {} // by a thread of its own from now on, unless it is driven by hand
     const LedgerKeeper *ledger() const { return m_ledger.get(); } // null: no bus
 

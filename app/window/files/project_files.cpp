@@ -197,6 +197,30 @@ QString ProjectFiles::leftOut() const
 
 bool ProjectFiles::mayClose()
 {
+    return mayEndForOthers() && maySaveOrDiscard();
+}
+
+bool ProjectFiles::mayEndForOthers()
+{
+    const QString what = m_endsForOthers ? m_endsForOthers() : QString();
+    if (what.isEmpty())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Project"), tr("Others are connected to this program. Go on?"),
+                    QMessageBox::NoButton, &m_window);
+    box.setObjectName(QStringLiteral("othersQuestion"));
+    setHelpTopic(box, "serving.md#in-the-window");
+    box.setInformativeText(what);
+    QPushButton *go = box.addButton(tr("&Disconnect them"), QMessageBox::DestructiveRole);
+    go->setToolTip(tr("Ends what is offered, and goes on"));
+    QPushButton *stay = box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(stay);
+    box.setEscapeButton(stay);
+    box.exec();
+    return box.clickedButton() == go;
+}
+
+bool ProjectFiles::maySaveOrDiscard()
+{
     takeFocusedField();
     if (m_document.isSaved())
         return true;

@@ -31,8 +31,11 @@ public:
 
     // What to add to the file besides what was edited.
     void setBeforeSaving(std::function<Project(Project)> complete) { m_complete = std::move(complete); }
+    // What ends for others with the project, in sentences; empty: nothing.
+    void setEndsForOthers(std::function<QString()> ends) { m_endsForOthers = std::move(ends); }
 
-    // Each first asks what to do with unsaved changes. False: nothing was opened.
+    // Each first asks what to do with unsaved changes, and whether something may end for others. False:
+    // nothing was opened.
     bool open(const QString &path);
     bool makeNew();
     // With a dialog.
@@ -50,6 +53,8 @@ Q_SIGNALS:
     void recentChanged();
 
 private:
+    bool maySaveOrDiscard();
+    bool mayEndForOthers();
     bool keep(const QString &path, const std::optional<QByteArray> &over = {});
     bool saveBesideAnother(); // the file has what another program saved
     QString leftOut() const;
@@ -64,6 +69,7 @@ private:
     InlineMessage &m_notice;
     QMenu &m_recent;
     std::function<Project(Project)> m_complete;
+    std::function<QString()> m_endsForOthers;
 };
 
 } // namespace codewheel

@@ -158,8 +158,9 @@ TEST_F(WizardHandshake, LeftInParameterizationItCanBeBroughtBack)
     }
     const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
     click("recoverRestore");
-    EXPECT_TRUE(question.text().contains(QStringLiteral("Then these are written: Steps = 8192")))
+    EXPECT_TRUE(question.text().contains(QStringLiteral("These are written before run is sent")))
         << question.text().toStdString();
+    EXPECT_TRUE(question.text().contains(QStringLiteral("Steps = 8192"))) << question.text().toStdString();
     EXPECT_TRUE(question.text().contains(QStringLiteral("EEPROM"))) << question.text().toStdString();
     settle();
     EXPECT_EQ(fraba().latest().state, EncoderState::operation);

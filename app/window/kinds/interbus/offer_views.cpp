@@ -75,26 +75,23 @@ bool OfferViews::isOn() const
 
 void OfferViews::end()
 {
-    const ClientCounts counts = m_offer.isOn() ? m_offer.counts() : ClientCounts();
-    if (counts.came == counts.left)
+    if (m_offer.connectedClients() == 0)
         m_offer.end();
     else
-        askToEnd(static_cast<int>(counts.came - counts.left));
+        askToEnd();
 }
 
 // Not by exec(): the offer may end, or the window be rebuilt, while it is open.
-void OfferViews::askToEnd(int clients)
+void OfferViews::askToEnd()
 {
     withdrawQuestion();
-    m_question = new QMessageBox(
-        QMessageBox::Question, tr("Stop offering"),
-        sentence(tr("Connected clients: %1. Stop offering and disconnect them?"), {QString::number(clients)}),
-        QMessageBox::NoButton, m_page.window());
+    m_question = new QMessageBox(QMessageBox::Question, tr("Stop offering"),
+                                 tr("Stop offering and disconnect all clients?"), QMessageBox::NoButton,
+                                 m_page.window());
     m_question->setObjectName(QStringLiteral("endOfferQuestion"));
     m_question->setAttribute(Qt::WA_DeleteOnClose);
     setHelpTopic(*m_question, "serving.md#in-the-window");
-    if (m_offer.place().seats > 0)
-        m_question->setInformativeText(tr("The rings of all seats end, with all that was written to them."));
+    m_question->setInformativeText(m_offer.endsForClients());
     QPushButton *stop = m_question->addButton(tr("&Stop offering"), QMessageBox::AcceptRole);
     stop->setToolTip(tr("Disconnects all clients (Alt+S)"));
     m_question->setDefaultButton(m_question->addButton(QMessageBox::Cancel));

@@ -40,7 +40,7 @@ Q_SIGNALS:
 
 private:
     void begin(const OfferWish &wish);
-    void askToEnd(int clients);
+    void askToEnd();
     void withdrawQuestion();
     void showPlace();
     void showStatus();

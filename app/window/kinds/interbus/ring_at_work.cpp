@@ -189,6 +189,11 @@ void RingAtWork::tellPlan()
     tellTrainingPlan(*bus(), &TrainingParticipant::knownInWindow);
 }
 
+QString RingAtWork::endsForOthers() const
+{
+    return m_offer->endsForClients();
+}
+
 void RingAtWork::start()
 {
     if (!surroundings().byThread)

@@ -40,6 +40,7 @@ public:
     void startAfresh();
     bool isStartingAfresh() const { return m_isStartingAfresh; } // the old one is leaving, the new one comes
     std::optional<Place> turning() const override;
+    QString endsForOthers() const override;
     void start() override;
     RingOffer &offer() { return *m_offer; } // to others
     // Another training ring, with the devices that the project plans here.

@@ -123,6 +123,23 @@ Result<void> RingOffer::begin(const OfferWish &wish)
     return {};
 }
 
+int RingOffer::connectedClients() const
+{
+    const ClientCounts counts = isOn() ? this->counts() : ClientCounts();
+    return static_cast<int>(counts.came - counts.left);
+}
+
+QString RingOffer::endsForClients() const
+{
+    const int clients = connectedClients();
+    if (clients == 0)
+        return {};
+    const QString who = sentence(tr("Connected clients: %1."), {QString::number(clients)});
+    return place().seats > 0
+               ? who + u' ' + tr("The rings of all seats end, with all that was written to them.")
+               : who;
+}
+
 void RingOffer::end()
 {
     if (isOn())

@@ -39,6 +39,9 @@ public:
     Result<void> begin(const OfferWish &wish);
     void end();
     bool isOn() const { return m_server != nullptr; }
+    int connectedClients() const; // 0 while it is off
+    // What they lose with it, in sentences; empty: nobody is connected.
+    QString endsForClients() const;
 
     // While it is on.
     OfferedPlace place() const;

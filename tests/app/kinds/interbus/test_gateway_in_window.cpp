@@ -253,6 +253,23 @@ TEST_F(GatewayInWindowTest, ATrippedWatchdogIsAcknowledgedByWhoeverSaysSo)
     EXPECT_FALSE(treeTexts().contains(QStringLiteral("outputs blocked")));
 }
 
+// What it asks about need not be so any more when the link is back.
+TEST_F(GatewayInWindowTest, TheQuestionAboutRunEndsWithTheLink)
+{
+    connectGateway();
+    setIn(0, 0xC200'00FF);
+    bus().setOperate(true);
+    advance(200);
+    const test::Question question([this](QWidget &box) {
+        bank->busyUntil = std::chrono::hours(1);
+        advance(5'000);
+        EXPECT_EQ(bus().state(), BusState::lost);
+        EXPECT_FALSE(box.isVisible());
+    });
+    press("sendRun");
+    EXPECT_TRUE(question.wasAsked());
+}
+
 TEST_F(GatewayInWindowTest, AnAlarmStopWaitsForTheWatchdogToBeAcknowledged)
 {
     constexpr int acknowledges = 4'096;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The training ring of the window offered to others: clients of libmodbus use it while the trainer looks on.
+#include "app/window/files/project_files.h"
 #include "tests/app/kinds/interbus/offer_test.h"
+#include "tests/app/question.h"
 #include "tests/support/register_bank.h"
 #include "widgets/kinds/interbus/offer/offer_form.h"
 
@@ -130,6 +132,23 @@ TEST_F(OfferInWindow, ClientsThatMayOnlyReadAreRefused)
     EXPECT_EQ(client.readHolding(0, 2), (std::vector<std::uint16_t>{0, 0}));
 }
 
+TEST_F(OfferInWindow, ANewProjectIsAskedAboutWhileOthersAreConnected)
+{
+    offer();
+    ModbusClient client(port());
+    ASSERT_EQ(client.readHolding(0, 2).size(), 2U);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Cancel"));
+        EXPECT_FALSE(window().files().makeNew());
+        EXPECT_TRUE(question.text().contains(QStringLiteral("Connected clients: 1")))
+            << question.text().toStdString();
+    }
+    EXPECT_TRUE(ring().offer().isOn());
+    const auto question = test::Question::answeredBy(QStringLiteral("Disconnect them"));
+    EXPECT_TRUE(window().files().makeNew());
+    EXPECT_TRUE(waitFor([&] { return !ring().offer().isOn(); }));
+}
+
 TEST_F(OfferInWindow, StoppingDisconnectsAll)
 {
     offer();
@@ -138,8 +157,8 @@ TEST_F(OfferInWindow, StoppingDisconnectsAll)
     click("stopOffering");
     ASSERT_NE(question(), nullptr);
     EXPECT_EQ(question()->defaultButton(), question()->button(QMessageBox::Cancel));
-    EXPECT_TRUE(question()->text().contains(QStringLiteral("clients: 1.")))
-        << question()->text().toStdString();
+    EXPECT_TRUE(question()->informativeText().contains(QStringLiteral("clients: 1.")))
+        << question()->informativeText().toStdString();
     question()->button(QMessageBox::Cancel)->click();
     EXPECT_TRUE(waitFor([&] { return question() == nullptr; }));
     EXPECT_TRUE(ring().offer().isOn());
