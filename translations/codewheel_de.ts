@@ -479,10 +479,6 @@
         <translation>Der Geber antwortet nicht: Gezeigt wird die letzte Position.</translation>
     </message>
     <message>
-        <source>Nothing comes from the encoder.</source>
-        <translation>Vom Geber kommt nichts.</translation>
-    </message>
-    <message>
         <source>Not up to date: %1</source>
         <comment>a sentence</comment>
         <translation>Nicht aktuell: %1</translation>
@@ -514,6 +510,10 @@
     <message>
         <source>IN holds a read-out value: there is no position.</source>
         <translation>In IN steht ein Auslesewert: keine Position.</translation>
+    </message>
+    <message>
+        <source>No word of the encoder is known.</source>
+        <translation>Kein Wort des Gebers ist bekannt.</translation>
     </message>
 </context>
 <context>
@@ -2046,10 +2046,6 @@
         <translation>ALARM-STOPP: alle OUT-Worte des Rings werden auf 0 gesetzt.</translation>
     </message>
     <message>
-        <source>The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. The program goes on trying. Stop the machine by its own means. Not 00000000 before: %1</source>
-        <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen, oder in OUT steht noch etwas anderes. Das Programm versucht es weiter. Die Maschine mit ihren eigenen Mitteln anhalten. Vorher nicht 00000000: %1</translation>
-    </message>
-    <message>
         <source>The zeros of the ALARM STOP were sent over the lost link, but nothing acknowledges them: it is not known whether they arrived. Stop the machine by its own means.</source>
         <translation>Die Nullen des ALARM-STOPPs wurden über die abgebrochene Verbindung gesendet, aber nichts quittiert sie: Ob sie angekommen sind, ist nicht bekannt. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
     </message>
@@ -2080,6 +2076,10 @@
     <message>
         <source>The last word was not answered, so the encoder may or may not have this: %1. Read it to know.</source>
         <translation>Das letzte Wort wurde nicht beantwortet, der Geber kann dies also haben oder nicht: %1. Auslesen, um es zu wissen.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. The program goes on trying. Stop the machine by its own means. In OUT when it was last seen: %1.</source>
+        <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen, oder in OUT steht noch etwas anderes. Das Programm versucht es weiter. Die Maschine mit ihren eigenen Mitteln anhalten. In OUT, als es zuletzt gesehen wurde: %1.</translation>
     </message>
 </context>
 <context>
@@ -3157,6 +3157,10 @@
     <message>
         <source>Say first whether the encoder at %1 is the same as before.</source>
         <translation>Zuerst angeben, ob der Geber an %1 noch derselbe ist.</translation>
+    </message>
+    <message>
+        <source>No two reads of IN of %1 agree, so it is not known what it shows. Check the word order, and where its registers begin. If they are right, its shaft is too fast for this gateway: stop it, or make the poll interval shorter.</source>
+        <translation>Keine zwei Lesungen von IN von %1 stimmen überein, also ist nicht bekannt, was er zeigt. Die Reihenfolge der Worte prüfen, und wo seine Register beginnen. Stimmen sie, so ist seine Welle zu schnell für dieses Gateway: anhalten, oder das Abfrageintervall verkürzen.</translation>
     </message>
 </context>
 <context>
@@ -7434,10 +7438,6 @@ eingestellte hat ein *. Schreibt nichts. Endet mit 1, wenn etwas fehlgeschlagen 
         <translation>Das Projekt sagt nicht, wo das Gateway von „%1“ ist. Es im Fenster eintragen oder angeben, etwa --link modbus-tcp:192.168.0.5.</translation>
     </message>
     <message>
-        <source>No two reads of IN of %1 agree, so it is not known what the encoder shows. Check its registers with codewheel-cli gateway.</source>
-        <translation>Keine zwei Lesungen von IN von %1 stimmen überein, also ist unbekannt, was der Geber zeigt. Seine Register mit codewheel-cli gateway prüfen.</translation>
-    </message>
-    <message>
         <source>The project has several rings, and none of them is planned at %1. Give it to one of them in the project, and use --link project.</source>
         <translation>Das Projekt hat mehrere Ringe, und keiner davon ist an %1 geplant. Es im Projekt einem davon geben und --link project verwenden.</translation>
     </message>
@@ -7770,6 +7770,14 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>not answered</source>
         <translation>nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: %3. Ctrl+C cancels.</source>
+        <translation>Schritt %1 von %2: %3. Strg+C bricht ab.</translation>
+    </message>
+    <message>
+        <source>Cancelled: what is under way is ended first.</source>
+        <translation>Abgebrochen: Was unterwegs ist, wird noch beendet.</translation>
     </message>
 </context>
 <context>
@@ -9581,6 +9589,14 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>Sends run, then writes the earlier values, then sends run again</source>
         <translation>Sendet Run, schreibt dann die vorigen Werte und sendet noch einmal Run</translation>
+    </message>
+    <message>
+        <source>These are written before run is sent, so that the encoder gives no position by what it has taken: %1.</source>
+        <translation>Diese werden geschrieben, bevor Run gesendet wird, damit der Geber keine Position nach dem ausgibt, was er angenommen hat: %1.</translation>
+    </message>
+    <message>
+        <source>Writes the earlier values, then sends run</source>
+        <translation>Schreibt die früheren Werte und sendet dann Run</translation>
     </message>
 </context>
 <context>
@@ -14365,20 +14381,16 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Nicht mehr anbieten</translation>
     </message>
     <message>
-        <source>Connected clients: %1. Stop offering and disconnect them?</source>
-        <translation>Verbundene Clients: %1. Nicht mehr anbieten und sie trennen?</translation>
-    </message>
-    <message>
-        <source>The rings of all seats end, with all that was written to them.</source>
-        <translation>Die Ringe aller Sitzplätze enden, mit allem, was in sie geschrieben wurde.</translation>
-    </message>
-    <message>
         <source>&amp;Stop offering</source>
         <translation>Nicht &amp;mehr anbieten</translation>
     </message>
     <message>
         <source>Disconnects all clients (Alt+S)</source>
         <translation>Trennt alle Clients (Alt+M)</translation>
+    </message>
+    <message>
+        <source>Stop offering and disconnect all clients?</source>
+        <translation>Angebot beenden und alle Clients trennen?</translation>
     </message>
 </context>
 <context>
@@ -14522,6 +14534,13 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>This code is here twice.</source>
         <translation>Dieser Code steht hier doppelt.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::Page</name>
+    <message>
+        <source>What is being written goes on: only Cancel ends it.</source>
+        <translation>Was geschrieben wird, läuft weiter: Nur Abbrechen beendet es.</translation>
     </message>
 </context>
 <context>
@@ -15364,6 +15383,18 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>What is wanted for %1 is in no file: nothing of the training line is kept.</source>
         <translation>Was für %1 gewünscht ist, steht in keiner Datei: Von der Übungsleitung wird nichts aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Others are connected to this program. Go on?</source>
+        <translation>Andere sind mit diesem Programm verbunden. Weitermachen?</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect them</source>
+        <translation>Sie &amp;trennen</translation>
+    </message>
+    <message>
+        <source>Ends what is offered, and goes on</source>
+        <translation>Beendet das Angebot und macht weiter</translation>
     </message>
 </context>
 <context>
@@ -16340,6 +16371,10 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>%1 Since then values of its scale, or its position, were written here: it is right if the previous encoder had the same scale.</source>
         <comment>a sentence, or most of one</comment>
         <translation>%1 Seitdem wurde hier etwas an der Skalierung oder die Position geschrieben: Sie stimmt, wenn der vorherige Geber dieselbe Skalierung hatte.</translation>
+    </message>
+    <message>
+        <source>Other values are wanted than when the position was chosen: with them it may be another place. Choose it once more.</source>
+        <translation>Es sind andere Werte gewünscht als bei der Wahl der Position: Mit ihnen kann sie eine andere Stelle sein. Bitte noch einmal wählen.</translation>
     </message>
 </context>
 <context>
@@ -17704,16 +17739,16 @@ Zustand: %3 (%4)</translation>
         <translation>Das Gateway hat das letzte Schreiben nicht ausgeführt (Exception 4). Der Watchdog seiner Ausgänge hat vielleicht angesprochen: Quittieren Sie ihn und schalten Sie dann wieder auf Bedienen.</translation>
     </message>
     <message>
-        <source>Not 00000000 before: %1.</source>
-        <translation>Vorher nicht 00000000: %1.</translation>
-    </message>
-    <message>
         <source>%1 was left in OUT of %2. The encoder may show no position, and the controller gets none.</source>
         <translation>%1 ist in OUT von %2 stehen geblieben. Der Geber zeigt vielleicht keine Position, und die Steuerung bekommt keine.</translation>
     </message>
     <message>
         <source>%1 may have been left in OUT of %2, which cannot be read back. The encoder may show no position then.</source>
         <translation>%1 steht vielleicht noch in OUT von %2, das sich nicht zurücklesen lässt. Dann zeigt der Geber vielleicht keine Position.</translation>
+    </message>
+    <message>
+        <source>In OUT when it was last seen: %1.</source>
+        <translation>In OUT, als es zuletzt gesehen wurde: %1.</translation>
     </message>
 </context>
 <context>
@@ -17760,6 +17795,14 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>Seat %1, %2: %3</source>
         <translation>Sitzplatz %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Connected clients: %1.</source>
+        <translation>Verbundene Clients: %1.</translation>
+    </message>
+    <message>
+        <source>The rings of all seats end, with all that was written to them.</source>
+        <translation>Die Ringe aller Plätze enden, mit allem, was in sie geschrieben wurde.</translation>
     </message>
 </context>
 <context>
@@ -21957,6 +22000,13 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::ValueInput</name>
+    <message>
+        <source>&quot;%1&quot; can be hexadecimal or decimal. Write %2 or %3.</source>
+        <translation>„%1“ kann hexadezimal oder dezimal gemeint sein. %2 oder %3 schreiben.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::ValuesPage</name>
     <message>
         <source>Values</source>
@@ -22707,8 +22757,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>Noch nicht gesendet: %1</translation>
     </message>
     <message>
-        <source>Not known: it cannot be read back. Operate replaces it.</source>
-        <translation>Unbekannt: Es lässt sich nicht zurücklesen. Bedienen ersetzt es.</translation>
+        <source>Not known what is there. Operate replaces it.</source>
+        <translation>Nicht bekannt, was dort steht. Bedienen ersetzt es.</translation>
     </message>
 </context>
 <context>
