@@ -196,11 +196,13 @@ void LedgerKeeper::followQuestion(Place place)
 {
     Watched &watched = m_watched[place];
     const bool isOpen = watched.encoder && watched.encoder->knownBefore().has_value();
-    if (std::exchange(watched.isAsked, isOpen) && !isOpen) {
+    const bool wasOpen = std::exchange(watched.isAsked, isOpen);
+    if (wasOpen && !isOpen) {
         watched.beforeItMet.clear();
         watched.doubtful.reset();
-        showCount(place);
     }
+    if (wasOpen != isOpen)
+        showCount(place);
 }
 
 // What was counted by its place since the connection was made goes along.
@@ -453,6 +455,8 @@ void LedgerKeeper::showCount(Place place)
     EepromCount count = ledger()->writes(watched.identity, running);
     if (count.by != CountedBy::place)
         addDoubtOfPlace(count, place);
+    else
+        addDoubtOfQuestion(count, *watched.encoder);
     watched.encoder->setEepromCount(count);
 }
 
@@ -463,6 +467,22 @@ void LedgerKeeper::addDoubtOfPlace(EepromCount &count, Place place) const
     count.atPlace = there.atMost() + writesBeforeItMet(place);
     if (there.atMost() > 0 && (!count.since.isValid() || there.since < count.since))
         count.since = there.since;
+}
+
+// While it is asked whether it is the one with that serial number.
+void LedgerKeeper::addDoubtOfQuestion(EepromCount &count, const EncoderSession &encoder) const
+{
+    const auto &before = encoder.knownBefore();
+    if (!before || !before->serialNumber)
+        return;
+    const EepromCount its = ledger()->writes({.by = CountedBy::serialNumber,
+                                              .vendor = encoder.device().vendor,
+                                              .serialNumber = QString::number(*before->serialNumber),
+                                              .project = {},
+                                              .place = {}});
+    count.perhaps += its.atMost();
+    if (its.atMost() > 0 && (!count.since.isValid() || its.since < count.since))
+        count.since = its.since;
 }
 
 // As long as nobody has said whether it is the same encoder. What stands under the place as it is called now

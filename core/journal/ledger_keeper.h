@@ -125,6 +125,7 @@ private:
     void tellOtherSerialNumber(Place place, const EncoderIdentity &reported);
     int writesBeforeItMet(Place place) const;
     void addDoubtOfPlace(EepromCount &count, Place place) const;
+    void addDoubtOfQuestion(EepromCount &count, const EncoderSession &encoder) const;
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);
     void warn(Place place, int before);

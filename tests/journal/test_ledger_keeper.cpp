@@ -109,6 +109,31 @@ TEST_F(LedgerKeeperTest, AReplacementLeavesTheCountToThePreviousEncoder)
     EXPECT_EQ(countAt(fraba).writes, 1);
 }
 
+// It may be the one that was written to.
+TEST_F(LedgerKeeperTest, WhileItIsAskedWhetherItIsTheSameItsWritesCountAsPerhaps)
+{
+    keep(file.place());
+    readSerialNumber();
+    write(fraba, 255);
+    ASSERT_EQ(countAt(fraba).by, CountedBy::serialNumber);
+    const std::int64_t number = bus.encoder(fraba)->known(Parameter::serialNumber)->value;
+    keeper.reset();
+    TrainingBus another = makeTrainingBus(catalog);
+    bus.useLink(std::move(another.link), bus.dateTime(bus.now()));
+    ASSERT_TRUE(bus.open(RingSession::Start::operating));
+    bus.advance(10);
+    keep(file.place());
+    EncoderSession &encoder = *bus.encoder(fraba);
+    EXPECT_EQ(countAt(fraba).by, CountedBy::place);
+    EXPECT_EQ(countAt(fraba).atMost(), 0);
+    encoder.setKnownBefore(
+        KnownBefore{.values = {{.parameter = Parameter::steps, .value = 255}}, .serialNumber = number});
+    EXPECT_EQ(countAt(fraba).writes, 0);
+    EXPECT_EQ(countAt(fraba).perhaps, 1);
+    encoder.setKnownBefore({});
+    EXPECT_EQ(countAt(fraba).atMost(), 0) << "another one";
+}
+
 TEST_F(LedgerKeeperTest, CountsWordsByHand)
 {
     keep(DatabasePlace::memory());
