@@ -42,7 +42,12 @@ public:
                               {QString::number(progress.index + 1), QString::number(progress.steps.size()),
                                stepText(m_device, progress.steps[static_cast<std::size_t>(progress.index)])});
     }
-    void cancelled() { m_text = CommandLine::tr("Cancelled: what is under way is ended first."); }
+    void cancelled()
+    {
+        m_text = CommandLine::tr("Cancelled: what is under way is ended first.");
+        if (!m_terminal.isInteractive)
+            m_terminal.complain(m_text);
+    }
     void look()
     {
         if (m_text == m_shown || std::chrono::steady_clock::now() < m_begun + std::chrono::seconds(1))
