@@ -85,8 +85,8 @@ private:
     Job m_whatIsDone; // the job, as the encoder was when it began
     Confirmed m_confirmed;
     std::optional<K3LateAnswer> m_late;
-    std::optional<K3Step> m_leftOff; // by a cancel; its word may still act
-    std::optional<Word> m_goesOut;   // that word, in the next exchange
+    std::optional<K3Step> m_leftOff;   // by a cancel; its word may still act
+    std::optional<Word> m_goesOut;     // that word, in the next exchange
     std::optional<Refusal> m_mismatch; // found when reading back, which goes on
     std::optional<Refusal> m_notSet;   // the position, or it is not known whether it was; the rest goes on
     Word m_inWhenAsked = 0;

@@ -129,10 +129,7 @@ protected:
                 {std::chrono::duration<double>(timeOut).count(), m_steps.current().out, in}};
     }
     bool isPrepared() const { return m_isPrepared; }
-    bool hasGoneOut() const
-    {
-        return m_steps.begun && !m_steps.atEnd() && hasGoneOut(m_steps.current().out);
-    }
+    bool hasGoneOut() const { return m_steps.begun && !m_steps.atEnd() && hasGoneOut(m_steps.current().out); }
     bool hasGoneOut(Word out) const { return m_unseen == out; }
 
 private:
