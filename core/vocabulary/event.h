@@ -32,12 +32,12 @@ struct Progress
 // lost, the computer slept, or the bus was stopped. Whether the encoder has it is not known until it is read.
 struct InDoubt
 {
-    ParameterValues values; // perhaps active, or confirmed
-    bool reset = false;     // to default
-    bool position = false;  // perhaps set
-    std::vector<unsigned> camPrograms;
-    int eepromWrites = 0;  // that this may have cost, besides those counted
-    std::vector<Word> out; // that OUT may still hold, besides 0: the likeliest first
+    ParameterValues values{}; // perhaps active, or confirmed
+    bool reset = false;       // to default
+    bool position = false;    // perhaps set
+    std::vector<unsigned> camPrograms{};
+    int eepromWrites = 0;    // that this may have cost, besides those counted
+    std::vector<Word> out{}; // that OUT may still hold, besides 0: the likeliest first
 
     friend bool operator==(const InDoubt &, const InDoubt &) = default;
     bool hasSomething() const { return *this != InDoubt(); }

@@ -19,7 +19,7 @@ struct KnownBefore
         Parameter parameter = Parameter::steps;
         std::int64_t value = 0;
         Evidence evidence = Evidence::told;
-        QDateTime at;
+        QDateTime at{};
     };
 
     std::vector<Value> values;
