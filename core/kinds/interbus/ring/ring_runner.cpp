@@ -117,7 +117,8 @@ void RingRunner::Private::carryOut(command::StartBus)
     if (ringIsOther)
         return;
     ring.state = MasterState::run;
-    tellOfRing({.id = MessageId::busStarted});
+    if (!ringStands()) // otherwise only our exchange runs
+        tellOfRing({.id = MessageId::busStarted});
 }
 
 void RingRunner::Private::carryOut(command::StopBus)
@@ -178,10 +179,9 @@ void RingRunner::Private::carryOut(command::AlarmStop)
     ++alarmStops;
     endJobs(RefusalId::alarmStop);
     zeroOut();
-    tellOfRing({.severity = Severity::attention,
-                .id = !ring.connected              ? MessageId::zerosWait
-                      : link.boundsWordsToCycles() ? MessageId::alarmStop
-                                                   : MessageId::zerosAsked});
+    if (!ring.connected || link.boundsWordsToCycles()) // otherwise RingSession::alarmStop() has told
+        tellOfRing({.severity = Severity::attention,
+                    .id = ring.connected ? MessageId::alarmStop : MessageId::zerosWait});
     if (readingIn)
         endReadIn(refuse(RefusalKind::stopped, RefusalId::alarmStop));
     lookAtMaster();
@@ -233,12 +233,12 @@ void RingRunner::Private::exchange()
     const auto exchanged = sendsZeros ? sendZeros()
                            : writes   ? link.exchange(image, received)
                                       : link.watch(image, received);
+    ring.at = std::max(ring.at, link.now()); // a gateway takes its time
     if (!exchanged) {
         fail(exchanged.error());
         return;
     }
     ++ring.cycle;
-    ring.at = std::max(ring.at, link.now()); // a gateway takes its time
     ring.outputsAreBlocked = ring.outputsAreBlocked && !sendsZeros && !writes;
     tellWritten();
     lookWhetherZerosStand();
@@ -276,15 +276,30 @@ void RingRunner::Private::lookWhetherZerosStand()
         zerosStandUntil.reset();
 }
 
+// As its gateway says.
+bool RingRunner::Private::ringStands() const
+{
+    const auto told = link.toldRing();
+    return told && told->stands();
+}
+
 void RingRunner::Private::tellZeros(const ProcessDataLink::ZerosSent &zeros)
 {
     if (zeros.areThere == false)
         tellOfRing(
             {.severity = Severity::fault, .id = MessageId::zerosOverwritten, .arguments = {zeros.notZero}});
-    else if (const auto told = link.toldRing(); told && told->stands())
+    else if (zerosAreBeforeRing = ringStands(); zerosAreBeforeRing)
         tellOfRing({.severity = Severity::fault, .id = MessageId::zerosBeforeRing});
     else
         tellOfRing({.id = zeros.areThere ? MessageId::zerosReadBack : MessageId::zerosSent});
+}
+
+// Those that waited for a ring that did not run, unless something else is in OUT by now.
+void RingRunner::Private::tellZerosAtDevices()
+{
+    const bool areThere = std::ranges::all_of(image, [](Word word) { return word == 0; });
+    if (std::exchange(zerosAreBeforeRing, false) && areThere)
+        tellOfRing({.id = MessageId::zerosReadBack});
 }
 
 // Only a gateway tells of it. What is on its way to a ring that stands still does not arrive.
@@ -297,6 +312,7 @@ void RingRunner::Private::lookAtToldRing()
         return;
     if (!stands) {
         tellOfRing({.id = MessageId::ringRunsAgain});
+        tellZerosAtDevices();
         forgetDevices();
         return;
     }

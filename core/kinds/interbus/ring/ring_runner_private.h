@@ -47,6 +47,8 @@ struct RingRunner::Private
     void exchange();
     Result<void> sendZeros();
     void lookWhetherZerosStand();
+    void tellZerosAtDevices();
+    bool ringStands() const;
     void zerosAreBlockedBy(const Refusal &why);
     void sendZerosUnheard();
     void tellZeros(const ProcessDataLink::ZerosSent &zeros);
@@ -145,6 +147,7 @@ struct RingRunner::Private
     std::vector<GuestChange> guestChanges{};  // in this cycle
     unsigned generationOfGuests = 0;          // of the ring that they were shown
     Instant reopenAt{};                       // of a lost link
+    bool zerosAreBeforeRing = false;          // which does not run
     std::optional<Instant> zerosStandUntil{}; // so long it is looked whether they do
     Instant zerosAgainAt{};                   // those that were refused
     bool sentUnheard = false;                 // zeros, over the lost link: told

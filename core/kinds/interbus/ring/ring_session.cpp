@@ -95,14 +95,27 @@ void RingSession::Private::keepEepromWrites(const RingEvent &event)
         Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = change->eepromWrites});
 }
 
-// What is not 00000000; that word where all is.
-QString RingSession::Private::outNow() const
+// As last seen, also in an exchange that was given up because of it.
+std::vector<Word> RingSession::Private::outNow() const
 {
-    const std::vector<Snapshot::Device> &devices = latest().devices;
-    std::vector<Word> out(devices.size());
-    std::ranges::transform(devices, out.begin(), &Snapshot::Device::out);
-    const QString texts = wordsNotZero(*link, structure, out);
-    return texts.isEmpty() ? hexWord(0) : texts;
+    const Snapshot &shown = latest();
+    std::vector<Word> out(shown.devices.size());
+    std::ranges::transform(shown.devices, out.begin(), &Snapshot::Device::out);
+    for (const auto &[device, its] : foreign)
+        if (device < out.size() && shown.cycle <= its.cycle)
+            out[device] = its.word;
+    return out;
+}
+
+void RingSession::Private::noteForeign(const Refusal &why)
+{
+    if (why.id != RefusalId::outNotOurs)
+        return;
+    const auto device = indexOf(NodeId(std::get<QString>(why.arguments[0]).toStdString()));
+    const Word word = std::get<Word>(why.arguments[2]);
+    foreign[device] = {.word = word, .cycle = latest().cycle};
+    if (zerosAskedAt && device < outBeforeZeros.size())
+        outBeforeZeros[device] = word;
 }
 
 std::size_t RingSession::Private::indexOf(NodeId node) const
@@ -159,9 +172,10 @@ bool RingSession::areZerosBeforeRing() const
     return d->zerosAreBeforeRing;
 }
 
-const QString &RingSession::outBeforeZeros() const
+QString RingSession::outBeforeZeros() const
 {
-    return d->outBeforeZeros;
+    const QString texts = wordsNotZero(*d->link, d->structure, d->outBeforeZeros);
+    return texts.isEmpty() ? hexWord(0) : texts;
 }
 
 bool RingSession::sendZerosUnheard()
@@ -224,7 +238,7 @@ void RingSession::lookForZeros()
     tell({.at = d->link->now(),
           .severity = Severity::fault,
           .id = MessageId::zerosLate,
-          .arguments = {d->outBeforeZeros}});
+          .arguments = {outBeforeZeros()}});
     Q_EMIT updated();
 }
 
@@ -246,6 +260,7 @@ void RingSession::Private::forgetDevices()
     retireAll();
     endRetired();
     structure.clear();
+    foreign.clear();
     renamings.clear();
 }
 
@@ -358,6 +373,7 @@ void RingSession::dispatch(const RingEvent &event)
             useFirstRing(*found);
     } else if (const auto *refusal = std::get_if<RingRefused>(&event.what)) {
         d->toBringBack.reset(); // it would come as a surprise later
+        d->noteForeign(refusal->why);
         Q_EMIT refused(refusal->why);
     } else if (const auto *message = std::get_if<Message>(&event.what)) {
         dispatch(*message, isOfRing ? std::optional(event.device) : std::nullopt);
@@ -583,10 +599,13 @@ void RingSession::setOperate(bool on)
 void RingSession::alarmStop()
 {
     d->stoppedBy = StoppedBy::alarmStop;
-    if (isOpen() && !d->link->boundsWordsToCycles() && !d->zerosAskedAt) {
+    const bool isGateway = isOpen() && !d->link->boundsWordsToCycles();
+    if (isGateway && !d->zerosAskedAt) {
         d->zerosAskedAt = d->link->now();
         d->outBeforeZeros = d->outNow();
     }
+    if (isGateway && d->latest().connected) // at once: the bus thread may hang in a transaction
+        tell({.at = d->link->now(), .severity = Severity::attention, .id = MessageId::zerosAsked});
     post(command::AlarmStop{});
 }
 

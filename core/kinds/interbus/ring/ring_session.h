@@ -94,7 +94,7 @@ public:
     // Of a ring that could not be opened: ProcessDataLink::sendZerosUnheard().
     bool sendZerosUnheard();
     // What was in OUT when they were asked for: "1.0 20210001 (register 0)".
-    const QString &outBeforeZeros() const;
+    QString outBeforeZeros() const;
     // Of a gateway; refused where no register is set for it.
     void acknowledgeWatchdog();
     // Goes to Operate, sets the OUT that a job has left to 00000000 and reads what is not known since. What

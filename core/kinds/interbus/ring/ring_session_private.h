@@ -44,7 +44,8 @@ struct RingSession::Private
     void keepEepromWrites(const RingEvent &event);
     // Another ring replaces this one (ring_session_ring.cpp).
     command::UseRing takeOver(RingSession &bus, const RingFound &found);
-    QString outNow() const;
+    std::vector<Word> outNow() const;
+    void noteForeign(const Refusal &why);
     std::size_t indexOf(NodeId node) const; // structure.size(): no such device
 
     const RingOutline outline;
@@ -71,8 +72,14 @@ struct RingSession::Private
     std::optional<Instant> zerosAskedAt{}; // and nothing has been told of them yet; by the link's clock
     bool zerosAreLate = false;
     bool zerosAreBeforeRing = false;
-    QString outBeforeZeros{};
-    std::optional<Place> toBringBack{}; // once the ring operates
+    std::vector<Word> outBeforeZeros{}; // as last seen
+    struct Foreign
+    {
+        Word word = 0;
+        std::uint64_t cycle = 0; // a later one shows OUT
+    };
+    std::map<std::size_t, Foreign> foreign{}; // by device: what somebody else has written
+    std::optional<Place> toBringBack{};       // once the ring operates
     CrcHistory crcHistory;
     WordDoubts doubts;
     MasterState toldState = MasterState::ready;

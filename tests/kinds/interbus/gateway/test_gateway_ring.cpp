@@ -703,6 +703,30 @@ TEST(GatewayThatHangs, ZerosThatHaveNotArrivedAreToldWithinASecondAndTriedOn)
     bus.close();
 }
 
+// The exchange that saw it was given up because of it, and the next one takes its time.
+TEST(SlowGatewayRing, AnAlarmStopNamesTheWordThatSomebodyElseHasJustWritten)
+{
+    test::GatewaySession slow({.settings = {.timeOut = 2s}, .transaction = 400ms});
+    ASSERT_TRUE(slow.bus->open(EncoderBus::Start::operating));
+    slow.bus->advance(10s);
+    ASSERT_TRUE(slow.bus->isOperating());
+    slow.gateway->setOut(0, foreignWord);
+    const auto isSeen = [&] {
+        const auto last = slow.lastRefusal();
+        return last && last->id == RefusalId::outNotOurs;
+    };
+    const Instant written = slow.bus->now();
+    while (!isSeen() && slow.bus->now() < written + 60s)
+        slow.bus->advance(100ms);
+    ASSERT_TRUE(isSeen());
+    EXPECT_GT(slow.messages.back().at, written) << "not from when the exchange began";
+    slow.bus->alarmStop();
+    EXPECT_EQ(slow.bus->outBeforeZeros(), QStringLiteral("1.0 04000001 (register 0)"));
+    EXPECT_EQ(slow.messages.back().id, MessageId::zerosAsked);
+    slow.bus->advance(10s);
+    EXPECT_TRUE(slow.isOutZero());
+}
+
 constexpr Place seldomSeen = "1.0"_ring;
 
 // Three polls are too far apart to say that a position moves: the reads of one have to do.

@@ -149,6 +149,7 @@ TEST_F(ToldRingBehindGateway, ThatStandsGetsNoZeros)
     EXPECT_TRUE(faults().front().text.contains(QStringLiteral("zeros of the ALARM STOP are in the gateway")));
     say(ringRuns);
     EXPECT_FALSE(session.bus->areZerosBeforeRing());
+    EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 1u) << "by now they are at the devices";
 }
 
 TEST_F(ToldRingBehindGateway, EndsTheJobsThatItInterrupts)
@@ -172,6 +173,7 @@ TEST_F(ToldRingBehindGateway, ThatWasConnectedAsItStoodIsNeverLive)
 {
     told->status = busFailed;
     open(EncoderBus::Start::watching);
+    EXPECT_EQ(session.countOf(MessageId::busStarted), 0u) << "it does not run";
     EXPECT_FALSE(isLive());
     EXPECT_EQ(session.lastRefusal()->id, RefusalId::ringFailed);
 }

@@ -129,7 +129,8 @@ void GatewayPanel::refresh()
         break;
     }
     const QString none = QStringLiteral("\u2013");
-    m_mode->setText(!isOpen               ? none
+    m_mode->setText(shown.zerosAreDue     ? tr("The zeros of the ALARM STOP are sent until they arrive")
+                    : !isOpen             ? none
                     : m_bus.isOperating() ? tr("Operate: OUT is written")
                                           : tr("Watch: only reads are sent"));
     const auto &figures = shown.figures;
