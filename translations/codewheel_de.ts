@@ -9591,12 +9591,12 @@ ist. Braucht keinen Bus.</translation>
         <translation>Sendet Run, schreibt dann die vorigen Werte und sendet noch einmal Run</translation>
     </message>
     <message>
-        <source>These are written before run is sent, so that the encoder gives no position by what it has taken: %1.</source>
-        <translation>Diese werden geschrieben, bevor Run gesendet wird, damit der Geber keine Position nach dem ausgibt, was er angenommen hat: %1.</translation>
-    </message>
-    <message>
         <source>Writes the earlier values, then sends run</source>
         <translation>Schreibt die früheren Werte und sendet dann Run</translation>
+    </message>
+    <message>
+        <source>Written before run is sent, so that nothing it has taken so far becomes valid: %1.</source>
+        <translation>Geschrieben, bevor Run gesendet wird, damit nichts gilt, was der Geber bisher angenommen hat: %1.</translation>
     </message>
 </context>
 <context>
@@ -11809,6 +11809,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Connected, but its outputs are blocked</source>
         <translation>Verbunden, aber seine Ausgänge sind gesperrt</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP are sent until they arrive</source>
+        <translation>Die Nullen des ALARM-STOPPs werden gesendet, bis sie ankommen</translation>
     </message>
 </context>
 <context>
@@ -19960,6 +19964,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Listens at ports and hosts for encoders and gateways, and connects with the settings found.</source>
         <translation>Horcht an Anschlüssen und Hosts nach Gebern und Gateways und verbindet mit den gefundenen Einstellungen.</translation>
+    </message>
+    <message>
+        <source>%1: key %2</source>
+        <translation>%1: Taste %2</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "journal/eeprom_cost.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 
@@ -234,8 +235,12 @@ void LedgerKeeper::watch(Place place)
     noteWhatWasToStranger(place);
     connect(encoder, &EncoderSession::jobAboutToStart, this,
             [this, place](const Job &job) { begin(place, job); });
-    connect(encoder, &EncoderSession::progressed, this,
-            [this, place](const Progress &progress) { m_watched[place].progress = progress; });
+    connect(encoder, &EncoderSession::progressed, this, [this, place](const Progress &progress) {
+        Progress &last = m_watched[place].progress;
+        const bool waited = std::exchange(last, progress).waitsForUser;
+        if (waited != progress.waitsForUser)
+            showCount(place);
+    });
     connect(encoder, &EncoderSession::wordAboutToBeSent, this,
             [this, place](Word word) { beginByHand(place, word); });
     connect(encoder, &EncoderSession::restoreAboutToStart, this, [this, place] { planToRestore(place); });
@@ -440,15 +445,15 @@ void LedgerKeeper::settleDoubtful(Place place)
     showCount(place);
 }
 
-// While a job is under way, what it may still write is no doubt about the past. A word by hand that stands in
-// OUT may have been written.
+// While a job is under way, what it may still write is no doubt about the past. What stands in OUT, by hand
+// or since a job waits for the user, may have been written.
 void LedgerKeeper::showCount(Place place)
 {
     const Watched &watched = m_watched[place];
     if (!watched.encoder || ledger() == nullptr)
         return;
     std::vector<qint64> running;
-    if (watched.job)
+    if (watched.job && !watched.progress.waitsForUser)
         running.push_back(*watched.job);
     if (watched.byHand && watched.byHand->awaited > 0)
         running.push_back(watched.byHand->id);

@@ -166,6 +166,8 @@ void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, c
     if (!bus.isRunning() || !encoder.freshness().isLive() || !encoder.showsPosition())
         return;
     const Reading &reading = encoder.latest();
+    if (watched.before && bus.dateTime(reading.at) <= watched.before->at)
+        return; // it is that one
     if (!watched.last && isBack(watched, *reading.position))
         watched.before.reset();
     watched.last = SeenPosition{.position = *reading.position, .at = bus.dateTime(reading.at)};

@@ -211,8 +211,8 @@ bool askToRestore(QWidget *window, const EncoderSession &encoder, const Paramete
         runsFirst
             ? Functions::tr("Run is sent first, and until the earlier values are written the encoder gives "
                             "its position by what it has taken. Then these are written: %1.")
-            : Functions::tr("These are written before run is sent, so that the encoder gives no position by "
-                            "what it has taken: %1.");
+            : Functions::tr(
+                  "Written before run is sent, so that nothing it has taken so far becomes valid: %1.");
     return confirm(
         window, encoder, "parameters.md#write",
         Functions::tr("Restore the earlier values of %1?").arg(encoder.place().shown()),

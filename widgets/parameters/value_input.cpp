@@ -34,11 +34,16 @@ int hexDigitsOf(const ParameterDescription &parameter)
 }
 
 // "12" may be meant as 12h or as 0Ch.
-bool isOfBothKinds(const QString &text, int hexDigits)
+bool isOfBothKinds(const ParameterDescription &parameter, const QString &text)
 {
+    constexpr int hexadecimal = 16;
     const QString plain = text.trimmed();
-    return hexDigits > 0 && plain.size() > 1 && plain.size() <= hexDigits &&
-           std::ranges::all_of(plain, [](QChar c) { return c.isDigit(); });
+    const auto isInRange = [&](std::int64_t value) {
+        return value >= parameter.minimum && value <= parameter.maximum;
+    };
+    return plain.size() > 1 && plain.size() <= hexDigitsOf(parameter) &&
+           std::ranges::all_of(plain, [](QChar c) { return c.isDigit(); }) &&
+           (isInRange(plain.toUInt()) || isInRange(plain.toUInt(nullptr, hexadecimal)));
 }
 
 // As it is typed: mm for a length sent in micrometres, the bits of a scaling factor, otherwise a whole
@@ -56,7 +61,8 @@ QString inputText(const ParameterDescription &parameter, std::int64_t value)
 
 tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &parameter, const QString &text)
 {
-    if (const int digits = hexDigitsOf(parameter); isOfBothKinds(text, digits)) {
+    if (isOfBothKinds(parameter, text)) {
+        const int digits = hexDigitsOf(parameter);
         const QString plain = text.trimmed();
         const Word asDecimal = plain.toUInt();
         return tl::unexpected(ValueInputText::tr("\"%1\" can be hexadecimal or decimal. Write %2 or %3.")

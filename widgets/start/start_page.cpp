@@ -104,7 +104,7 @@ void StartPage::makeRecent(QBoxLayout &column)
 {
     m_recent = new QWidget(m_content);
     auto *title = new QLabel(
-        QStringLiteral("%1 (%2)").arg(recent->text(), recent->shortcut().toString(QKeySequence::NativeText)));
+        tr("%1: key %2").arg(recent->text(), recent->shortcut().toString(QKeySequence::NativeText)));
     m_list = describe(new RecentList(m_recent), "recentFiles", recent->text(),
                       tr("Return opens the chosen project, Del takes it off the list."));
     m_remove = describe(new QToolButton(m_recent), "recentRemove", tr("Remove from the list"),

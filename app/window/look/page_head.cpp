@@ -119,7 +119,9 @@ bool PageHead::mayClose(Page &page)
         giveValueBefore(*field);
     }
     const QString lost = page.lostByClosing();
-    return lost.isEmpty() || ask(lost);
+    if (lost.isEmpty())
+        return true;
+    return ask(lost) && page.lostByClosing() == lost; // what was asked about may have ended meanwhile
 }
 
 bool PageHead::ask(const QString &what)

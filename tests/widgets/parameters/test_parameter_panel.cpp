@@ -610,6 +610,9 @@ TEST(NumberInput, AnAddressOfTwoDigitsSaysWhichNumberItIs)
         ASSERT_TRUE(input.value()) << text;
         EXPECT_EQ(*input.value(), value) << text;
     }
+    input.setText(QStringLiteral("32")); // in no way
+    ASSERT_FALSE(input.value());
+    EXPECT_EQ(input.value().error().id, RefusalId::valueOutOfRange);
     input.setText(QStringLiteral("12"));
     ASSERT_FALSE(input.value());
     EXPECT_TRUE(refusalText(input.value().error()).contains(QStringLiteral("Write 12h or 0Ch.")))

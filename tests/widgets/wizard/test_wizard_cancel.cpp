@@ -158,7 +158,7 @@ TEST_F(WizardHandshake, LeftInParameterizationItCanBeBroughtBack)
     }
     const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
     click("recoverRestore");
-    EXPECT_TRUE(question.text().contains(QStringLiteral("These are written before run is sent")))
+    EXPECT_TRUE(question.text().contains(QStringLiteral("Written before run is sent")))
         << question.text().toStdString();
     EXPECT_TRUE(question.text().contains(QStringLiteral("Steps = 8192"))) << question.text().toStdString();
     EXPECT_TRUE(question.text().contains(QStringLiteral("EEPROM"))) << question.text().toStdString();
