@@ -8518,10 +8518,6 @@ ist. Braucht keinen Bus.</translation>
         <translation>Vor diesem gibt es kein Gerät mit dem Schlüssel „%1“.</translation>
     </message>
     <message>
-        <source>A bit is one of the answer to a command read, and there is none.</source>
-        <translation>Ein Bit gehört zur Antwort auf einen Befehl read; hier gibt es keinen.</translation>
-    </message>
-    <message>
         <source>What only the label tells can be neither written nor read.</source>
         <translation>Was nur auf dem Typenschild steht, lässt sich weder schreiben noch lesen.</translation>
     </message>
@@ -8544,14 +8540,6 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>This number is here twice.</source>
         <translation>Diese Nummer steht hier doppelt.</translation>
-    </message>
-    <message>
-        <source>This readOut code is here twice.</source>
-        <translation>Dieser readOut-Code steht hier doppelt.</translation>
-    </message>
-    <message>
-        <source>This command is here twice.</source>
-        <translation>Dieser Befehl steht hier doppelt.</translation>
     </message>
     <message>
         <source>A parameter is named by small letters, digits, hyphens, colons and full stops.</source>
@@ -8708,6 +8696,22 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>The last two digits must be those of idCode.</source>
         <translation>Die letzten zwei Ziffern müssen die von idCode sein.</translation>
+    </message>
+    <message>
+        <source>A bit is one of the answer to a command read, and there is none.</source>
+        <translation>Ein Bit gehört zur Antwort auf einen Befehl read; hier gibt es keinen.</translation>
+    </message>
+    <message>
+        <source>This command is here twice.</source>
+        <translation>Dieser Befehl steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This number is here twice.</source>
+        <translation>Diese Nummer steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>This readOut code is here twice.</source>
+        <translation>Dieser readOut-Code steht hier doppelt.</translation>
     </message>
 </context>
 <context>

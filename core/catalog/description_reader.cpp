@@ -33,9 +33,7 @@ constexpr NamedValue<RefusalId> errorMeanings[] = {
     {"otherDeviceError", RefusalId::otherDeviceError},
 };
 
-constexpr std::int64_t highestNumber = 15; // D28..D25
-constexpr std::int64_t highestReadOut = 0xFF;
-constexpr std::int64_t highestBit = 31;
+constexpr std::int64_t highestNumber = 15; // of an error, D28..D25
 constexpr std::int64_t mostHexDigits = 8;
 constexpr std::int64_t mostStepsPerTurn = 1 << 25;
 constexpr std::int64_t mostTurns = 1 << 25;
@@ -58,8 +56,7 @@ public:
 
 private:
     static Parameter readParameterName(const JsonObject &row);
-    static void readCommands(const JsonObject &row, ParameterDescription &parameter);
-    static ParameterDescription readParameter(const JsonObject &row);
+    static ParameterDescription readParameter(const JsonObject &row, const DeviceDescription &device);
     static void readChoices(const JsonObject &row, ParameterDescription &parameter);
     static void checkRange(const JsonObject &row, const ParameterDescription &parameter);
     static void refuseTaken(const JsonObject &row, const ParameterDescription &parameter,
@@ -167,32 +164,19 @@ void DescriptionReader::checkRange(const JsonObject &row, const ParameterDescrip
         row.report("factory", tr("The factory setting is none of the choices."));
 }
 
-std::optional<unsigned> asUnsigned(std::optional<std::int64_t> number)
-{
-    return number ? std::optional(static_cast<unsigned>(*number)) : std::nullopt;
-}
-
-void DescriptionReader::readCommands(const JsonObject &row, ParameterDescription &parameter)
-{
-    parameter.readCommand = row.textOr("read", {}).toLatin1();
-    parameter.writeCommand = row.textOr("write", {}).toLatin1();
-    parameter.readBit = asUnsigned(row.optionalNumber("bit", 0, highestBit));
-    if (parameter.readBit && parameter.readCommand.isEmpty())
-        row.report("bit", tr("A bit is one of the answer to a command read, and there is none."));
-}
-
-ParameterDescription DescriptionReader::readParameter(const JsonObject &row)
+ParameterDescription DescriptionReader::readParameter(const JsonObject &row, const DeviceDescription &device)
 {
     ParameterDescription parameter;
     parameter.parameter = readParameterName(row);
-    parameter.number = asUnsigned(row.optionalNumber("number", 1, highestNumber));
-    parameter.readOut = asUnsigned(row.optionalNumber("readOut", 0, highestReadOut));
-    readCommands(row, parameter);
+    protocolRules(device.profile).readReach(row, parameter, device);
     parameter.onLabel = row.flagOr("onLabel", false);
     const bool isOnWire = parameter.canBeRead() || parameter.canBeWritten();
     if (parameter.onLabel && isOnWire)
         row.report("onLabel", tr("What only the label tells can be neither written nor read."));
-    if (!isOnWire && !parameter.onLabel)
+    const auto isTold = [&row](const char *key) { return row.has(key); };
+    const bool tellsReach =
+        std::ranges::any_of(ProtocolRules::reachKeys, isTold); // what is wrong with it was said
+    if (!isOnWire && !parameter.onLabel && !tellsReach)
         row.report("number", tr("A parameter needs a number to write it, a readOut code to read it, both, or "
                                 "onLabel; on a serial line the commands read or write."));
     parameter.minimum = row.number("minimum");
@@ -214,18 +198,6 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
 {
     if (device.find(parameter.parameter))
         row.report("parameter", tr("This parameter is here twice."));
-    if (parameter.number && device.findNumber(*parameter.number))
-        row.report("number", tr("This number is here twice."));
-    if (parameter.readOut && device.findReadOut(*parameter.readOut))
-        row.report("readOut", tr("This readOut code is here twice."));
-    const auto &rows = device.parameters;
-    if (!parameter.writeCommand.isEmpty() &&
-        std::ranges::find(rows, parameter.writeCommand, &ParameterDescription::writeCommand) != rows.end())
-        row.report("write", tr("This command is here twice."));
-    if (!parameter.readCommand.isEmpty() && std::ranges::any_of(rows, [&](const ParameterDescription &other) {
-            return other.readCommand == parameter.readCommand && other.readBit == parameter.readBit;
-        }))
-        row.report("read", tr("This command is here twice."));
 }
 
 void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
@@ -235,7 +207,7 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
                     {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum", "maximum",
                      "factory", "unit", "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
         const ProtocolRules &rules = protocolRules(device.profile);
-        ParameterDescription parameter = readParameter(row);
+        ParameterDescription parameter = readParameter(row, device);
         refuseTaken(row, parameter, device);
         rules.checkParameter(row, parameter, device);
         rules.complete(parameter);

@@ -39,16 +39,6 @@ const ParameterDescription *DeviceDescription::find(Parameter parameter) const
     return findBy(parameters, parameter, &ParameterDescription::parameter);
 }
 
-const ParameterDescription *DeviceDescription::findNumber(unsigned number) const
-{
-    return findBy(parameters, std::optional(number), &ParameterDescription::number);
-}
-
-const ParameterDescription *DeviceDescription::findReadOut(unsigned code) const
-{
-    return findBy(parameters, std::optional(code), &ParameterDescription::readOut);
-}
-
 std::vector<Parameter> DeviceDescription::readableValues() const
 {
     std::vector<Parameter> readable;

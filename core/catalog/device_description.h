@@ -5,6 +5,7 @@
 #include "catalog/ordering_key.h"
 #include "catalog/profile.h"
 #include "vocabulary/capabilities.h"
+#include "vocabulary/kind_data.h"
 #include "vocabulary/own_kind.h"
 #include "vocabulary/parameter.h"
 #include "vocabulary/position_coding.h"
@@ -55,27 +56,24 @@ struct ValueForm
 struct ParameterDescription
 {
     Parameter parameter = Parameter::steps;
-    std::optional<unsigned> number;  // D28..D25 of the word that writes it; empty: read only
-    std::optional<unsigned> readOut; // code of 2021000nh; empty: cannot be read
+    KindData reach{};       // what its protocol writes and reads it with; made by ProtocolRules::readReach()
+    bool isRead = false;    // the encoder can be asked for it
+    bool isWritten = false; // and takes it
+    bool isNeededAfterLoss = false; // an encoder that has lost its parameters works again only with it
     std::int64_t minimum = 0;
     std::int64_t maximum = 0;
     std::optional<std::int64_t> factory;
     Unit unit = Unit::none;
-    bool stored = true;          // in EEPROM
-    bool onLabel = false;        // from the label, entered by the user; neither written nor read
-    std::vector<Choice> choices; // empty: any value within the range
-    LocalText chapter{};         // of the manual; may be empty
-    bool isDetail = false;       // read only if it is asked for, and folded away: a register of a chip
-    int hexDigits = 0;           // shown as hexadecimal number with so many digits; 0: decimal
-    // For an encoder without words: the letters of the commands that read and set it. Direction and scaling
-    // are one bit of an answer.
-    QByteArray readCommand{};
-    std::optional<unsigned> readBit{}; // of the answer; empty: all of it
-    QByteArray writeCommand{};
+    bool stored = true;              // in EEPROM
+    bool onLabel = false;            // from the label, entered by the user; neither written nor read
+    std::vector<Choice> choices;     // empty: any value within the range
+    LocalText chapter{};             // of the manual; may be empty
+    bool isDetail = false;           // read only if it is asked for, and folded away: a register of a chip
+    int hexDigits = 0;               // shown as hexadecimal number with so many digits; 0: decimal
     const ValueForm *form = nullptr; // null: a number
 
-    bool canBeRead() const { return readOut || !readCommand.isEmpty(); }
-    bool canBeWritten() const { return number || !writeCommand.isEmpty(); }
+    bool canBeRead() const { return isRead; }
+    bool canBeWritten() const { return isWritten; }
     // One of the choices if there are any, otherwise any value within the range.
     bool takes(std::int64_t value) const;
     const Choice *findChoice(std::int64_t value) const;
@@ -136,10 +134,6 @@ struct DeviceDescription
     std::optional<OrderingKey> orderingKey;
 
     const ParameterDescription *find(Parameter parameter) const;
-    // By the number of the word that writes it, D28..D25.
-    const ParameterDescription *findNumber(unsigned number) const;
-    // By the code of its read-out word, 2021000nh.
-    const ParameterDescription *findReadOut(unsigned code) const;
     // All that can be read except details, which have to be asked for by name.
     std::vector<Parameter> readableValues() const;
     const DeviceError *findError(unsigned number) const;

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace codewheel {
 
 class WordMeanings;
@@ -47,6 +49,20 @@ public:
     virtual bool presetsByCommand() const { return false; }
     // The largest that can be sent to an encoder. All values start at 0.
     virtual std::int64_t largestData() const { return 0; }
+
+    // What a row may say of how its parameter is reached, whatever the protocol.
+    static constexpr std::array reachKeys{"number", "readOut", "read", "write", "bit"};
+    // Takes it over: `reach`, `isRead`, `isWritten`. A protocol that writes and reads nothing takes nothing.
+    virtual void readReach(const JsonObject & /*row*/, ParameterDescription & /*parameter*/,
+                           const DeviceDescription & /*before*/) const
+    {}
+    // How it is written and read, as the manual calls it: "1" and "13", "GR" and "D"; empty: it is not.
+    struct ReachText
+    {
+        QString write{};
+        QString read{};
+    };
+    virtual ReachText reachText(const ParameterDescription & /*parameter*/) const { return {}; }
 
     // What makes of the same protocol do differently.
     virtual void readDialect(const JsonObject &json, DeviceDescription &device) const;

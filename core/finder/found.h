@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "project/kind_data.h"
 #include "serial/serial_settings.h"
+#include "vocabulary/kind_data.h"
 #include "vocabulary/refusal.h"
 
 #include <QString>

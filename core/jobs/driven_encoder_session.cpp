@@ -166,9 +166,10 @@ std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
 {
     std::vector<Parameter> parameters;
     for (const ParameterDescription &its : m_description.parameters) {
-        const bool isValue = its.number && (m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter));
+        const bool isValue =
+            its.canBeWritten() && (m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter));
         const bool isOfPosition = m_inDoubt.position && its.parameter == Parameter::zeroOffset;
-        if (its.readOut && (isValue || isOfPosition) && !known(its.parameter))
+        if (its.canBeRead() && (isValue || isOfPosition) && !known(its.parameter))
             parameters.push_back(its.parameter);
     }
     return parameters;

@@ -96,13 +96,11 @@ bool holdsOtherValues(const EncoderSession &encoder)
 
 std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const ParameterValues &values)
 {
-    constexpr unsigned lastOfThem = 4;
     std::vector<Parameter> lost;
     if (!hasLostParameters(encoder))
         return lost;
     for (const ParameterDescription &its : encoder.device().parameters)
-        if (its.canBeWritten() && its.number && *its.number >= 1 && *its.number <= lastOfThem &&
-            !valueOf(values, its.parameter))
+        if (its.isNeededAfterLoss && !valueOf(values, its.parameter))
             lost.push_back(its.parameter);
     return lost;
 }

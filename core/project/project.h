@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bus/participant.h"
-#include "project/kind_data.h"
 #include "project/word_list.h"
 #include "vocabulary/cam_program.h"
+#include "vocabulary/kind_data.h"
 #include "vocabulary/known.h"
 
 #include <QDateTime>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "kinds/esc/protocol/esc_profile.h"
+#include "kinds/esc/protocol/esc_reach.h"
 #include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
+#include "kinds/interbus/words/word_reach.h"
 
 #include <QDir>
 
@@ -66,14 +68,14 @@ TEST(BuiltInDevices, FrabaParametersAreThoseOfTheManual)
     for (const Row &row : rows) {
         const ParameterDescription *found = fraba.find(row.parameter);
         ASSERT_NE(found, nullptr);
-        EXPECT_EQ(found->number, row.number);
-        EXPECT_EQ(found->readOut, row.readOut);
+        EXPECT_EQ(wordReach(*found).number, row.number);
+        EXPECT_EQ(wordReach(*found).readOut, row.readOut);
     }
-    EXPECT_EQ(fraba.findNumber(1)->maximum, 33'554'431);
-    EXPECT_EQ(fraba.findNumber(3)->findChoice(u"cw")->value, 3);
-    EXPECT_EQ(fraba.findNumber(3)->findChoice(4)->key, QStringLiteral("ccw"));
-    EXPECT_EQ(fraba.findNumber(6), nullptr);
-    EXPECT_EQ(fraba.findReadOut(0xB), nullptr);
+    EXPECT_EQ(findNumber(fraba, 1)->maximum, 33'554'431);
+    EXPECT_EQ(findNumber(fraba, 3)->findChoice(u"cw")->value, 3);
+    EXPECT_EQ(findNumber(fraba, 3)->findChoice(4)->key, QStringLiteral("ccw"));
+    EXPECT_EQ(findNumber(fraba, 6), nullptr);
+    EXPECT_EQ(findReadOut(fraba, 0xB), nullptr);
 }
 
 // FRABA manual 10.2: 202100xDh
@@ -83,10 +85,10 @@ TEST(BuiltInDevices, FrabaHasTheSixteenRegistersOfItsBusChip)
     const DeviceDescription &fraba = device(catalog, u"fraba-ocd-ib");
     for (const auto &[name, code] : {std::pair("opc-register-0", 0x0Du), std::pair("opc-register-3", 0x3Du),
                                      std::pair("opc-register-15", 0xFDu)}) {
-        const ParameterDescription *found = fraba.findReadOut(code);
+        const ParameterDescription *found = findReadOut(fraba, code);
         ASSERT_NE(found, nullptr) << name;
         EXPECT_EQ(parameterKey(found->parameter), QLatin1String(name));
-        EXPECT_FALSE(found->number);
+        EXPECT_FALSE(found->canBeWritten());
         EXPECT_EQ(found->maximum, 0xFFFF);
     }
     const std::vector<Parameter> byItself = fraba.readableValues();
@@ -139,13 +141,13 @@ TEST(BuiltInDevices, BaumerParametersAndErrorsAreThoseOfTheManual)
     };
     EXPECT_EQ(baumer.parameters.size(), std::size(rows));
     for (const Row &row : rows) {
-        const ParameterDescription *found = baumer.findNumber(row.number);
+        const ParameterDescription *found = findNumber(baumer, row.number);
         ASSERT_NE(found, nullptr);
         EXPECT_EQ(found->parameter, row.parameter);
         EXPECT_EQ(found->minimum, row.minimum);
         EXPECT_EQ(found->maximum, row.maximum);
         EXPECT_EQ(found->factory, row.factory);
-        EXPECT_FALSE(found->readOut);
+        EXPECT_FALSE(found->canBeRead());
     }
     EXPECT_EQ(baumer.find(Parameter::coding)->findChoice(u"unsigned-cw")->value, 3);
     EXPECT_EQ(baumer.find(Parameter::coding)->findChoice(u"gray-ccw")->value, 6);
@@ -297,9 +299,7 @@ TEST(BuiltInDevices, KueblerParametersAreTheCommandsOfTheManual)
         for (const Row &row : rows) {
             const ParameterDescription *found = kuebler.find(row.parameter);
             ASSERT_NE(found, nullptr);
-            EXPECT_EQ(found->readCommand, row.read) << row.read;
-            EXPECT_EQ(found->writeCommand, row.write) << row.write;
-            EXPECT_EQ(found->readBit, row.bit);
+            EXPECT_EQ(escReach(*found), (EscReach{row.read, row.bit, row.write})) << row.read;
             EXPECT_EQ(found->minimum, row.minimum);
             EXPECT_EQ(found->maximum, row.maximum);
         }
@@ -319,8 +319,8 @@ TEST(BuiltInDevices, AnUnnamed0237hIsTheGenericK3)
     EXPECT_EQ(generic->fullName(), QStringLiteral("K3, make not known"));
     EXPECT_TRUE(generic->isGeneric());
     EXPECT_FALSE(generic->capabilities.reads || generic->capabilities.resets);
-    EXPECT_EQ(generic->findNumber(3), nullptr); // direction for one make, coding for another
-    EXPECT_EQ(generic->findNumber(5)->parameter, Parameter::zeroOffset);
+    EXPECT_EQ(findNumber(*generic, 3), nullptr); // direction for one make, coding for another
+    EXPECT_EQ(findNumber(*generic, 5)->parameter, Parameter::zeroOffset);
     EXPECT_EQ(catalog.generic(0x0133), nullptr);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "kinds/esc/protocol/esc_reach.h"
 
 #include <gtest/gtest.h>
 
@@ -135,9 +136,8 @@ TEST(DescriptionRules, TakeTheCommandsOfAnEncoderOnASerialLine)
         QString());
     ASSERT_TRUE(added) << added.error().reason.toStdString();
     const DeviceDescription &device = *catalog.find(u"some");
-    EXPECT_EQ(device.find(Parameter::steps)->readCommand, "D");
-    EXPECT_EQ(device.find(Parameter::steps)->writeCommand, "GR");
-    EXPECT_EQ(device.find(Parameter::scaling)->readBit, 2u);
+    EXPECT_EQ(escReach(*device.find(Parameter::steps)), (EscReach{"D", {}, "GR"}));
+    EXPECT_EQ(escReach(*device.find(Parameter::scaling)).bit, 2u);
     EXPECT_TRUE(device.find(Parameter::steps)->stored);
     EXPECT_FALSE(device.find(Parameter::scaling)->canBeWritten());
     EXPECT_TRUE(device.capabilities.reads && device.capabilities.writes && device.capabilities.serialNumber);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bus/check_outcome.h"
-#include "project/kind_data.h"
+#include "vocabulary/kind_data.h"
 #include "widgets/connect/port_row.h"
 #include "widgets/look/page.h"
 #include "widgets/look/trouble.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "project/kind_data.h"
+#include "vocabulary/kind_data.h"
 #include "widgets/connect/port_row.h"
 #include "widgets/look/trouble.h"
 

@@ -2,6 +2,7 @@
 #include "widgets/device/device_html.h"
 
 #include "catalog/hex_code.h"
+#include "catalog/protocol_rules.h"
 #include "catalog/value_text.h"
 #include "vocabulary/device_error_name.h"
 
@@ -164,10 +165,12 @@ void DeviceHtml::addParameters()
         return;
     addHeading(tr("Parameters"));
     QList<QStringList> rows;
-    for (const ParameterDescription &parameter : m_device.parameters)
-        rows += {parameterName(parameter.parameter),
-                 parameter.number ? QString::number(*parameter.number) : QString(QChar(0x2013)),
+    for (const ParameterDescription &parameter : m_device.parameters) {
+        const QString number =
+            m_device.hasWords() ? protocolRules(m_device.profile).reachText(parameter).write : QString();
+        rows += {parameterName(parameter.parameter), number.isEmpty() ? QString(QChar(0x2013)) : number,
                  rangeText(parameter), unitText(parameter.unit), parameter.chapter.toString()};
+    }
     addTable({tr("Name"), tr("No."), tr("Values"), tr("Unit"), tr("Manual")}, rows);
 }
 

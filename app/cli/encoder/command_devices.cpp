@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "catalog/explain_word.h"
 #include "catalog/hex_code.h"
+#include "catalog/protocol_rules.h"
 #include "catalog/value_text.h"
 #include "cli/bus/device_label.h"
 #include "cli/bus/places.h"
@@ -56,21 +57,9 @@ Answer listOf(const Catalog &catalog)
     return {table.toString(), {{QStringLiteral("devices"), devices}}};
 }
 
-QString optionalText(const std::optional<unsigned> &number)
+QString orDash(const QString &text)
 {
-    return number ? QString::number(*number) : QStringLiteral("-");
-}
-
-// On a serial line a value is written and read by commands; a preset is set by a command of its own.
-QString writtenBy(const ParameterDescription &parameter)
-{
-    return parameter.writeCommand.isEmpty() ? optionalText(parameter.number)
-                                            : QString::fromLatin1(parameter.writeCommand);
-}
-QString readBy(const ParameterDescription &parameter)
-{
-    return parameter.readCommand.isEmpty() ? optionalText(parameter.readOut)
-                                           : QString::fromLatin1(parameter.readCommand);
+    return text.isEmpty() ? QStringLiteral("-") : text;
 }
 
 QString parameterLines(const DeviceDescription &device)
@@ -82,28 +71,34 @@ QString parameterLines(const DeviceDescription &device)
                onLine ? CommandLine::tr("written by") : CommandLine::tr("number"),
                onLine ? CommandLine::tr("read by") : CommandLine::tr("read-out"), CommandLine::tr("factory"),
                CommandLine::tr("unit"), CommandLine::tr("values")});
-    for (const ParameterDescription &parameter : device.parameters)
-        table.add({parameterKey(parameter.parameter), writtenBy(parameter), readBy(parameter),
+    for (const ParameterDescription &parameter : device.parameters) {
+        const auto reach = protocolRules(device.profile).reachText(parameter);
+        table.add({parameterKey(parameter.parameter), orDash(reach.write), orDash(reach.read),
                    parameter.factory ? typedValue(parameter, *parameter.factory) : QStringLiteral("-"),
                    unitText(parameter.unit), rangeText(parameter)});
+    }
     return table.toString();
 }
 
-QJsonObject parameterJson(const ParameterDescription &parameter)
+// Words have codes, which are numbers; lines have commands, which are letters.
+QJsonObject parameterJson(const DeviceDescription &device, const ParameterDescription &parameter)
 {
     QJsonArray choices;
     for (const Choice &choice : parameter.choices)
         choices.append(QJsonObject{{QStringLiteral("value"), static_cast<qint64>(choice.value)},
                                    {QStringLiteral("choice"), choice.key}});
-    const auto code = [](const std::optional<unsigned> &number) { return numberJson(number); };
-    const auto letters = [](const QByteArray &command) {
-        return command.isEmpty() ? QJsonValue() : QJsonValue(QString::fromLatin1(command));
+    const auto reach = protocolRules(device.profile).reachText(parameter);
+    const auto code = [&device](const QString &text) {
+        return device.hasWords() && !text.isEmpty() ? QJsonValue(text.toInt()) : QJsonValue();
+    };
+    const auto letters = [&device](const QString &text) {
+        return device.hasWords() || text.isEmpty() ? QJsonValue() : QJsonValue(text);
     };
     return {{QStringLiteral("parameter"), parameterKey(parameter.parameter)},
-            {QStringLiteral("number"), code(parameter.number)},
-            {QStringLiteral("readOut"), code(parameter.readOut)},
-            {QStringLiteral("writeCommand"), letters(parameter.writeCommand)},
-            {QStringLiteral("readCommand"), letters(parameter.readCommand)},
+            {QStringLiteral("number"), code(reach.write)},
+            {QStringLiteral("readOut"), code(reach.read)},
+            {QStringLiteral("writeCommand"), letters(reach.write)},
+            {QStringLiteral("readCommand"), letters(reach.read)},
             {QStringLiteral("minimum"), static_cast<qint64>(parameter.minimum)},
             {QStringLiteral("maximum"), static_cast<qint64>(parameter.maximum)},
             {QStringLiteral("factory"), numberJson(parameter.factory)},
@@ -143,7 +138,7 @@ Answer detailsOf(const DeviceDescription &device)
 
     QJsonArray parameters;
     for (const ParameterDescription &parameter : device.parameters)
-        parameters.append(parameterJson(parameter));
+        parameters.append(parameterJson(device, parameter));
     QJsonArray errors;
     for (const DeviceError &error : device.errors)
         errors.append(QJsonObject{{QStringLiteral("number"), static_cast<int>(error.number)},

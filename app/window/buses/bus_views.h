@@ -4,7 +4,7 @@
 #include "app/window/buses/bus_at_work.h"
 #include "app/window/look/panels.h"
 #include "bus/data_check.h"
-#include "project/kind_data.h"
+#include "vocabulary/kind_data.h"
 #include "widgets/structure/fault_banner.h"
 
 #include <QAction>

@@ -3,6 +3,7 @@
 
 #include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/protocol/esc_bits.h"
+#include "kinds/esc/protocol/esc_reach.h"
 
 #include <array>
 #include <span>
@@ -159,7 +160,7 @@ void EscEncoder::take(esc::Command command, const esc::Answer &answer, Instant n
     const std::string_view letters = esc::shapeOf(command).letters;
     const QByteArrayView asked(letters.data(), static_cast<qsizetype>(letters.size()));
     for (const ParameterDescription &parameter : device.parameters)
-        if (parameter.readCommand == asked)
+        if (escReach(parameter).read == asked)
             values.learn({parameter.parameter, escValue(parameter, answer.value, settings.swapWarningBytes),
                           Evidence::read, now});
 }

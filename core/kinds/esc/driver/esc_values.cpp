@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "kinds/esc/protocol/esc_bits.h"
+#include "kinds/esc/protocol/esc_reach.h"
 
 #include <algorithm>
 #include <array>
@@ -29,12 +30,12 @@ void narrowToFactor(const DeviceDescription &device, std::optional<std::int64_t>
 
 std::optional<esc::Command> escReadCommand(const ParameterDescription &parameter)
 {
-    return esc::commandOf(parameter.readCommand);
+    return esc::commandOf(escReach(parameter).read);
 }
 
 std::optional<esc::Command> escWriteCommand(const ParameterDescription &parameter)
 {
-    return esc::commandOf(parameter.writeCommand);
+    return esc::commandOf(escReach(parameter).write);
 }
 
 std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value)
@@ -47,8 +48,8 @@ std::uint32_t escData(const ParameterDescription &parameter, std::int64_t value)
 
 std::int64_t escValue(const ParameterDescription &parameter, std::uint32_t answer, bool swapWarningBytes)
 {
-    if (parameter.readBit)
-        return (answer >> *parameter.readBit) & 1U;
+    if (const auto bit = escReach(parameter).bit)
+        return (answer >> *bit) & 1U;
     if (swapWarningBytes && escReadCommand(parameter) == esc::Command::warnings)
         return esc::swappedBytes(static_cast<std::uint16_t>(answer));
     return answer;

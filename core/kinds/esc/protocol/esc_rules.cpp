@@ -4,6 +4,7 @@
 #include "catalog/protocol_rules.h"
 #include "kinds/esc/protocol/esc_command.h"
 #include "kinds/esc/protocol/esc_forms.h"
+#include "kinds/esc/protocol/esc_reach.h"
 
 #include <algorithm>
 #include <array>
@@ -69,6 +70,9 @@ public:
         if (parameter.canBeRead() || parameter.canBeWritten())
             parameter.form = escForm(parameter.parameter);
     }
+    void readReach(const JsonObject &row, ParameterDescription &parameter,
+                   const DeviceDescription &before) const override;
+    ReachText reachText(const ParameterDescription &parameter) const override;
     void checkParameter(const JsonObject &row, const ParameterDescription &parameter,
                         const DeviceDescription &device) const override;
     void checkPresets(const JsonObject &json, const DeviceDescription &device) const override;
@@ -112,14 +116,45 @@ void EscRules::checkCommandRange(const JsonObject &row, const ParameterDescripti
             tr("A value that is written must be between %1 and %2.").arg(shape.minimum).arg(shape.maximum));
 }
 
+void EscRules::readReach(const JsonObject &row, ParameterDescription &parameter,
+                         const DeviceDescription &before) const
+{
+    constexpr std::int64_t highestBit = 31;
+    const auto bit = row.optionalNumber("bit", 0, highestBit);
+    const EscReach reach{.read = row.textOr("read", {}).toLatin1(),
+                         .bit = bit ? std::optional(static_cast<unsigned>(*bit)) : std::nullopt,
+                         .write = row.textOr("write", {}).toLatin1()};
+    if (reach.bit && reach.read.isEmpty())
+        row.report("bit", tr("A bit is one of the answer to a command read, and there is none."));
+    const auto isTaken = [&before](const auto &isSame) {
+        return std::ranges::any_of(
+            before.parameters, [&](const ParameterDescription &other) { return isSame(escReach(other)); });
+    };
+    if (!reach.write.isEmpty() && isTaken([&](const EscReach &other) { return other.write == reach.write; }))
+        row.report("write", tr("This command is here twice."));
+    if (!reach.read.isEmpty() &&
+        isTaken([&](const EscReach &other) { return other.read == reach.read && other.bit == reach.bit; }))
+        row.report("read", tr("This command is here twice."));
+    parameter.reach = KindData(reach);
+    parameter.isRead = !reach.read.isEmpty();
+    parameter.isWritten = !reach.write.isEmpty();
+}
+
+ProtocolRules::ReachText EscRules::reachText(const ParameterDescription &parameter) const
+{
+    const EscReach reach = escReach(parameter);
+    return {.write = QString::fromLatin1(reach.write), .read = QString::fromLatin1(reach.read)};
+}
+
 void EscRules::checkParameter(const JsonObject &row, const ParameterDescription &parameter,
                               const DeviceDescription &device) const
 {
     for (const char *key : {"number", "readOut"})
         if (row.has(key))
             row.report(key, tr("An encoder on a serial line has the commands read and write. Leave it out."));
-    const auto read = commandOf(row, "read", parameter.readCommand, false);
-    const auto write = commandOf(row, "write", parameter.writeCommand, true);
+    const EscReach reach = escReach(parameter);
+    const auto read = commandOf(row, "read", reach.read, false);
+    const auto write = commandOf(row, "write", reach.write, true);
     const bool isFoundAgain =
         parameter.parameter == Parameter::lineAddress || parameter.parameter == Parameter::baudRate;
     if (write && !read && !isFoundAgain)
@@ -133,7 +168,7 @@ void EscRules::checkParameter(const JsonObject &row, const ParameterDescription 
     if (read) {
         const auto text = [](std::optional<unsigned> bit) { return bit ? QString::number(*bit) : QString(); };
         check("read", Row::letters(read), Row::letters(known.read));
-        check("bit", text(parameter.readBit), text(known.bit));
+        check("bit", text(reach.bit), text(known.bit));
     }
     if (write)
         checkCommandRange(row, parameter, *write);
@@ -144,7 +179,7 @@ void EscRules::checkParameter(const JsonObject &row, const ParameterDescription 
 void EscRules::checkPresets(const JsonObject &json, const DeviceDescription &device) const
 {
     const ParameterDescription *preset = device.find(Parameter::preset);
-    if (!preset || preset->readCommand.isEmpty())
+    if (!preset || !preset->canBeRead())
         json.report("presets", tr("The parameter preset tells the range of the position, and is read "
                                   "after it was set. Give preset the command read, or write false."));
 }

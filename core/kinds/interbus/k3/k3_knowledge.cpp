@@ -5,6 +5,7 @@
 #include "kinds/interbus/k3/k3_reading.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/position_code.h"
+#include "kinds/interbus/words/word_reach.h"
 
 #include <utility>
 
@@ -186,7 +187,7 @@ void K3Knowledge::observeReadOut(Word in, Word out, Instant now)
         return;
     }
     for (const ParameterDescription &parameter : m_device.parameters)
-        if (parameter.readOut == code)
+        if (wordReach(parameter).readOut == code)
             if (const auto value = valueOfReadOut(parameter.parameter, k3::data(in)))
                 learn(parameter.parameter, *value, Evidence::read, now);
     m_answerIsFresh = false; // learned once per request
@@ -249,16 +250,17 @@ void K3Knowledge::observeRun(Word in, Instant now)
 void K3Knowledge::forgetUnseenRun()
 {
     for (const ParameterDescription &parameter : m_device.parameters)
-        if (parameter.number && (m_foundConfirmed || m_pending.contains(*parameter.number)))
-            forgetNumber(*parameter.number);
+        if (const auto number = wordReach(parameter).number;
+            number && (m_foundConfirmed || m_pending.contains(*number)))
+            forgetNumber(*number);
 }
 
 // What was taken while nobody saw the encoder becomes valid, too. Only the last of it stood in IN.
 void K3Knowledge::activateUnseen()
 {
     for (const ParameterDescription &parameter : m_device.parameters)
-        if (parameter.number && !m_pending.contains(*parameter.number))
-            forgetNumber(*parameter.number);
+        if (const auto number = wordReach(parameter).number; number && !m_pending.contains(*number))
+            forgetNumber(*number);
     m_pending.emplace(k3::number(*m_foundConfirmed), k3::data(*m_foundConfirmed));
 }
 
@@ -312,7 +314,7 @@ InDoubt K3Knowledge::inDoubtWith(Word out) const
     if (m_othersWrite)
         return doubt;
     const auto add = [&](unsigned number, std::optional<Word> data) {
-        const ParameterDescription *parameter = m_device.findNumber(number);
+        const ParameterDescription *parameter = findNumber(m_device, number);
         doubt.reset = doubt.reset || number == resetNumber;
         if (parameter != nullptr && data)
             replaceValue(doubt.values, {parameter->parameter, *data});
@@ -383,7 +385,7 @@ void K3Knowledge::forgetNumber(unsigned number)
 {
     if (number == resetNumber)
         reset(false, {});
-    else if (const ParameterDescription *parameter = m_device.findNumber(number)) {
+    else if (const ParameterDescription *parameter = findNumber(m_device, number)) {
         m_known.forget(parameter->parameter);
         if (parameter->parameter == Parameter::preset)
             m_presetArmed.reset();
@@ -396,7 +398,7 @@ void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant no
         reset(data.has_value(), now);
         return;
     }
-    const ParameterDescription *parameter = m_device.findNumber(number);
+    const ParameterDescription *parameter = findNumber(m_device, number);
     if (parameter == nullptr)
         return;
     if (parameter->parameter == Parameter::preset) {
@@ -415,7 +417,7 @@ void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant no
 void K3Knowledge::reset(bool isProven, Instant now)
 {
     for (const ParameterDescription &parameter : m_device.parameters) {
-        if (!parameter.number)
+        if (!parameter.canBeWritten())
             continue;
         if (isProven && !m_device.capabilities.reads && parameter.factory)
             learn(parameter.parameter, *parameter.factory, Evidence::echoed, now);

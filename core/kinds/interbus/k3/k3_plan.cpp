@@ -4,6 +4,7 @@
 #include "jobs/job_check.h"
 #include "kinds/interbus/k3/k3_cam_plan.h"
 #include "kinds/interbus/words/k3_explain.h"
+#include "kinds/interbus/words/word_reach.h"
 
 #include <algorithm>
 
@@ -91,7 +92,7 @@ K3Steps K3Plan::plan(const SendWords &job) const
         step.holdCycles = job.holdCycles;
         step.standsUntilItActs = job.presetStandsUntilItActs && word == k3::initialisePreset;
         if (k3::isParameterWord(word))
-            if (const ParameterDescription *parameter = m_device.findNumber(k3::number(word)))
+            if (const ParameterDescription *parameter = findNumber(m_device, k3::number(word)))
                 step.parameter = parameter->parameter;
         steps.push_back(step);
     }
@@ -144,7 +145,7 @@ K3Step K3Plan::toNormal(bool mustOperate)
 
 Word K3Plan::parameterWord(Parameter parameter, std::int64_t value) const
 {
-    return k3::parameterWord(m_device.find(parameter)->number.value_or(0),
+    return k3::parameterWord(wordReach(*m_device.find(parameter)).number.value_or(0),
                              m_knowledge.dataFor(parameter, value));
 }
 
@@ -157,9 +158,9 @@ bool K3Plan::needsStepsFlag(const ParameterValues &values) const
 void K3Plan::appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected) const
 {
     const ParameterDescription *description = m_device.find(parameter);
-    if (description == nullptr || !description->readOut)
+    if (description == nullptr || !description->canBeRead())
         return;
-    K3Step read = k3Step(StepKind::readOut, k3::readOutWord(*description->readOut));
+    K3Step read = k3Step(StepKind::readOut, k3::readOutWord(*wordReach(*description).readOut));
     read.parameter = parameter;
     read.expected = expected;
     steps.push_back(read);

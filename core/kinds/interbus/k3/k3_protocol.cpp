@@ -9,6 +9,7 @@
 #include "kinds/interbus/words/k3_cam_fields.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/word_protocol.h"
+#include "kinds/interbus/words/word_reach.h"
 
 #include <utility>
 
@@ -54,7 +55,7 @@ public:
             return k3::normalRunning;
         const ParameterValue &first = write->values.front();
         const ParameterDescription *parameter = device.find(first.parameter);
-        return k3::parameterWord(parameter != nullptr ? parameter->number.value_or(0) : 0,
+        return k3::parameterWord(parameter != nullptr ? wordReach(*parameter).number.value_or(0) : 0,
                                  static_cast<Word>(first.value));
     }
     std::optional<ParameterValue> valueIn(const DeviceDescription &device, Word out) const override
@@ -100,7 +101,7 @@ public:
 private:
     static std::optional<ParameterValue> valueOf(const DeviceDescription &device, Word word)
     {
-        const ParameterDescription *parameter = device.findNumber(k3::number(word));
+        const ParameterDescription *parameter = findNumber(device, k3::number(word));
         return parameter != nullptr ? std::optional(ParameterValue{parameter->parameter, k3::data(word)})
                                     : std::nullopt;
     }

@@ -5,6 +5,7 @@
 #include "kinds/interbus/meaning/interbus_meanings.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/k3_explain.h"
+#include "kinds/interbus/words/word_reach.h"
 #include "kinds/interbus/words/word_rules.h"
 
 namespace codewheel {
@@ -43,10 +44,17 @@ public:
                         DescriptionRules::tr("Only a description of the generic dialect has no vendor."));
     }
 
+    // By parameters 1 to 4 and run (error 3; FRABA manual 5.3, Baumer manual 6).
+    void complete(ParameterDescription &parameter) const override
+    {
+        constexpr unsigned lastOfThem = 4;
+        parameter.isNeededAfterLoss = wordReach(parameter).number.value_or(lastOfThem + 1) <= lastOfThem;
+    }
+
     void checkPresets(const JsonObject &json, const DeviceDescription &device) const override
     {
         const ParameterDescription *preset = device.find(Parameter::preset);
-        if (!preset || !preset->number)
+        if (!preset || !preset->canBeWritten())
             json.report("presets",
                         DescriptionRules::tr("The word that sets the position takes the parameter preset. "
                                              "Give preset a number, or write false."));
@@ -93,12 +101,12 @@ private:
     void checkWords(const JsonObject &row, const ParameterDescription &parameter,
                     const DeviceDescription &device) const override
     {
-        if (parameter.number == resetNumber)
+        if (wordReach(parameter).number == resetNumber)
             row.report("number", DescriptionRules::tr(
                                      "Parameter number %1 sets all values to default. It cannot be the "
                                      "number of a parameter, too.")
                                      .arg(resetNumber));
-        if (parameter.readOut && device.dialect != k3::Dialect::fraba)
+        if (parameter.canBeRead() && device.dialect != k3::Dialect::fraba)
             row.report("readOut",
                        DescriptionRules::tr(
                            "Only with the dialect fraba are the words of a read-out known. Leave it out."));
@@ -132,7 +140,7 @@ void K3Rules::checkCams(const JsonObject &json, const DeviceDescription &device)
 void K3Rules::checkRearming(const JsonObject &json, const DeviceDescription &device)
 {
     const ParameterDescription *preset = device.find(Parameter::preset);
-    if (device.quirks.presetNeedsRearming && (!preset || !preset->number || !preset->readOut))
+    if (device.quirks.presetNeedsRearming && (!preset || !preset->canBeWritten() || !preset->canBeRead()))
         json.report("presetNeedsRearming",
                     DescriptionRules::tr(
                         "The preset is read, and programmed again. Give preset a number and a readOut, or "
@@ -143,13 +151,13 @@ void K3Rules::checkStepsMinusOne(const JsonObject &json, const DeviceDescription
     if (!device.quirks.mayCountStepsMinusOne)
         return;
     const ParameterDescription *flag = device.find(Parameter::multiTurnAndStepsMinusOne);
-    if (!flag || !flag->readOut)
+    if (!flag || !flag->canBeRead())
         json.report("mayCountStepsMinusOne",
                     DescriptionRules::tr(
                         "The parameter multi-turn-steps-minus-1 tells which of both the encoder does. Give "
                         "it a readOut, or write false."));
     const ParameterDescription *steps = device.find(Parameter::steps);
-    if (steps && steps->number && steps->minimum < 1)
+    if (steps && steps->canBeWritten() && steps->minimum < 1)
         json.report("mayCountStepsMinusOne",
                     DescriptionRules::tr("An encoder that is sent steps - 1 cannot be sent 0 "
                                          "steps. Let the minimum of steps be 1 or more."));

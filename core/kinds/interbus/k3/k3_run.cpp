@@ -4,6 +4,7 @@
 #include "kinds/interbus/k3/k3_refine.h"
 #include "kinds/interbus/k3/k3_refusal.h"
 #include "kinds/interbus/words/k3_cam_fields.h"
+#include "kinds/interbus/words/word_reach.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,9 +15,8 @@ namespace {
 // What was written is read back where the encoder can be read.
 Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &device)
 {
-    const bool isRead = std::ranges::all_of(written, [&](const ParameterValue &value) {
-        return device.find(value.parameter)->readOut.has_value();
-    });
+    const bool isRead = std::ranges::all_of(
+        written, [&](const ParameterValue &value) { return device.find(value.parameter)->canBeRead(); });
     return isRead ? Evidence::read : Evidence::echoed;
 }
 
@@ -238,7 +238,7 @@ void K3Run::readAgain(const K3Step &step)
     }
     K3Steps between;
     for (const ParameterDescription &other : m_encoder.device.parameters)
-        if (between.empty() && other.readOut && k3::readOutWord(*other.readOut) != step.out)
+        if (between.empty() && other.canBeRead() && k3::readOutWord(*wordReach(other).readOut) != step.out)
             m_encoder.plan.appendRead(between, other.parameter);
     if (between.empty())
         return;

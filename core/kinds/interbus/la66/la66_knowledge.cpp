@@ -20,7 +20,7 @@ void La66Knowledge::observeAnswer(Word in, Instant now)
     if (written && !m_othersWrite)
         m_values.countEepromWrite();
     const ParameterDescription *parameter =
-        written ? m_device.findNumber(service) : m_device.findReadOut(service);
+        written ? findNumber(m_device, service) : findReadOut(m_device, service);
     if (parameter != nullptr)
         m_values.learn(
             {parameter->parameter, la66::data(in), written ? Evidence::echoed : Evidence::read, now});

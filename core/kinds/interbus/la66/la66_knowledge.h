@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "jobs/known_values.h"
+#include "kinds/interbus/words/word_reach.h"
 
 namespace codewheel {
 
@@ -18,7 +19,7 @@ public:
     void observe(Word in, Instant now);
     void setOthersWrite(bool on) { m_othersWrite = on; } // as CyclicDriver
 
-    const ParameterDescription *find(unsigned service) const { return m_device.findNumber(service); }
+    const ParameterDescription *find(unsigned service) const { return findNumber(m_device, service); }
     KnownValues &values() { return m_values; }
     const KnownValues &values() const { return m_values; }
 

@@ -3,6 +3,7 @@
 
 #include "jobs/job_check.h"
 #include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/word_reach.h"
 
 namespace codewheel {
 namespace {
@@ -34,14 +35,15 @@ La66Steps service(Word request, std::optional<Parameter> parameter)
 La66Steps writing(const ParameterDescription &parameter, std::int64_t value)
 {
     La66Steps steps =
-        service(la66::writeWord(parameter.number.value_or(0), static_cast<Word>(value)), parameter.parameter);
+        service(la66::writeWord(wordReach(parameter).number.value_or(0), static_cast<Word>(value)),
+                parameter.parameter);
     steps[1].value = value;
     return steps;
 }
 
 La66Steps reading(const ParameterDescription &parameter, std::optional<std::int64_t> expected = {})
 {
-    La66Steps steps = service(la66::readWord(parameter.readOut.value_or(0)), parameter.parameter);
+    La66Steps steps = service(la66::readWord(wordReach(parameter).readOut.value_or(0)), parameter.parameter);
     steps[1].expected = expected;
     return steps;
 }
@@ -116,7 +118,7 @@ La66Steps La66Plan::reads(const std::vector<Parameter> &parameters) const
     La66Steps steps;
     for (const Parameter parameter : parameters)
         if (const ParameterDescription *description = m_device.find(parameter);
-            description != nullptr && description->readOut)
+            description != nullptr && description->canBeRead())
             append(steps, reading(*description));
     return steps;
 }
@@ -128,7 +130,7 @@ La66Steps La66Plan::writes(const ParameterValues &values) const
     for (const ParameterValue &value : values) {
         const ParameterDescription &parameter = *m_device.find(value.parameter);
         append(steps, writing(parameter, value.value));
-        if (parameter.readOut)
+        if (parameter.canBeRead())
             append(steps, reading(parameter, value.value));
     }
     return steps;

@@ -5,6 +5,7 @@
 #include "kinds/interbus/meaning/interbus_meanings.h"
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/profiles.h"
+#include "kinds/interbus/words/word_reach.h"
 #include "kinds/interbus/words/word_rules.h"
 
 #include <algorithm>
@@ -50,11 +51,12 @@ private:
         const auto text = [](std::optional<unsigned> number) {
             return number ? QString::number(*number) : QString();
         };
-        if (parameter.number)
-            checkPlace(row, "number", text(parameter.number), text(known.write), parameter, profile::la66);
-        if (parameter.readOut)
-            checkPlace(row, "readOut", text(parameter.readOut), text(known.read), parameter, profile::la66);
-        if (parameter.number && !parameter.readOut)
+        const WordReach reach = wordReach(parameter);
+        if (reach.number)
+            checkPlace(row, "number", text(reach.number), text(known.write), parameter, profile::la66);
+        if (reach.readOut)
+            checkPlace(row, "readOut", text(reach.readOut), text(known.read), parameter, profile::la66);
+        if (reach.number && !reach.readOut)
             row.report("readOut",
                        DescriptionRules::tr("What is written must be read, too: it is read back."));
     }

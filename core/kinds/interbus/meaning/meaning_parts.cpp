@@ -6,6 +6,7 @@
 #include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/position_code.h"
+#include "kinds/interbus/words/word_reach.h"
 #include "vocabulary/device_error_name.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
@@ -94,7 +95,7 @@ QString MeaningParts::manufacturerErrorText(std::int64_t code)
 
 QString MeaningParts::parameterLabel(unsigned parameterNumber, In place) const
 {
-    const ParameterDescription *parameter = m_device.findNumber(parameterNumber);
+    const ParameterDescription *parameter = findNumber(m_device, parameterNumber);
     if (!parameter && !hasNumber(m_device, parameterNumber))
         return sentence(place == In::startOfSentence ? tr("Parameter %1 (not defined for this encoder)")
                                                      : tr("parameter %1 (not defined for this encoder)"),
@@ -121,7 +122,7 @@ QString MeaningParts::outsideText(const ParameterDescription &parameter, std::in
 
 QString MeaningParts::parameterValue(unsigned parameterNumber, std::int64_t value) const
 {
-    if (const ParameterDescription *parameter = m_device.findNumber(parameterNumber))
+    if (const ParameterDescription *parameter = findNumber(m_device, parameterNumber))
         return takesValue(m_device, parameterNumber, value) ? valueText(*parameter, value)
                                                             : outsideText(*parameter, value);
     return parameterNumber == k3::setToDefault && value == 0
@@ -137,7 +138,7 @@ QStringList MeaningParts::parameterAndValue(const Meaning &meaning, In place) co
 
 QString MeaningParts::readOutLabel(unsigned code) const
 {
-    const ParameterDescription *parameter = m_device.findReadOut(code);
+    const ParameterDescription *parameter = findReadOut(m_device, code);
     return parameter ? parameterNameInText(parameter->parameter)
                      : sentence(tr("code %1, which is not defined"), {number(code)});
 }
@@ -152,7 +153,7 @@ std::int64_t readOutNumber(const ParameterDescription &parameter, Word value)
 
 QString MeaningParts::readOutValueText(unsigned code, Word value) const
 {
-    const ParameterDescription *parameter = m_device.findReadOut(code);
+    const ParameterDescription *parameter = findReadOut(m_device, code);
     if (!parameter)
         return number(value);
     const std::int64_t told = readOutNumber(*parameter, value);
@@ -161,14 +162,14 @@ QString MeaningParts::readOutValueText(unsigned code, Word value) const
     const bool isTaken = isDirection || isStepsMinusOne(m_device, *parameter, told) || parameter->takes(told);
     const QString text = isTaken ? valueText(*parameter, told) : outsideText(*parameter, told);
     const QString unit = unitText(parameter->unit);
-    return unit.isEmpty() || parameter->number ? text : text + u' ' + unit;
+    return unit.isEmpty() || parameter->canBeWritten() ? text : text + u' ' + unit;
 }
 
 // The parameter that a service of the LA-66 writes, reads, or both.
 const ParameterDescription *serviceParameter(const DeviceDescription &device, unsigned service)
 {
-    const ParameterDescription *written = device.findNumber(service);
-    return written ? written : device.findReadOut(service);
+    const ParameterDescription *written = findNumber(device, service);
+    return written ? written : findReadOut(device, service);
 }
 
 QString MeaningParts::errorText(unsigned errorNumber) const
@@ -265,13 +266,13 @@ QStringList MeaningParts::of(const Meaning &meaning) const
 bool hasNumber(const DeviceDescription &device, unsigned number)
 {
     const bool isOpen = device.dialect == k3::Dialect::generic;
-    return number == k3::setToDefault || device.findNumber(number) != nullptr ||
+    return number == k3::setToDefault || findNumber(device, number) != nullptr ||
            (isOpen && k3::isKnownNumber(number));
 }
 
 bool takesValue(const DeviceDescription &device, unsigned number, std::int64_t value)
 {
-    const ParameterDescription *parameter = device.findNumber(number);
+    const ParameterDescription *parameter = findNumber(device, number);
     return parameter == nullptr || parameter->takes(value) || isStepsMinusOne(device, *parameter, value);
 }
 

@@ -3,6 +3,7 @@
 
 #include "catalog/hex_code.h"
 #include "catalog/rule_texts.h"
+#include "kinds/interbus/words/word_reach.h"
 
 namespace codewheel {
 
@@ -50,6 +51,33 @@ void RingRules::checkWordCounts(const JsonObject &json, const DeviceDescription 
         json.report("outWords", reason);
 }
 
+void WordRules::readReach(const JsonObject &row, ParameterDescription &parameter,
+                          const DeviceDescription &before) const
+{
+    constexpr std::int64_t highestNumber = 15; // D28..D25
+    constexpr std::int64_t highestReadOut = 0xFF;
+    const auto code = [&row](const char *key, std::int64_t least, std::int64_t most) {
+        const auto number = row.optionalNumber(key, least, most);
+        return number ? std::optional(static_cast<unsigned>(*number)) : std::nullopt;
+    };
+    const WordReach reach{.number = code("number", 1, highestNumber),
+                          .readOut = code("readOut", 0, highestReadOut)};
+    if (reach.number && findNumber(before, *reach.number) != nullptr)
+        row.report("number", DescriptionRules::tr("This number is here twice."));
+    if (reach.readOut && findReadOut(before, *reach.readOut) != nullptr)
+        row.report("readOut", DescriptionRules::tr("This readOut code is here twice."));
+    parameter.reach = KindData(reach);
+    parameter.isWritten = reach.number.has_value();
+    parameter.isRead = reach.readOut.has_value();
+}
+
+ProtocolRules::ReachText WordRules::reachText(const ParameterDescription &parameter) const
+{
+    const auto text = [](std::optional<unsigned> code) { return code ? QString::number(*code) : QString(); };
+    const WordReach reach = wordReach(parameter);
+    return {.write = text(reach.number), .read = text(reach.readOut)};
+}
+
 void WordRules::checkParameter(const JsonObject &row, const ParameterDescription &parameter,
                                const DeviceDescription &device) const
 {
@@ -60,7 +88,7 @@ void WordRules::checkParameter(const JsonObject &row, const ParameterDescription
 
 void WordRules::checkRange(const JsonObject &row, const ParameterDescription &parameter) const
 {
-    if (!parameter.number)
+    if (!parameter.canBeWritten())
         return;
     const QString reason =
         DescriptionRules::tr(

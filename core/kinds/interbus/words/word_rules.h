@@ -41,6 +41,9 @@ public:
 
     bool hasParameters() const override { return true; }
 
+    void readReach(const JsonObject &row, ParameterDescription &parameter,
+                   const DeviceDescription &before) const override;
+    ReachText reachText(const ParameterDescription &parameter) const override;
     void checkParameter(const JsonObject &row, const ParameterDescription &parameter,
                         const DeviceDescription &device) const override;
 

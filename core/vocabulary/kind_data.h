@@ -6,8 +6,8 @@
 
 namespace codewheel {
 
-// Something whose meaning only one kind of bus knows: a value of any comparable type. Copies share it; it
-// never changes.
+// Something whose meaning only one kind of bus or protocol knows: a value of any comparable type. Copies
+// share it; it never changes.
 class KindData
 {
 public:
