@@ -2074,12 +2074,12 @@
         <translation>Die Verbindung ist abgebrochen, und nichts sagt, ob die Nullen des ALARM-STOPPs angekommen sind: Sie werden jede Sekunde wieder gesendet, und sobald die Verbindung wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
     </message>
     <message>
-        <source>The last word was not answered, so the encoder may or may not have this: %1. Read it to know.</source>
-        <translation>Das letzte Wort wurde nicht beantwortet, der Geber kann dies also haben oder nicht: %1. Auslesen, um es zu wissen.</translation>
-    </message>
-    <message>
         <source>The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. The program goes on trying. Stop the machine by its own means. In OUT when it was last seen: %1.</source>
         <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen, oder in OUT steht noch etwas anderes. Das Programm versucht es weiter. Die Maschine mit ihren eigenen Mitteln anhalten. In OUT, als es zuletzt gesehen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>It is not known whether the encoder has this: %1. Read it to know.</source>
+        <translation>Es ist nicht bekannt, ob der Geber dies hat: %1. Auslesen, um es zu wissen.</translation>
     </message>
 </context>
 <context>

@@ -91,9 +91,7 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
     MessageRow{
         MessageId::inDoubt, "inDoubt",
-        QT_TRANSLATE_NOOP(
-            "Message",
-            "The last word was not answered, so the encoder may or may not have this: %1. Read it to know.")},
+        QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. Read it to know.")},
     MessageRow{MessageId::outLeft, "outLeft",
                QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
                                             "it back once the bus runs again.")},
