@@ -249,5 +249,28 @@ TEST_F(PagesTest, AJobOfAPageThatIsClosedGoesOn)
     EXPECT_EQ(bus().encoder(fraba)->known(Parameter::steps)->value, 4096);
 }
 
+// The result is shown by then, and was not asked about.
+TEST_F(PagesTest, AQuestionWhoseReasonHasGoneClosesNothing)
+{
+    shown->project().editDevice(fraba, QStringLiteral("want"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 4096}};
+    });
+    actions().transfer->trigger();
+    auto &transfer = *window().findChild<TransferPage *>();
+    QTest::mouseClick(&find<QPushButton>("transferBegin"), Qt::LeftButton);
+    advance(4);
+    ASSERT_TRUE(transfer.isBusy());
+    const test::Question question([&](QWidget &box) {
+        advance(500);
+        EXPECT_FALSE(transfer.isBusy());
+        for (auto *button : box.findChildren<QPushButton *>())
+            if (button->text().remove(u'&') == QStringLiteral("Close the page"))
+                QTest::mouseClick(button, Qt::LeftButton);
+    });
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(question.wasAsked());
+    EXPECT_EQ(page(), &transfer);
+}
+
 } // namespace
 } // namespace codewheel

@@ -109,6 +109,26 @@ TEST_F(LedgerKeeperTest, AReplacementLeavesTheCountToThePreviousEncoder)
     EXPECT_EQ(countAt(fraba).writes, 1);
 }
 
+// What it has sent so far may have been written, whatever it does next.
+TEST_F(LedgerKeeperTest, AJobThatWaitsForItsUserCountsAsPerhaps)
+{
+    keep(DatabasePlace::memory());
+    EncoderSession &encoder = *bus.encoder(fraba);
+    ASSERT_TRUE(
+        encoder.start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}, Pace::byHand));
+    bus.advance(50);
+    encoder.proceed();
+    for (int i = 0; i < 20; ++i)
+        bus.advance(50);
+    ASSERT_TRUE(encoder.runningJob());
+    EXPECT_EQ(countAt(fraba).atMost(), 1);
+    encoder.cancel(OnCancel::runWithWhatItHas);
+    for (int i = 0; i < 100 && encoder.runningJob(); ++i)
+        bus.advance(50);
+    EXPECT_EQ(countAt(fraba).writes, 1);
+    EXPECT_EQ(countAt(fraba).perhaps, 0);
+}
+
 // It may be the one that was written to.
 TEST_F(LedgerKeeperTest, WhileItIsAskedWhetherItIsTheSameItsWritesCountAsPerhaps)
 {

@@ -39,4 +39,10 @@ private:
 // "1204.5": milliseconds on the clock of a bus.
 QString rowTime(Instant at);
 
+// For a cell that has nothing to say.
+inline QString orDash(const QString &text)
+{
+    return text.isEmpty() ? QStringLiteral("-") : text;
+}
+
 } // namespace codewheel

@@ -57,11 +57,6 @@ Answer listOf(const Catalog &catalog)
     return {table.toString(), {{QStringLiteral("devices"), devices}}};
 }
 
-QString orDash(const QString &text)
-{
-    return text.isEmpty() ? QStringLiteral("-") : text;
-}
-
 QString parameterLines(const DeviceDescription &device)
 {
     using enum TextTable::Align;

@@ -35,11 +35,6 @@ QString linkToType(const Found &one)
     return one.place.contains(u',') || shownInLine(one.place) != one.place ? QString() : one.link;
 }
 
-QString textOrDash(const QString &text)
-{
-    return text.isEmpty() ? QStringLiteral("-") : text;
-}
-
 QJsonObject foundJson(const Found &one)
 {
     return {{QStringLiteral("place"), one.place},
@@ -57,8 +52,8 @@ QString tableOf(const std::vector<Found> &found)
     table.add({CommandLine::tr("place"), CommandLine::tr("settings"), CommandLine::tr("sure"),
                QStringLiteral("--link"), CommandLine::tr("who")});
     for (const Found &one : found)
-        table.add({one.place, textOrDash(one.settings), certaintyText(one.certainty),
-                   textOrDash(linkToType(one)), one.sentence});
+        table.add({one.place, orDash(one.settings), certaintyText(one.certainty),
+                   orDash(linkToType(one)), one.sentence});
     return table.toString();
 }
 

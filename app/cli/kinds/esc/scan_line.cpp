@@ -81,11 +81,6 @@ std::optional<ScanEnded> search(const Call &call, EscLineAccess &access, const S
     return isConnected ? ended : std::nullopt;
 }
 
-QString orDash(const QString &text)
-{
-    return text.isEmpty() ? QStringLiteral("-") : text;
-}
-
 QString tableOf(const std::vector<FoundEncoder> &found)
 {
     using enum TextTable::Align;
