@@ -65,6 +65,7 @@ std::string saidOnLine(const CrookedPeer::React &react)
     PtyPair pty;
     CrookedPeer peer(react, pty.descriptor());
     GatewaySettings settings = impatient();
+    settings.timeOut = 600ms; // the peer is a thread, and has to be heard
     settings.transport = GatewaySettings::Transport::rtu;
     settings.serialPort = pty.path();
     return firstSaid(settings);
