@@ -117,9 +117,11 @@ TEST_F(LedgerKeeperTest, AJobThatWaitsForItsUserCountsAsPerhaps)
     ASSERT_TRUE(
         encoder.start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}, Pace::byHand));
     bus.advance(50);
-    encoder.proceed();
-    for (int i = 0; i < 20; ++i)
-        bus.advance(50);
+    for (int i = 0; i < 10 && encoder.latest().state != EncoderState::parameterization; ++i) {
+        encoder.proceed();
+        bus.advance(200);
+    }
+    ASSERT_EQ(encoder.latest().state, EncoderState::parameterization);
     ASSERT_TRUE(encoder.runningJob());
     EXPECT_EQ(countAt(fraba).atMost(), 1);
     encoder.cancel(OnCancel::runWithWhatItHas);
