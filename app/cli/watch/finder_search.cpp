@@ -52,8 +52,8 @@ QString tableOf(const std::vector<Found> &found)
     table.add({CommandLine::tr("place"), CommandLine::tr("settings"), CommandLine::tr("sure"),
                QStringLiteral("--link"), CommandLine::tr("who")});
     for (const Found &one : found)
-        table.add({one.place, orDash(one.settings), certaintyText(one.certainty),
-                   orDash(linkToType(one)), one.sentence});
+        table.add({one.place, orDash(one.settings), certaintyText(one.certainty), orDash(linkToType(one)),
+                   one.sentence});
     return table.toString();
 }
 
