@@ -46,6 +46,17 @@ protected:
     {
         return *window().findChild<Widget *>(QLatin1String(name));
     }
+    // That writes steps.
+    const TransferPage &transferringPage()
+    {
+        shown->project().editDevice(fraba, QStringLiteral("want"), [](ProjectDevice &device) {
+            device.wanted = {{Parameter::steps, 4096}};
+        });
+        actions().transfer->trigger();
+        QTest::mouseClick(&find<QPushButton>("transferBegin"), Qt::LeftButton);
+        advance(4);
+        return *window().findChild<TransferPage *>();
+    }
     QList<QAction *> opening()
     {
         const WindowActions &its = actions();
@@ -230,13 +241,7 @@ TEST_F(PagesTest, AReplacementThatHasBegunIsAskedAbout)
 
 TEST_F(PagesTest, AJobOfAPageThatIsClosedGoesOn)
 {
-    shown->project().editDevice(fraba, QStringLiteral("want"), [](ProjectDevice &device) {
-        device.wanted = {{Parameter::steps, 4096}};
-    });
-    actions().transfer->trigger();
-    auto &transfer = *window().findChild<TransferPage *>();
-    QTest::mouseClick(&find<QPushButton>("transferBegin"), Qt::LeftButton);
-    advance(4);
+    const TransferPage &transfer = transferringPage();
     ASSERT_TRUE(transfer.isBusy());
     const auto question = test::Question::answeredBy(QStringLiteral("Close the page"));
     press(Qt::Key_Escape);
@@ -252,13 +257,7 @@ TEST_F(PagesTest, AJobOfAPageThatIsClosedGoesOn)
 // The result is shown by then, and was not asked about.
 TEST_F(PagesTest, AQuestionWhoseReasonHasGoneClosesNothing)
 {
-    shown->project().editDevice(fraba, QStringLiteral("want"), [](ProjectDevice &device) {
-        device.wanted = {{Parameter::steps, 4096}};
-    });
-    actions().transfer->trigger();
-    auto &transfer = *window().findChild<TransferPage *>();
-    QTest::mouseClick(&find<QPushButton>("transferBegin"), Qt::LeftButton);
-    advance(4);
+    const TransferPage &transfer = transferringPage();
     ASSERT_TRUE(transfer.isBusy());
     const test::Question question([&](QWidget &box) {
         advance(500);

@@ -22,8 +22,8 @@ struct RegisterBank
     Instant busyUntil{}; // it refuses everything with busyCode
     int busyCode = 6;
     std::size_t mostWritten = 123; // in one request; more is exception 3
-    std::optional<int>
-        tripped{}; // the register that acknowledges its watchdog; every other write is exception 4
+    // The register that acknowledges its watchdog, which has tripped: every other write is exception 4.
+    std::optional<int> tripped{};
     std::function<void()> onWrite; // after each one
 
     std::map<int, Register> &of(RegisterArea area) { return area == RegisterArea::input ? input : holding; }

@@ -46,6 +46,15 @@ protected:
         pass(500);
     }
 
+    void writeLeavingThePosition()
+    {
+        page.replace(fraba);
+        click("replaceNext");
+        find<QRadioButton>("positionNone")->setChecked(true);
+        click("replaceNext");
+        click("replaceNext");
+    }
+
     QStringList messages;
     LastPositions positions{session.buses};
     ReplacePage page{session.buses, session.catalog, project, positions};
@@ -170,11 +179,7 @@ TEST_F(ReplacePageTest, OtherWantedValuesAskForThePositionOnceMore)
 // Esc is no Cancel. What came of it is shown when the page is opened again.
 TEST_F(ReplacePageTest, WhileItIsWrittenClosingIsAskedAboutAndTheResultWaits)
 {
-    page.replace(fraba);
-    click("replaceNext");
-    find<QRadioButton>("positionNone")->setChecked(true);
-    click("replaceNext");
-    click("replaceNext");
+    writeLeavingThePosition();
     ASSERT_TRUE(page.isBusy());
     EXPECT_TRUE(page.lostByClosing().contains(QStringLiteral("only Cancel ends it")));
     page.hide();
@@ -441,11 +446,7 @@ TEST_F(ReplacePageTest, TheAccountIsOfTheProjectThatWasWritten)
     Project crane = project.project();
     crane.title = QStringLiteral("Crane");
     project.edit(crane, QStringLiteral("title"));
-    page.replace(fraba);
-    click("replaceNext");
-    find<QRadioButton>("positionNone")->setChecked(true);
-    click("replaceNext");
-    click("replaceNext");
+    writeLeavingThePosition();
     ASSERT_TRUE(page.isBusy());
     crane.title = QStringLiteral("Other");
     project.setProject(crane, {});

@@ -36,7 +36,23 @@ namespace codewheel {
 namespace {
 
 using test::fraba;
-using GatewayInWindowTest = test::GatewayTest;
+class GatewayInWindowTest : public test::GatewayTest
+{
+protected:
+    static constexpr int watchdogRegister = 4'096;
+
+    // In Operate, with a word in OUT, when the watchdog of the gateway trips.
+    void operateAndTrip()
+    {
+        choose(QStringLiteral("gateway.hall"));
+        setting<QSpinBox>("watchdog").setValue(watchdogRegister);
+        connectChosen();
+        bus().setOperate(true);
+        advance(20);
+        send(fraba, 0x0200'00FF);
+        bank->tripped = watchdogRegister;
+    }
+};
 using test::RegisterBankPort;
 
 class UnreachablePort : public RegisterBankPort
@@ -229,14 +245,7 @@ TEST_F(GatewayInWindowTest, AlarmStopWritesZerosAndSaysThatTheyArrived)
 
 TEST_F(GatewayInWindowTest, ATrippedWatchdogIsAcknowledgedByWhoeverSaysSo)
 {
-    constexpr int acknowledges = 4'096;
-    choose(QStringLiteral("gateway.hall"));
-    setting<QSpinBox>("watchdog").setValue(acknowledges);
-    connectChosen();
-    bus().setOperate(true);
-    advance(20);
-    send(fraba, 0x0200'00FF);
-    bank->tripped = acknowledges;
+    operateAndTrip();
     const int writes = bank->writes;
     advance(5'000);
     ASSERT_TRUE(bus().isOpen()) << "it still shows IN";
@@ -247,7 +256,7 @@ TEST_F(GatewayInWindowTest, ATrippedWatchdogIsAcknowledgedByWhoeverSaysSo)
     EXPECT_EQ(bank->writes, writes);
     press("acknowledgeWatchdog");
     advance(100);
-    EXPECT_EQ(bank->holding[acknowledges], 1);
+    EXPECT_EQ(bank->holding[watchdogRegister], 1);
     EXPECT_EQ(bank->writes, writes + 1) << "and nothing else";
     EXPECT_FALSE(bus().isOperating());
     EXPECT_FALSE(treeTexts().contains(QStringLiteral("outputs blocked")));
@@ -272,14 +281,7 @@ TEST_F(GatewayInWindowTest, TheQuestionAboutRunEndsWithTheLink)
 
 TEST_F(GatewayInWindowTest, AnAlarmStopWaitsForTheWatchdogToBeAcknowledged)
 {
-    constexpr int acknowledges = 4'096;
-    choose(QStringLiteral("gateway.hall"));
-    setting<QSpinBox>("watchdog").setValue(acknowledges);
-    connectChosen();
-    bus().setOperate(true);
-    advance(20);
-    send(fraba, 0x0200'00FF);
-    bank->tripped = acknowledges;
+    operateAndTrip();
     actions().alarmStop->trigger();
     advance(3'000);
     EXPECT_EQ(outThere(0), 0x0200'00FFu);
