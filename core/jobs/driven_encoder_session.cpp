@@ -138,22 +138,25 @@ void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
 void DrivenEncoderSession::take(const InDoubt &doubt, Instant at)
 {
     m_inDoubt = doubt;
-    for (const ParameterValue &value : doubt.values)
-        replaceValue(m_taken.values, value);
-    m_taken.reset = m_taken.reset || doubt.reset;
-    m_takenAt = at;
+    noteTaken(doubt.values, doubt.reset, at);
     for (Message &message : doubtReport(doubt, m_description))
         report(std::move(message), at);
 }
 
 void DrivenEncoderSession::takeWhatWaitsForRun(const Outcome &outcome, Instant at)
 {
-    for (const ParameterValues *values : {&outcome.confirmed, &outcome.inDoubt.values})
-        for (const ParameterValue &value : *values)
-            replaceValue(m_taken.values, value);
-    m_taken.reset =
-        m_taken.reset || outcome.inDoubt.reset ||
-        (std::holds_alternative<ResetToDefault>(m_job) && outcome.leftIn == EncoderState::parameterization);
+    noteTaken(outcome.confirmed,
+              std::holds_alternative<ResetToDefault>(m_job) &&
+                  outcome.leftIn == EncoderState::parameterization,
+              at);
+    noteTaken(outcome.inDoubt.values, outcome.inDoubt.reset, at);
+}
+
+void DrivenEncoderSession::noteTaken(const ParameterValues &values, bool reset, Instant at)
+{
+    for (const ParameterValue &value : values)
+        replaceValue(m_taken.values, value);
+    m_taken.reset = m_taken.reset || reset;
     m_takenAt = at;
 }
 

@@ -76,6 +76,7 @@ private:
     void compareWithBefore();
     void take(const InDoubt &doubt, Instant at);
     void takeWhatWaitsForRun(const Outcome &outcome, Instant at);
+    void noteTaken(const ParameterValues &values, bool reset, Instant at);
     void postAllKnown();
 
     std::size_t m_index;

@@ -8,6 +8,16 @@
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+// The earlier of both, if `more` counts anything.
+void countSince(EepromCount &count, const EepromCount &more)
+{
+    if (more.atMost() > 0 && (!count.since.isValid() || more.since < count.since))
+        count.since = more.since;
+}
+
+} // namespace
 
 LedgerKeeper::LedgerKeeper(EncoderBus &bus, const DatabasePlace &place, QObject *parent)
     : QObject(parent)
@@ -116,10 +126,10 @@ void LedgerKeeper::setLabel(Place place, const QString &serialNumber)
     if (before.serialNumber == m_labels[place].serialNumber)
         return;
     identify(place);
-    Watched *watched = m_watched.contains(place) ? &m_watched[place] : nullptr;
+    const auto found = m_watched.find(place);
     const bool isTakenBack = before.project == m_project && !before.serialNumber.isEmpty();
-    if (watched != nullptr && isTakenBack && watched->identity.by == CountedBy::place) {
-        attribute(*watched);
+    if (found != m_watched.end() && isTakenBack && found->second.identity.by == CountedBy::place) {
+        attribute(found->second);
         showCount(place);
     }
 }
@@ -470,8 +480,7 @@ void LedgerKeeper::addDoubtOfPlace(EepromCount &count, Place place) const
 {
     const EepromCount there = ledger()->writes(ofPlace(place));
     count.atPlace = there.atMost() + writesBeforeItMet(place);
-    if (there.atMost() > 0 && (!count.since.isValid() || there.since < count.since))
-        count.since = there.since;
+    countSince(count, there);
 }
 
 // While it is asked whether it is the one with that serial number.
@@ -486,8 +495,7 @@ void LedgerKeeper::addDoubtOfQuestion(EepromCount &count, const EncoderSession &
                                               .project = {},
                                               .place = {}});
     count.perhaps += its.atMost();
-    if (its.atMost() > 0 && (!count.since.isValid() || its.since < count.since))
-        count.since = its.since;
+    countSince(count, its);
 }
 
 // As long as nobody has said whether it is the same encoder. What stands under the place as it is called now

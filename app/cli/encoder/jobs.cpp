@@ -29,7 +29,7 @@ public:
     {}
     ~JobProgress()
     {
-        if (m_isShown)
+        if (!m_shown.isEmpty())
             m_terminal.showProgress({});
     }
     JobProgress(const JobProgress &) = delete;
@@ -53,7 +53,6 @@ public:
         if (m_text == m_shown || std::chrono::steady_clock::now() < m_begun + std::chrono::seconds(1))
             return;
         m_shown = m_text;
-        m_isShown = true;
         m_terminal.showProgress(m_shown);
     }
 
@@ -63,7 +62,6 @@ private:
     const std::chrono::steady_clock::time_point m_begun = std::chrono::steady_clock::now();
     QString m_text;
     QString m_shown;
-    bool m_isShown = false;
 };
 
 // A bus is in Watch until something has to be sent.

@@ -12,11 +12,10 @@
 namespace codewheel {
 namespace {
 
-constexpr int readsInDoubt = 2; // more in one exchange, while words are not believed (assumed)
-constexpr int readsOfSeldom =
-    5; // the same, where it is polled seldom, and an exchange has to do by itself (assumed)
-// Between two looks at the status register: where it decides what is shown, and where it is only shown.
+constexpr int readsInDoubt = 2;  // more in one exchange, while words are not believed (assumed)
+constexpr int readsOfSeldom = 5; // the same, where it is polled seldom: each exchange has to do (assumed)
 constexpr Instant seldom = std::chrono::milliseconds(250);
+// Between two looks at the status register: where it decides what is shown, and where it is only shown.
 constexpr Instant betweenDecisions = std::chrono::milliseconds(100);
 constexpr Instant betweenStatus = std::chrono::milliseconds(500);
 
