@@ -170,9 +170,9 @@ std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
     std::vector<Parameter> parameters;
     for (const ParameterDescription &its : m_description.parameters) {
         const bool isValue =
-            its.canBeWritten() && (m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter));
+            its.canBeWritten && (m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter));
         const bool isOfPosition = m_inDoubt.position && its.parameter == Parameter::zeroOffset;
-        if (its.canBeRead() && (isValue || isOfPosition) && !known(its.parameter))
+        if (its.canBeRead && (isValue || isOfPosition) && !known(its.parameter))
             parameters.push_back(its.parameter);
     }
     return parameters;
@@ -209,11 +209,8 @@ void DrivenEncoderSession::compareWithBefore()
         setKnownBefore({});
 }
 
-void DrivenEncoderSession::takeKnownBefore()
+void DrivenEncoderSession::takeOver(const KnownBefore &before)
 {
-    if (!knownBefore())
-        return;
-    const KnownBefore before = *knownBefore();
     for (const KnownBefore::Value &value : before.values) {
         const Instant at = instantOf(value.at);
         m_known.try_emplace(value.parameter, Known{value.parameter, value.value, value.evidence, at});
@@ -224,10 +221,7 @@ void DrivenEncoderSession::takeKnownBefore()
         m_known.try_emplace(Parameter::serialNumber,
                             Known{Parameter::serialNumber, *before.serialNumber, Evidence::read, at});
     }
-    Q_EMIT isSameAsBefore();
-    setKnownBefore({});
     postAllKnown();
-    Q_EMIT knownChanged();
 }
 
 bool DrivenEncoderSession::knowsValues() const

@@ -38,8 +38,6 @@ public:
     void proceed() override;
     void cancel(OnCancel how) override;
 
-    void takeKnownBefore() override;
-
     int eepromWrites() const override { return m_eepromWrites; }
     void countEepromWrites(int writes) { m_eepromWrites += writes; }
 
@@ -71,6 +69,7 @@ protected:
     void forgetKnown();
 
 private:
+    void takeOver(const KnownBefore &before) override;
     void take(const Outcome &outcome, Instant at);
     void take(const KnowledgeChanged &change);
     void compareWithBefore();

@@ -196,24 +196,16 @@ void LedgerKeeper::isSame(Place place)
     watched.unassigned.insert(watched.unassigned.begin(), watched.beforeItMet.begin(),
                               watched.beforeItMet.end());
     watched.beforeItMet.clear();
-    watched.isAsked = false;
     if (watched.identity.by != CountedBy::place)
         attribute(watched);
-    showCount(place);
 }
 
-// Answered without being the same: it is another one, and what was in doubt about the first stays so.
-void LedgerKeeper::followQuestion(Place place)
+// What was in doubt about the first stays so.
+void LedgerKeeper::isAnother(Place place)
 {
     Watched &watched = m_watched[place];
-    const bool isOpen = watched.encoder && watched.encoder->knownBefore().has_value();
-    const bool wasOpen = std::exchange(watched.isAsked, isOpen);
-    if (wasOpen && !isOpen) {
-        watched.beforeItMet.clear();
-        watched.doubtful.reset();
-    }
-    if (wasOpen != isOpen)
-        showCount(place);
+    watched.beforeItMet.clear();
+    watched.doubtful.reset();
 }
 
 // What was counted by its place since the connection was made goes along.
@@ -263,7 +255,8 @@ void LedgerKeeper::watch(Place place)
         identify(place);
     });
     connect(encoder, &EncoderSession::isSameAsBefore, this, [this, place] { isSame(place); });
-    connect(encoder, &EncoderSession::knownBeforeChanged, this, [this, place] { followQuestion(place); });
+    connect(encoder, &EncoderSession::isAnotherThanBefore, this, [this, place] { isAnother(place); });
+    connect(encoder, &EncoderSession::knownBeforeChanged, this, [this, place] { showCount(place); });
     showCount(place);
 }
 
@@ -341,7 +334,7 @@ Ledger::Entry LedgerKeeper::entryAt(const Watched &watched) const
                         .place = watched.identity.place,
                         .device = watched.encoder->device().key};
     for (const ParameterDescription &parameter : watched.encoder->device().parameters)
-        if (const auto known = watched.encoder->known(parameter.parameter); known && parameter.canBeWritten())
+        if (const auto known = watched.encoder->known(parameter.parameter); known && parameter.canBeWritten)
             entry.before.push_back({known->parameter, known->value, known->evidence,
                                     watched.encoder->dateTime(known->at).toUTC()});
     return entry;
@@ -418,7 +411,7 @@ void LedgerKeeper::settle(Place place, const Outcome &outcome)
     if (watched.encoder)
         for (const ParameterValue &value : outcome.read)
             if (const auto *known = watched.encoder->device().find(value.parameter);
-                known && known->canBeWritten())
+                known && known->canBeWritten)
                 read.push_back(
                     {value.parameter, value.value, Evidence::read, m_bus.dateTime(m_bus.now()).toUTC()});
     m_book->settle(*job, outcome.written, read, outcome.inDoubt.eepromWrites);
@@ -433,7 +426,7 @@ void LedgerKeeper::settle(Place place, const Outcome &outcome)
 void LedgerKeeper::settleDoubtful(Place place)
 {
     Watched &watched = m_watched[place];
-    if (!watched.doubtful || !watched.encoder || watched.isAsked)
+    if (!watched.doubtful || !watched.encoder || watched.encoder->knownBefore())
         return;
     const Doubtful &job = *watched.doubtful;
     ParameterValues written = job.outcome.written;

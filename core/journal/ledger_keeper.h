@@ -96,7 +96,6 @@ private:
         std::optional<Doubtful> doubtful{};
         std::vector<qint64> unassigned{};  // entries of an encoder that has not reported a serial number
         std::vector<qint64> beforeItMet{}; // likewise, before the link was lost: perhaps of another encoder
-        bool isAsked = false;              // whether it is the same
     };
 
     void listenToBook();
@@ -108,7 +107,7 @@ private:
     void leaveToPrevious(Place place);
     void meetAgain();
     void isSame(Place place);
-    void followQuestion(Place place);
+    void isAnother(Place place);
     void move(Place from, Place to);
     void begin(Place place, const Job &job);
     std::optional<qint64> beginEntry(Watched &watched, int planned);

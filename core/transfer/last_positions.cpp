@@ -214,21 +214,17 @@ void LastPositions::meetAgain(const EncoderBus &bus)
             keepBefore(found->second, Since::unwatched);
 }
 
-// Whether it is the same as before is asked, and answered.
-void LastPositions::followQuestion(const EncoderSession &encoder)
-{
-    Watched &its = m_watched[encoder.place()];
-    const bool isAsked = encoder.knownBefore().has_value();
-    if (std::exchange(its.isAsked, isAsked) && !isAsked && its.before)
-        its.before->since = Since::gone;
-}
-
 void LastPositions::isSame(Place place)
 {
     Watched &its = m_watched[place];
-    its.isAsked = false;
     if (its.before && its.before->since == Since::unwatched)
         its.before.reset();
+}
+
+void LastPositions::isAnother(Place place)
+{
+    if (auto &before = m_watched[place].before)
+        before->since = Since::gone;
 }
 
 void LastPositions::follow(const EncoderSession &encoder)
@@ -240,7 +236,7 @@ void LastPositions::follow(const EncoderSession &encoder)
     connect(its, &QObject::destroyed, this, [this, its] { m_followed.erase(its); });
     connect(its, &EncoderSession::knownChanged, this, [this, its] { compareScale(*its); });
     connect(its, &EncoderSession::isSameAsBefore, this, [this, its] { isSame(its->place()); });
-    connect(its, &EncoderSession::knownBeforeChanged, this, [this, its] { followQuestion(*its); });
+    connect(its, &EncoderSession::isAnotherThanBefore, this, [this, its] { isAnother(its->place()); });
     connect(its, &EncoderSession::jobAboutToStart, this, [this, its](const Job &job) {
         m_watched[its->place()].mayBeScaled = mayChangeScale(its->device(), job);
     });

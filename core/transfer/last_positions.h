@@ -77,7 +77,6 @@ private:
         ParameterValues scaleBefore{};        // known of the encoder with it
         QDateTime lookedAt{};                 // invalid: never
         std::chrono::milliseconds awayFor{};  // as seen
-        bool isAsked = false;                 // whether the encoder is the same as before
         bool mayBeScaled = false;             // by the job that runs, apart from values it writes
     };
 
@@ -87,8 +86,8 @@ private:
     void follow(const EncoderBus &bus);
     void follow(const EncoderSession &encoder);
     void meetAgain(const EncoderBus &bus);
-    void followQuestion(const EncoderSession &encoder);
     void isSame(Place place);
+    void isAnother(Place place);
     void compareScale(const EncoderSession &encoder);
     void scaledAnew(Place place, SeenPosition::Scaled how);
     void scaledAnew(Place place, const ParameterValues &written);

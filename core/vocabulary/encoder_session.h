@@ -82,13 +82,26 @@ public:
     // What was known of the encoder at this place before; kept by journal/known_keeper.h. Empty: nothing, or
     // it is settled whether it is the same encoder.
     const std::optional<KnownBefore> &knownBefore() const { return m_before; }
+    // Without one: the encoder is another.
     void setKnownBefore(const std::optional<KnownBefore> &before)
     {
+        const bool wasAsked = m_before.has_value();
         m_before = before && !before->values.empty() ? before : std::nullopt;
+        if (wasAsked && !m_before)
+            Q_EMIT isAnotherThanBefore();
         Q_EMIT knownBeforeChanged();
     }
     // It is the same encoder: what it had then it has now, unless that is known anew. Sends nothing.
-    virtual void takeKnownBefore() {}
+    void takeKnownBefore()
+    {
+        const auto before = std::exchange(m_before, std::nullopt);
+        if (!before)
+            return;
+        takeOver(*before);
+        Q_EMIT isSameAsBefore();
+        Q_EMIT knownBeforeChanged();
+        Q_EMIT knownChanged();
+    }
 
     // EEPROM writes by this program since this session began.
     virtual int eepromWrites() const = 0;
@@ -112,8 +125,9 @@ Q_SIGNALS:
     void freshnessChanged(); // live, old or unknown, or the reason for it
     void knownChanged();
     void knownBeforeChanged();
-    // It is the one of which that was known; before knownBeforeChanged().
+    // Whether it is the one of which that was known is settled; before knownBeforeChanged().
     void isSameAsBefore();
+    void isAnotherThanBefore();
     // The encoder stored to its EEPROM this many times because of what this program sent.
     void eepromWritten(int writes);
     void eepromCountChanged();
@@ -137,6 +151,8 @@ protected:
     }
 
 private:
+    virtual void takeOver(const KnownBefore & /*before*/) {}
+
     Freshness m_freshness;
     std::optional<EepromCount> m_count;
     std::optional<KnownBefore> m_before;
