@@ -170,7 +170,7 @@ ParameterDescription DescriptionReader::readParameter(const JsonObject &row, con
     parameter.parameter = readParameterName(row);
     protocolRules(device.profile).readReach(row, parameter, device);
     parameter.onLabel = row.flagOr("onLabel", false);
-    const bool isOnWire = parameter.canBeRead() || parameter.canBeWritten();
+    const bool isOnWire = parameter.canBeRead || parameter.canBeWritten;
     if (parameter.onLabel && isOnWire)
         row.report("onLabel", tr("What only the label tells can be neither written nor read."));
     const auto isTold = [&row](const char *key) { return row.has(key); };
@@ -183,7 +183,7 @@ ParameterDescription DescriptionReader::readParameter(const JsonObject &row, con
     parameter.maximum = row.number("maximum");
     parameter.factory = row.optionalNumber("factory");
     parameter.unit = row.has("unit") ? row.oneOf("unit", units) : Unit::none;
-    parameter.stored = row.flagOr("stored", parameter.canBeWritten());
+    parameter.stored = row.flagOr("stored", parameter.canBeWritten);
     parameter.chapter = row.localTextOr("chapter", {});
     parameter.isDetail = row.flagOr("detail", false);
     parameter.hexDigits = static_cast<int>(row.numberOr("hexDigits", 0, 0, mostHexDigits));
@@ -304,12 +304,12 @@ void DescriptionReader::readTables(const JsonObject &json, const Catalog &catalo
 // What follows from the parameters need not be given a second time.
 void completeCapabilities(DeviceDescription &device)
 {
-    const auto readable = [](const ParameterDescription &p) { return p.canBeRead(); };
-    const auto writable = [](const ParameterDescription &p) { return p.canBeWritten(); };
+    const auto readable = [](const ParameterDescription &p) { return p.canBeRead; };
+    const auto writable = [](const ParameterDescription &p) { return p.canBeWritten; };
     const ParameterDescription *serialNumber = device.find(Parameter::serialNumber);
     device.capabilities.reads = std::ranges::any_of(device.parameters, readable);
     device.capabilities.writes = std::ranges::any_of(device.parameters, writable);
-    device.capabilities.serialNumber = serialNumber && serialNumber->canBeRead();
+    device.capabilities.serialNumber = serialNumber && serialNumber->canBeRead;
 }
 
 } // namespace

@@ -43,7 +43,7 @@ std::vector<Parameter> DeviceDescription::readableValues() const
 {
     std::vector<Parameter> readable;
     for (const ParameterDescription &parameter : parameters)
-        if (parameter.canBeRead() && !parameter.isDetail)
+        if (parameter.canBeRead && !parameter.isDetail)
             readable.push_back(parameter.parameter);
     return readable;
 }

@@ -56,9 +56,9 @@ struct ValueForm
 struct ParameterDescription
 {
     Parameter parameter = Parameter::steps;
-    KindData reach{};       // what its protocol writes and reads it with; made by ProtocolRules::readReach()
-    bool isRead = false;    // the encoder can be asked for it
-    bool isWritten = false; // and takes it
+    KindData reach{}; // what its protocol writes and reads it with; made by ProtocolRules::readReach()
+    bool canBeRead = false;
+    bool canBeWritten = false;
     bool isNeededAfterLoss = false; // an encoder that has lost its parameters works again only with it
     std::int64_t minimum = 0;
     std::int64_t maximum = 0;
@@ -72,8 +72,6 @@ struct ParameterDescription
     int hexDigits = 0;               // shown as hexadecimal number with so many digits; 0: decimal
     const ValueForm *form = nullptr; // null: a number
 
-    bool canBeRead() const { return isRead; }
-    bool canBeWritten() const { return isWritten; }
     // One of the choices if there are any, otherwise any value within the range.
     bool takes(std::int64_t value) const;
     const Choice *findChoice(std::int64_t value) const;

@@ -52,7 +52,8 @@ public:
 
     // What a row may say of how its parameter is reached, whatever the protocol.
     static constexpr std::array reachKeys{"number", "readOut", "read", "write", "bit"};
-    // Takes it over: `reach`, `isRead`, `isWritten`. A protocol that writes and reads nothing takes nothing.
+    // Takes it over: `reach`, `canBeRead`, `canBeWritten`. A protocol that writes and reads nothing takes
+    // nothing.
     virtual void readReach(const JsonObject & /*row*/, ParameterDescription & /*parameter*/,
                            const DeviceDescription & /*before*/) const
     {}

@@ -82,7 +82,7 @@ struct Input
     Result<void> operator()(const ReadParameters &job) const
     {
         for (const Parameter parameter : job.parameters)
-            if (const auto *description = device.find(parameter); !description || !description->canBeRead())
+            if (const auto *description = device.find(parameter); !description || !description->canBeRead)
                 return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
                               {parameter, device.fullName()});
         return job.parameters.empty() ? nothing() : Result<void>();
@@ -153,7 +153,7 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
     if (parameter == nullptr)
         return refuse(RefusalKind::badInput, RefusalId::parameterNotSupported,
                       {value.parameter, device.fullName()});
-    if (!parameter->canBeWritten())
+    if (!parameter->canBeWritten)
         return refuse(RefusalKind::badInput, RefusalId::parameterReadOnly,
                       {value.parameter, device.fullName()});
     if (!parameter->choices.empty()) {

@@ -21,7 +21,7 @@ bool mustBeRearmed(const EncoderSession &encoder, const WriteWish &wish)
 bool canBeGiven(const DeviceDescription &device, Parameter parameter)
 {
     const ParameterDescription *its = device.find(parameter);
-    return its != nullptr && its->canBeWritten();
+    return its != nullptr && its->canBeWritten;
 }
 
 // Setting the position programs the preset itself. Only an encoder that has lost its parameters needs it
@@ -44,7 +44,7 @@ ParameterValues valuesBefore(const EncoderSession &encoder)
     ParameterValues values;
     for (const Known &known : allKnown(encoder))
         if (const ParameterDescription *description = encoder.device().find(known.parameter);
-            description != nullptr && description->canBeWritten())
+            description != nullptr && description->canBeWritten)
             values.push_back({known.parameter, known.value});
     return values;
 }
@@ -127,7 +127,7 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
         job.values.push_back(wanted);
         const bool readFirst =
             !isRead(encoder, wanted.parameter) || (rearms && !isRead(encoder, Parameter::presetFlag));
-        const bool canBeRead = description->canBeRead();
+        const bool canBeRead = description->canBeRead;
         if (!writesAll && encoder.can().reads && canBeRead && readFirst)
             job.onlyWhatDiffers = true;
     }

@@ -12,7 +12,7 @@ namespace {
 // What an encoder keeps, and what is printed on it. Not the mode it is in.
 bool lasts(const ParameterDescription &parameter)
 {
-    return parameter.canBeWritten() || parameter.onLabel;
+    return parameter.canBeWritten || parameter.onLabel;
 }
 
 bool has(const KnownBefore &known, Parameter parameter)

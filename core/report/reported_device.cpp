@@ -62,7 +62,7 @@ std::vector<Parameter> ReportedDevice::parameters() const
         if (parameter == Parameter::serialNumber)
             continue; // not a setting: it identifies the encoder
         const ParameterDescription *described = description ? description->find(parameter) : nullptr;
-        const bool isSetting = described && (described->canBeWritten() || described->onLabel);
+        const bool isSetting = described && (described->canBeWritten || described->onLabel);
         if (isSetting || known(parameter) || valueOf(planned->wanted, parameter))
             listed.push_back(parameter);
     }

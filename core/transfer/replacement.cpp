@@ -55,7 +55,7 @@ ParameterValues valuesToWrite(const ProjectDevice &planned, const DeviceDescript
     for (const ParameterValue &value : valuesFor(planned, device)) {
         const ParameterDescription *parameter = device.find(value.parameter);
         const bool staysBehind = position && value.parameter == Parameter::zeroOffset;
-        if (parameter != nullptr && parameter->canBeWritten() && !staysBehind)
+        if (parameter != nullptr && parameter->canBeWritten && !staysBehind)
             values.push_back(value);
     }
     return values;

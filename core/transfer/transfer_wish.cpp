@@ -34,7 +34,7 @@ bool isSetting(const DeviceDescription *device, const ParameterValue &value)
     const ParameterDescription *its = device ? device->find(parameter) : nullptr;
     if (!isOfAny || its == nullptr)
         return isOfAny;
-    return its->canBeWritten() && its->takes(value.value);
+    return its->canBeWritten && its->takes(value.value);
 }
 
 ParameterValues storedSettings(const ProjectDevice &device, const DeviceDescription *description)

@@ -88,7 +88,7 @@ TEST(BuiltInDevices, FrabaHasTheSixteenRegistersOfItsBusChip)
         const ParameterDescription *found = findReadOut(fraba, code);
         ASSERT_NE(found, nullptr) << name;
         EXPECT_EQ(parameterKey(found->parameter), QLatin1String(name));
-        EXPECT_FALSE(found->canBeWritten());
+        EXPECT_FALSE(found->canBeWritten);
         EXPECT_EQ(found->maximum, 0xFFFF);
     }
     const std::vector<Parameter> byItself = fraba.readableValues();
@@ -147,7 +147,7 @@ TEST(BuiltInDevices, BaumerParametersAndErrorsAreThoseOfTheManual)
         EXPECT_EQ(found->minimum, row.minimum);
         EXPECT_EQ(found->maximum, row.maximum);
         EXPECT_EQ(found->factory, row.factory);
-        EXPECT_FALSE(found->canBeRead());
+        EXPECT_FALSE(found->canBeRead);
     }
     EXPECT_EQ(baumer.find(Parameter::coding)->findChoice(u"unsigned-cw")->value, 3);
     EXPECT_EQ(baumer.find(Parameter::coding)->findChoice(u"gray-ccw")->value, 6);

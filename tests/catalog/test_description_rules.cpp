@@ -139,7 +139,7 @@ TEST(DescriptionRules, TakeTheCommandsOfAnEncoderOnASerialLine)
     EXPECT_EQ(escReach(*device.find(Parameter::steps)), (EscReach{"D", {}, "GR"}));
     EXPECT_EQ(escReach(*device.find(Parameter::scaling)).bit, 2u);
     EXPECT_TRUE(device.find(Parameter::steps)->stored);
-    EXPECT_FALSE(device.find(Parameter::scaling)->canBeWritten());
+    EXPECT_FALSE(device.find(Parameter::scaling)->canBeWritten);
     EXPECT_TRUE(device.capabilities.reads && device.capabilities.writes && device.capabilities.serialNumber);
     EXPECT_EQ(device.readableValues().size(), 4u);
 }

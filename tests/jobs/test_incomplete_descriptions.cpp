@@ -40,7 +40,7 @@ TEST_F(IncompleteDescription, NoK3IsSetWhosePresetHasNoWord)
         EXPECT_EQ(refusalOf(device, SetPreset{}), RefusalId::presetNotSupported);
         EXPECT_EQ(refusalOf(device, SetPreset{.value = 1000}), RefusalId::presetNotSupported);
         device = *catalog.find(key);
-        row(device, Parameter::preset).isWritten = false;
+        row(device, Parameter::preset).canBeWritten = false;
         EXPECT_EQ(refusalOf(device, SetPreset{}), RefusalId::presetNotSupported);
         EXPECT_EQ(refusalOf(device, SetPreset{.value = 1000}), RefusalId::presetNotSupported);
     }
@@ -50,7 +50,7 @@ TEST_F(IncompleteDescription, NoK3IsSetWhosePresetHasNoWord)
 TEST_F(IncompleteDescription, APresetThatCannotBeReadIsGiven)
 {
     DeviceDescription fraba = *catalog.find(u"fraba-ocd-ib");
-    row(fraba, Parameter::preset).isRead = false;
+    row(fraba, Parameter::preset).canBeRead = false;
     EXPECT_EQ(refusalOf(fraba, SetPreset{}), RefusalId::presetNeedsValue);
     EXPECT_EQ(refusalOf(fraba, SetPreset{.value = 1000}), std::nullopt);
     EXPECT_EQ(refusalOf(fraba, SetPreset{.value = {}, .command = PresetCommand::manufacturer}), std::nullopt)

@@ -300,7 +300,7 @@ void CamEditor::readRange()
 {
     ReadParameters job;
     for (const Parameter parameter : {Parameter::steps, Parameter::revolutions, Parameter::measuringRange})
-        if (const auto *described = m_encoder.device().find(parameter); described && described->canBeRead())
+        if (const auto *described = m_encoder.device().find(parameter); described && described->canBeRead)
             job.parameters.push_back(parameter);
     start(CamJobs::Purpose::findRange, job);
 }

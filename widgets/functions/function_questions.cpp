@@ -117,7 +117,7 @@ QString whatIsLost(const EncoderSession &encoder)
 {
     QStringList names;
     for (const ParameterDescription &parameter : encoder.device().parameters)
-        if (parameter.canBeWritten())
+        if (parameter.canBeWritten)
             names << parameterName(parameter.parameter);
     QString text = Functions::tr("This is lost: %1.").arg(names.join(QStringLiteral(", ")));
     if (encoder.can().cams)

@@ -24,7 +24,7 @@ bool isRegister(const ParameterDescription &parameter)
 
 bool isWritable(const ParameterDescription &parameter)
 {
-    return parameter.canBeWritten();
+    return parameter.canBeWritten;
 }
 
 bool isReadOnlyValue(const ParameterDescription &parameter)

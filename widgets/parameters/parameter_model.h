@@ -20,7 +20,7 @@ struct ParameterRow
     Head head = Head::none;
 
     bool isHead() const { return head != Head::none; }
-    bool isReadOnly() const { return !parameter.canBeWritten(); }
+    bool isReadOnly() const { return !parameter.canBeWritten; }
     // Known from the label only: what is entered is what is known.
     bool isTold() const { return parameter.onLabel; }
     // Both are given, and they are not the same.

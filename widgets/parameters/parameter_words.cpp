@@ -34,7 +34,7 @@ QString rangeAndFactory(const ParameterDescription &parameter)
     if (parameter.onLabel)
         return ParameterWords::tr("Printed on the label of the encoder; it is set manually, never written.") +
                QLatin1Char('\n') + range(parameter);
-    if (!parameter.canBeWritten())
+    if (!parameter.canBeWritten)
         return ParameterWords::tr("Can be read, not written.");
     const QString factory =
         parameter.factory

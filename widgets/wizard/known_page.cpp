@@ -200,7 +200,7 @@ void KnownPage::selectRow()
     const int row = m_view->currentIndex().row();
     const ParameterDescription *parameter =
         row < 0 ? nullptr : m_setup.encoder->device().find(parameterAt(row));
-    const bool canTell = parameter != nullptr && (parameter->canBeWritten() || parameter->onLabel);
+    const bool canTell = parameter != nullptr && (parameter->canBeWritten || parameter->onLabel);
     m_tellLabel->setVisible(canTell);
     m_tellUnit->setVisible(canTell);
     m_tell->setVisible(canTell);

@@ -132,7 +132,7 @@ void ValuesPage::makeRows()
     form->setSpacing(grid::unit);
     QWidget *before = nullptr;
     for (const ParameterDescription &parameter : m_setup.encoder->device().parameters) {
-        if (!parameter.canBeWritten())
+        if (!parameter.canBeWritten)
             continue;
         auto *field = new ValueField(parameter, tr("unchanged"), m_form);
         field->setMaximumWidth(widestField);

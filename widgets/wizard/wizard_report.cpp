@@ -58,7 +58,7 @@ ReportSection valueSection(const HandshakeRecord &record, const DeviceDescriptio
                       std::vector<Column>(4),
                       {}};
     for (const ParameterDescription &parameter : device.parameters) {
-        if (!parameter.canBeWritten())
+        if (!parameter.canBeWritten)
             continue;
         const auto wanted = valueOf(record.job.values, parameter.parameter);
         table.rows.push_back({{parameterName(parameter.parameter),

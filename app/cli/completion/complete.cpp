@@ -213,7 +213,7 @@ Candidates CallSoFar::parameters(bool isAssignment, const QString &typed) const
     for (const ParameterDescription *parameter : its.parameters(m_rest.value(0))) {
         const QString key = parameterKey(parameter->parameter);
         const QString name = isAssignment ? key + u'=' : key;
-        if (parameter->onLabel || !(isAssignment ? parameter->canBeWritten() : parameter->canBeRead()))
+        if (parameter->onLabel || !(isAssignment ? parameter->canBeWritten : parameter->canBeRead))
             continue;
         if (isAssignment && typed.startsWith(name))
             for (const Choice &choice : parameter->choices)

@@ -32,7 +32,7 @@ QString warningText(const EncoderSession &encoder)
 {
     QStringList lost;
     for (const ParameterDescription &parameter : encoder.device().parameters)
-        if (parameter.canBeWritten())
+        if (parameter.canBeWritten)
             lost << parameterKey(parameter.parameter);
     QString text =
         sentence(CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run)."),
@@ -54,7 +54,7 @@ ParameterValues valuesNow(const EncoderSession &encoder)
 {
     ParameterValues values;
     for (const ParameterDescription &parameter : encoder.device().parameters)
-        if (const auto known = encoder.known(parameter.parameter); known && parameter.canBeWritten())
+        if (const auto known = encoder.known(parameter.parameter); known && parameter.canBeWritten)
             values.push_back({parameter.parameter, known->value});
     return values;
 }

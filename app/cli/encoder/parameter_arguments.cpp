@@ -15,16 +15,6 @@ namespace {
 
 using Condition = std::function<bool(const ParameterDescription &)>;
 
-bool canBeRead(const ParameterDescription &parameter)
-{
-    return parameter.canBeRead();
-}
-
-bool canBeWritten(const ParameterDescription &parameter)
-{
-    return parameter.canBeWritten();
-}
-
 QString namesOf(const DeviceDescription &device, const Condition &condition)
 {
     QStringList names;
@@ -111,7 +101,7 @@ Checked<std::vector<Parameter>> parametersToRead(const DeviceDescription &device
 {
     std::vector<Parameter> parameters;
     for (const QString &name : names) {
-        const auto parameter = parameterNamed(device, name, canBeRead);
+        const auto parameter = parameterNamed(device, name, &ParameterDescription::canBeRead);
         if (!parameter)
             return tl::unexpected(parameter.error());
         if (std::ranges::count(parameters, (*parameter)->parameter) > 0)
@@ -130,7 +120,8 @@ Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QS
             return badInput(QStringLiteral("notAnAssignment"),
                             CommandLine::tr("\"%1\" is not PARAMETER=VALUE. Write for example steps=255."),
                             {assignment});
-        const auto parameter = parameterNamed(device, assignment.first(equals), canBeWritten);
+        const auto parameter =
+            parameterNamed(device, assignment.first(equals), &ParameterDescription::canBeWritten);
         if (!parameter)
             return tl::unexpected(parameter.error());
         const auto value = valueFrom(**parameter, assignment.sliced(equals + 1));

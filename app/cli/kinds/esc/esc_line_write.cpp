@@ -18,7 +18,7 @@ Checked<void> readWhatIsWritten(const Call &call, EncoderSession &encoder, const
 {
     ReadParameters read;
     for (const ParameterValue &value : wanted)
-        if (const ParameterDescription *its = encoder.device().find(value.parameter); its && its->canBeRead())
+        if (const ParameterDescription *its = encoder.device().find(value.parameter); its && its->canBeRead)
             read.parameters.push_back(value.parameter);
     for (const Parameter range : {Parameter::revolutions, Parameter::measuringRange})
         if (std::ranges::count(read.parameters, range) == 0)

@@ -72,7 +72,7 @@ EscSteps EscPlan::preset(std::int64_t position) const
     after.value = position;
     EscSteps steps;
     const auto appendRefresh = [&](Parameter parameter) {
-        if (const ParameterDescription *value = m_device.find(parameter); value && value->canBeRead())
+        if (const ParameterDescription *value = m_device.find(parameter); value && value->canBeRead)
             steps.push_back(reading(refresh, parameter));
     };
     for (const Parameter parameter : {Parameter::scaling, Parameter::measuringRange, Parameter::preset})
@@ -88,7 +88,7 @@ ParameterValues EscPlan::completed(const ParameterValues &values) const
 {
     ParameterValues all = values;
     const ParameterDescription *description = m_device.find(Parameter::scalingFactor);
-    const bool canBeTold = description != nullptr && description->canBeWritten();
+    const bool canBeTold = description != nullptr && description->canBeWritten;
     if (canBeTold && !valueOf(values, Parameter::scalingFactor))
         if (const auto factor = escScalingFactorFor(values, m_known, m_settings.fractionBits))
             all.push_back({Parameter::scalingFactor, *factor});
@@ -133,7 +133,7 @@ void EscPlan::appendScaling(EscSteps &steps, const ParameterValues &values) cons
         if (const auto value = valueOf(values, parameter)) {
             steps.push_back(writing({parameter, *value}));
             after.push_back(readBack(steps.back()));
-        } else if (description->canBeRead()) {
+        } else if (description->canBeRead) {
             after.push_back(reading(EscStep::Task::refresh, parameter));
         }
     };
@@ -155,7 +155,7 @@ void EscPlan::appendReads(EscSteps &steps, const std::vector<Parameter> &paramet
 {
     for (const Parameter parameter : parameters)
         if (const ParameterDescription *description = m_device.find(parameter);
-            description != nullptr && description->canBeRead())
+            description != nullptr && description->canBeRead)
             steps.push_back(reading(EscStep::Task::read, parameter));
 }
 

@@ -67,7 +67,7 @@ public:
 
     void complete(ParameterDescription &parameter) const override
     {
-        if (parameter.canBeRead() || parameter.canBeWritten())
+        if (parameter.canBeRead || parameter.canBeWritten)
             parameter.form = escForm(parameter.parameter);
     }
     void readReach(const JsonObject &row, ParameterDescription &parameter,
@@ -136,8 +136,8 @@ void EscRules::readReach(const JsonObject &row, ParameterDescription &parameter,
         isTaken([&](const EscReach &other) { return other.read == reach.read && other.bit == reach.bit; }))
         row.report("read", tr("This command is here twice."));
     parameter.reach = KindData(reach);
-    parameter.isRead = !reach.read.isEmpty();
-    parameter.isWritten = !reach.write.isEmpty();
+    parameter.canBeRead = !reach.read.isEmpty();
+    parameter.canBeWritten = !reach.write.isEmpty();
 }
 
 ProtocolRules::ReachText EscRules::reachText(const ParameterDescription &parameter) const
@@ -179,7 +179,7 @@ void EscRules::checkParameter(const JsonObject &row, const ParameterDescription 
 void EscRules::checkPresets(const JsonObject &json, const DeviceDescription &device) const
 {
     const ParameterDescription *preset = device.find(Parameter::preset);
-    if (!preset || !preset->canBeRead())
+    if (!preset || !preset->canBeRead)
         json.report("presets", tr("The parameter preset tells the range of the position, and is read "
                                   "after it was set. Give preset the command read, or write false."));
 }

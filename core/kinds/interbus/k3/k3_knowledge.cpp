@@ -417,7 +417,7 @@ void K3Knowledge::activate(unsigned number, std::optional<Word> data, Instant no
 void K3Knowledge::reset(bool isProven, Instant now)
 {
     for (const ParameterDescription &parameter : m_device.parameters) {
-        if (!parameter.canBeWritten())
+        if (!parameter.canBeWritten)
             continue;
         if (isProven && !m_device.capabilities.reads && parameter.factory)
             learn(parameter.parameter, *parameter.factory, Evidence::echoed, now);

@@ -158,7 +158,7 @@ bool K3Plan::needsStepsFlag(const ParameterValues &values) const
 void K3Plan::appendRead(K3Steps &steps, Parameter parameter, std::optional<std::int64_t> expected) const
 {
     const ParameterDescription *description = m_device.find(parameter);
-    if (description == nullptr || !description->canBeRead())
+    if (description == nullptr || !description->canBeRead)
         return;
     K3Step read = k3Step(StepKind::readOut, k3::readOutWord(*wordReach(*description).readOut));
     read.parameter = parameter;

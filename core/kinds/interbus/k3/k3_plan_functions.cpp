@@ -17,12 +17,12 @@ K3Step K3Plan::switchStep(Word modeWord)
 Result<void> K3Plan::checkPreset(const SetPreset &job) const
 {
     const ParameterDescription *preset = m_device.find(Parameter::preset);
-    if (!preset || !preset->canBeWritten())
+    if (!preset || !preset->canBeWritten)
         return refuse(RefusalKind::notSupported, RefusalId::presetNotSupported, {m_device.fullName()});
     if (job.value)
         return checkValue(m_device, {Parameter::preset, *job.value});
     const bool isReadFirst = m_device.quirks.presetNeedsRearming && job.command == PresetCommand::profile;
-    if (isReadFirst && !preset->canBeRead()) // there is no value to program again
+    if (isReadFirst && !preset->canBeRead) // there is no value to program again
         return refuse(RefusalKind::badInput, RefusalId::presetNeedsValue, {m_device.fullName()});
     return {};
 }
@@ -91,7 +91,7 @@ K3Steps K3Plan::plan(const ResetToDefault &) const
     if (m_device.quirks.mayCountStepsMinusOne)
         appendRead(steps, Parameter::multiTurnAndStepsMinusOne);
     for (const ParameterDescription &parameter : m_device.parameters)
-        if (parameter.canBeWritten())
+        if (parameter.canBeWritten)
             appendRead(steps, parameter.parameter);
     return steps;
 }

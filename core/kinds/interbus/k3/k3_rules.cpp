@@ -54,7 +54,7 @@ public:
     void checkPresets(const JsonObject &json, const DeviceDescription &device) const override
     {
         const ParameterDescription *preset = device.find(Parameter::preset);
-        if (!preset || !preset->canBeWritten())
+        if (!preset || !preset->canBeWritten)
             json.report("presets",
                         DescriptionRules::tr("The word that sets the position takes the parameter preset. "
                                              "Give preset a number, or write false."));
@@ -106,7 +106,7 @@ private:
                                      "Parameter number %1 sets all values to default. It cannot be the "
                                      "number of a parameter, too.")
                                      .arg(resetNumber));
-        if (parameter.canBeRead() && device.dialect != k3::Dialect::fraba)
+        if (parameter.canBeRead && device.dialect != k3::Dialect::fraba)
             row.report("readOut",
                        DescriptionRules::tr(
                            "Only with the dialect fraba are the words of a read-out known. Leave it out."));
@@ -140,7 +140,7 @@ void K3Rules::checkCams(const JsonObject &json, const DeviceDescription &device)
 void K3Rules::checkRearming(const JsonObject &json, const DeviceDescription &device)
 {
     const ParameterDescription *preset = device.find(Parameter::preset);
-    if (device.quirks.presetNeedsRearming && (!preset || !preset->canBeWritten() || !preset->canBeRead()))
+    if (device.quirks.presetNeedsRearming && (!preset || !preset->canBeWritten || !preset->canBeRead))
         json.report("presetNeedsRearming",
                     DescriptionRules::tr(
                         "The preset is read, and programmed again. Give preset a number and a readOut, or "
@@ -151,13 +151,13 @@ void K3Rules::checkStepsMinusOne(const JsonObject &json, const DeviceDescription
     if (!device.quirks.mayCountStepsMinusOne)
         return;
     const ParameterDescription *flag = device.find(Parameter::multiTurnAndStepsMinusOne);
-    if (!flag || !flag->canBeRead())
+    if (!flag || !flag->canBeRead)
         json.report("mayCountStepsMinusOne",
                     DescriptionRules::tr(
                         "The parameter multi-turn-steps-minus-1 tells which of both the encoder does. Give "
                         "it a readOut, or write false."));
     const ParameterDescription *steps = device.find(Parameter::steps);
-    if (steps && steps->canBeWritten() && steps->minimum < 1)
+    if (steps && steps->canBeWritten && steps->minimum < 1)
         json.report("mayCountStepsMinusOne",
                     DescriptionRules::tr("An encoder that is sent steps - 1 cannot be sent 0 "
                                          "steps. Let the minimum of steps be 1 or more."));

@@ -16,7 +16,7 @@ namespace {
 Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &device)
 {
     const bool isRead = std::ranges::all_of(
-        written, [&](const ParameterValue &value) { return device.find(value.parameter)->canBeRead(); });
+        written, [&](const ParameterValue &value) { return device.find(value.parameter)->canBeRead; });
     return isRead ? Evidence::read : Evidence::echoed;
 }
 
@@ -238,7 +238,7 @@ void K3Run::readAgain(const K3Step &step)
     }
     K3Steps between;
     for (const ParameterDescription &other : m_encoder.device.parameters)
-        if (between.empty() && other.canBeRead() && k3::readOutWord(*wordReach(other).readOut) != step.out)
+        if (between.empty() && other.canBeRead && k3::readOutWord(*wordReach(other).readOut) != step.out)
             m_encoder.plan.appendRead(between, other.parameter);
     if (between.empty())
         return;

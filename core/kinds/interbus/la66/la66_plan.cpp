@@ -118,7 +118,7 @@ La66Steps La66Plan::reads(const std::vector<Parameter> &parameters) const
     La66Steps steps;
     for (const Parameter parameter : parameters)
         if (const ParameterDescription *description = m_device.find(parameter);
-            description != nullptr && description->canBeRead())
+            description != nullptr && description->canBeRead)
             append(steps, reading(*description));
     return steps;
 }
@@ -130,7 +130,7 @@ La66Steps La66Plan::writes(const ParameterValues &values) const
     for (const ParameterValue &value : values) {
         const ParameterDescription &parameter = *m_device.find(value.parameter);
         append(steps, writing(parameter, value.value));
-        if (parameter.canBeRead())
+        if (parameter.canBeRead)
             append(steps, reading(parameter, value.value));
     }
     return steps;

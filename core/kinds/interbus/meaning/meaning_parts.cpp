@@ -162,7 +162,7 @@ QString MeaningParts::readOutValueText(unsigned code, Word value) const
     const bool isTaken = isDirection || isStepsMinusOne(m_device, *parameter, told) || parameter->takes(told);
     const QString text = isTaken ? valueText(*parameter, told) : outsideText(*parameter, told);
     const QString unit = unitText(parameter->unit);
-    return unit.isEmpty() || parameter->canBeWritten() ? text : text + u' ' + unit;
+    return unit.isEmpty() || parameter->canBeWritten ? text : text + u' ' + unit;
 }
 
 // The parameter that a service of the LA-66 writes, reads, or both.

@@ -67,8 +67,8 @@ void WordRules::readReach(const JsonObject &row, ParameterDescription &parameter
     if (reach.readOut && findReadOut(before, *reach.readOut) != nullptr)
         row.report("readOut", DescriptionRules::tr("This readOut code is here twice."));
     parameter.reach = KindData(reach);
-    parameter.isWritten = reach.number.has_value();
-    parameter.isRead = reach.readOut.has_value();
+    parameter.canBeWritten = reach.number.has_value();
+    parameter.canBeRead = reach.readOut.has_value();
 }
 
 ProtocolRules::ReachText WordRules::reachText(const ParameterDescription &parameter) const
@@ -88,7 +88,7 @@ void WordRules::checkParameter(const JsonObject &row, const ParameterDescription
 
 void WordRules::checkRange(const JsonObject &row, const ParameterDescription &parameter) const
 {
-    if (!parameter.canBeWritten())
+    if (!parameter.canBeWritten)
         return;
     const QString reason =
         DescriptionRules::tr(
