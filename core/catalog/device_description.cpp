@@ -10,8 +10,8 @@
 namespace codewheel {
 namespace {
 
-template <typename Row, typename Value, typename Member>
-const Row *findBy(const std::vector<Row> &rows, const Value &value, Member member)
+template <typename Row, typename Key, typename Member>
+const Row *findBy(const std::vector<Row> &rows, const Key &value, Member member)
 {
     const auto found = std::ranges::find(rows, value, member);
     return found == rows.end() ? nullptr : &*found;
@@ -19,12 +19,14 @@ const Row *findBy(const std::vector<Row> &rows, const Value &value, Member membe
 
 } // namespace
 
-bool ParameterDescription::takes(std::int64_t value) const
+bool ParameterDescription::takes(const Value &value) const
 {
-    return choices.empty() ? value >= minimum && value <= maximum : findChoice(value) != nullptr;
+    const auto number = value.asNumber();
+    return choices.empty() ? number && *number >= minimum && *number <= maximum
+                           : findChoice(value) != nullptr;
 }
 
-const Choice *ParameterDescription::findChoice(std::int64_t value) const
+const Choice *ParameterDescription::findChoice(const Value &value) const
 {
     return findBy(choices, value, &Choice::value);
 }

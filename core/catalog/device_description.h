@@ -73,8 +73,8 @@ struct ParameterDescription
     const ValueForm *form = nullptr; // null: a number
 
     // One of the choices if there are any, otherwise any value within the range.
-    bool takes(std::int64_t value) const;
-    const Choice *findChoice(std::int64_t value) const;
+    bool takes(const Value &value) const;
+    const Choice *findChoice(const Value &value) const;
     const Choice *findChoice(QStringView key) const;
 
     friend bool operator==(const ParameterDescription &, const ParameterDescription &) = default;

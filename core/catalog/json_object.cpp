@@ -199,6 +199,13 @@ std::int64_t JsonObject::number(const char *key, std::int64_t minimum, std::int6
     return std::clamp(result, minimum, maximum);
 }
 
+Value JsonObject::value(const char *key) const
+{
+    if (member(key).isString())
+        return Value(freeText(key));
+    return number(key);
+}
+
 std::optional<std::int64_t> JsonObject::optionalNumber(const char *key, std::int64_t minimum,
                                                        std::int64_t maximum) const
 {

@@ -66,6 +66,7 @@ public:
     bool flagOr(const char *key, bool otherwise) const;
     std::int64_t number(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
                         std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
+    Value value(const char *key) const; // a whole number or a text
     // Empty if the key is missing.
     std::optional<std::int64_t>
     optionalNumber(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),

@@ -57,6 +57,11 @@ void JsonWriter::member(const char *key, double number)
     raw(key, QByteArray::number(number, 'g', QLocale::FloatingPointShortest));
 }
 
+void JsonWriter::value(const char *key, const Value &value)
+{
+    raw(key, value.isText() ? quoted(value.toString()) : QByteArray::number(qlonglong{value.number()}));
+}
+
 void JsonWriter::flag(const char *key, bool on)
 {
     raw(key, on ? "true" : "false");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vocabulary/value.h"
+
 #include <QByteArray>
 #include <QString>
 
@@ -25,6 +27,7 @@ public:
     {
         raw(key, QByteArray::number(static_cast<qlonglong>(number)));
     }
+    void value(const char *key, const Value &value);
     void flag(const char *key, bool on); // a function of its own, since a pointer would convert to bool
 
     // Calls fill() to write the members of an object.

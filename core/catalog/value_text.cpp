@@ -79,7 +79,7 @@ ParameterDescription withOptions(ParameterDescription parameter, const std::opti
     return parameter;
 }
 
-QString choiceName(const ParameterDescription &parameter, std::int64_t value)
+QString choiceName(const ParameterDescription &parameter, const Value &value)
 {
     const Choice *choice = parameter.findChoice(value);
     if (!choice)
@@ -90,8 +90,10 @@ QString choiceName(const ParameterDescription &parameter, std::int64_t value)
     return choice->key.startsWith(QStringLiteral("cam-")) ? camProgramName(choice->key) : choice->key;
 }
 
-QString valueText(const ParameterDescription &parameter, std::int64_t value,
-                  const std::optional<ValueOptions> &options)
+namespace {
+
+QString numberText(const ParameterDescription &parameter, std::int64_t value,
+                   const std::optional<ValueOptions> &options)
 {
     if (parameter.hexDigits > 0)
         return hexWord(static_cast<Word>(value)).right(parameter.hexDigits) + u'h';
@@ -109,7 +111,15 @@ QString valueText(const ParameterDescription &parameter, std::int64_t value,
     return name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name);
 }
 
-QString unitText(Unit unit, std::optional<std::int64_t> of)
+} // namespace
+
+QString valueText(const ParameterDescription &parameter, const Value &value,
+                  const std::optional<ValueOptions> &options)
+{
+    return value.isText() ? plainText(value) : numberText(parameter, value.number(), options);
+}
+
+QString unitText(Unit unit, const std::optional<Value> &of)
 {
     const bool isOne = of == 1;
     switch (unit) {

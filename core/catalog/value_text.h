@@ -11,15 +11,15 @@ namespace codewheel {
 ParameterDescription withOptions(ParameterDescription parameter, const std::optional<ValueOptions> &options);
 
 // The name of a value in the user's language: "CW", "unsigned, CW". Empty where the value has none.
-QString choiceName(const ParameterDescription &parameter, std::int64_t value);
+QString choiceName(const ParameterDescription &parameter, const Value &value);
 
 // A value for the user, without its unit: "8 192", "3 (CW)", "21.5" for 215 tenths of a degree; what is not a
 // plain number in its form (ValueForm): "0012D503".
-QString valueText(const ParameterDescription &parameter, std::int64_t value,
+QString valueText(const ParameterDescription &parameter, const Value &value,
                   const std::optional<ValueOptions> &options = {});
 
 // The unit that goes with valueText(): "steps", "°C"; empty if there is none. `of` this number: "1
 // revolution".
-QString unitText(Unit unit, std::optional<std::int64_t> of = {});
+QString unitText(Unit unit, const std::optional<Value> &of = {});
 
 } // namespace codewheel

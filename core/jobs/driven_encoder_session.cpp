@@ -46,7 +46,7 @@ std::optional<KnownCams> DrivenEncoderSession::cams(unsigned program) const
     return found == m_cams.end() ? std::nullopt : std::optional(found->second);
 }
 
-void DrivenEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
+void DrivenEncoderSession::tell(Parameter parameter, const std::optional<Value> &value)
 {
     if (value)
         m_known[parameter] = {parameter, *value, Evidence::told, now()};
@@ -211,13 +211,13 @@ void DrivenEncoderSession::compareWithBefore()
 
 void DrivenEncoderSession::takeOver(const KnownBefore &before)
 {
-    for (const KnownBefore::Value &value : before.values) {
+    for (const KnownBefore::Entry &value : before.values) {
         const Instant at = instantOf(value.at);
         m_known.try_emplace(value.parameter, Known{value.parameter, value.value, value.evidence, at});
     }
     if (before.serialNumber && !before.values.empty()) {
         const Instant at =
-            instantOf(std::ranges::max_element(before.values, {}, &KnownBefore::Value::at)->at);
+            instantOf(std::ranges::max_element(before.values, {}, &KnownBefore::Entry::at)->at);
         m_known.try_emplace(Parameter::serialNumber,
                             Known{Parameter::serialNumber, *before.serialNumber, Evidence::read, at});
     }

@@ -31,7 +31,7 @@ public:
     std::optional<KnownCams> cams(unsigned program) const override;
     QString takenWithoutRun() const override;
     QString version() const override { return m_version; }
-    void tell(Parameter parameter, std::optional<std::int64_t> value) override;
+    void tell(Parameter parameter, const std::optional<Value> &value) override;
 
     Result<JobId> start(const Job &job, Pace pace) override;
     std::optional<JobId> runningJob() const override { return m_runningJob; }

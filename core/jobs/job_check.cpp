@@ -131,19 +131,24 @@ Result<void> checkJob(const DeviceDescription &device, const Job &job,
     return std::visit(Input{device, options}, job);
 }
 
-Result<void> checkRange(const ParameterDescription &parameter, std::int64_t value)
+Result<void> checkRange(const ParameterDescription &parameter, const Value &value)
 {
-    if (value >= parameter.minimum && value <= parameter.maximum)
+    const auto number = value.asNumber();
+    if (!number)
+        return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
+                      {parameter.parameter, value.toString(),
+                       QStringLiteral("%1..%2").arg(parameter.minimum).arg(parameter.maximum)});
+    if (*number >= parameter.minimum && *number <= parameter.maximum)
         return {};
-    const auto asTyped = [&](std::int64_t number) {
+    const auto asTyped = [&](std::int64_t typed) {
         constexpr int wholeWord = 8;
         return parameter.form != nullptr && parameter.form->typedHexDigits == wholeWord
-                   ? RefusalArgument(hexWord(static_cast<Word>(number)) + u'h')
-                   : RefusalArgument(number);
+                   ? RefusalArgument(hexWord(static_cast<Word>(typed)) + u'h')
+                   : RefusalArgument(typed);
     };
     return refuse(
         RefusalKind::badInput, RefusalId::valueOutOfRange,
-        {parameter.parameter, asTyped(value), asTyped(parameter.minimum), asTyped(parameter.maximum)});
+        {parameter.parameter, asTyped(*number), asTyped(parameter.minimum), asTyped(parameter.maximum)});
 }
 
 Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value,
@@ -159,15 +164,15 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
     if (!parameter->choices.empty()) {
         if (parameter->findChoice(value.value) == nullptr)
             return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
-                          {value.parameter, QString::number(value.value), allowedTexts(*parameter)});
+                          {value.parameter, value.value.toString(), allowedTexts(*parameter)});
     } else if (auto checked = checkRange(withOptions(*parameter, options), value.value); !checked) {
         return checked;
     }
     // Whatever the description says: the word would carry a different value.
     const std::int64_t largest = protocolRules(device.profile).largestData();
-    if (value.value < 0 || value.value > largest)
+    if (value.value.number() < 0 || value.value.number() > largest)
         return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                      {value.parameter, value.value, std::int64_t{0}, largest});
+                      {value.parameter, value.value.number(), std::int64_t{0}, largest});
     return {};
 }
 

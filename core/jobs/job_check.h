@@ -14,7 +14,7 @@ Result<void> checkJob(const DeviceDescription &device, const Job &job,
 
 Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value,
                         const std::optional<ValueOptions> &options = {});
-// Whether the value lies between the minimum and the maximum.
-Result<void> checkRange(const ParameterDescription &parameter, std::int64_t value);
+// Whether the value is a number between the minimum and the maximum.
+Result<void> checkRange(const ParameterDescription &parameter, const Value &value);
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -21,7 +22,7 @@ QString valuesText(const ParameterValues &values, const DeviceDescription &devic
         const bool hasForm = description && description->form;
         const QString text = choice    ? choice->key
                              : hasForm ? valueText(*description, value.value)
-                                       : QLocale().toString(qlonglong{value.value});
+                                       : plainText(value.value);
         texts += parameterName(value.parameter) + QStringLiteral(" = ") + text;
     }
     return texts.join(QStringLiteral(", "));

@@ -40,7 +40,7 @@ void KnownValues::countEepromWrite()
 std::optional<std::int64_t> KnownValues::value(Parameter parameter) const
 {
     const auto found = m_known.find(parameter);
-    return found == m_known.end() ? std::nullopt : std::optional(found->second.value);
+    return found == m_known.end() ? std::nullopt : found->second.value.asNumber();
 }
 
 ParameterValues KnownValues::values() const

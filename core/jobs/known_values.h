@@ -18,6 +18,7 @@ public:
     void forget(Parameter parameter);
     void countEepromWrite();
 
+    // Its number.
     std::optional<std::int64_t> value(Parameter parameter) const;
     ParameterValues values() const;
     int eepromWrites() const { return m_eepromWrites; }

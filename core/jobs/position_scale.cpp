@@ -42,7 +42,7 @@ bool countsClockwise(const DeviceDescription &device, const ParameterValue &dire
 {
     const ParameterDescription *description = device.find(directionOrCoding.parameter);
     const Choice *choice = description ? description->findChoice(directionOrCoding.value) : nullptr;
-    return choice ? !choice->key.endsWith(QStringLiteral("ccw")) : directionOrCoding.value % 2 != 0;
+    return choice ? !choice->key.endsWith(QStringLiteral("ccw")) : directionOrCoding.value.number() % 2 != 0;
 }
 
 double PositionScale::resolution() const

@@ -18,8 +18,9 @@ void noteWhatIsSetAlong(const DeviceDescription &device, const ParameterValues &
 {
     for (const ParameterValue &along : protocolOf(device).setAlong(written, known)) {
         const auto now = valueOf(known, along.parameter);
-        notes.push_back({ValueNote::Id::revolutionsSetAlong,
-                         {along.value, now ? RefusalArgument(*now) : RefusalArgument(QString())}});
+        notes.push_back(
+            {ValueNote::Id::revolutionsSetAlong,
+             {argumentOf(along.value), now ? RefusalArgument(*now) : RefusalArgument(QString())}});
     }
 }
 

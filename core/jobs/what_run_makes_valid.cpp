@@ -24,7 +24,7 @@ QString confirmed(const DeviceDescription &device, Word in)
     if (!value)
         return {};
     return sentence(RunText::tr("IN (%1) confirms %2 with the data %3.", "a name, a number"),
-                    {hexWord(in), parameterName(value->parameter), numberText(value->value)}) +
+                    {hexWord(in), parameterName(value->parameter), plainText(value->value)}) +
            u' ';
 }
 

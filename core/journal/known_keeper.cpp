@@ -17,7 +17,7 @@ bool lasts(const ParameterDescription &parameter)
 
 bool has(const KnownBefore &known, Parameter parameter)
 {
-    return std::ranges::count(known.values, parameter, &KnownBefore::Value::parameter) > 0;
+    return std::ranges::count(known.values, parameter, &KnownBefore::Entry::parameter) > 0;
 }
 
 // Now, and from before as long as it is open whether it is the same encoder.
@@ -29,7 +29,7 @@ KnownBefore knownOf(const EncoderSession &encoder, bool isSimulated)
             all.values.push_back(
                 {parameter.parameter, known->value, known->evidence, encoder.dateTime(known->at)});
     if (const auto &before = encoder.knownBefore()) {
-        for (const KnownBefore::Value &value : before->values)
+        for (const KnownBefore::Entry &value : before->values)
             if (!has(all, value.parameter))
                 all.values.push_back(value);
         if (!all.serialNumber)

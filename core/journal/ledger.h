@@ -36,7 +36,7 @@ public:
     struct Value
     {
         Parameter parameter = Parameter::steps;
-        std::int64_t value = 0;
+        codewheel::Value value = 0;
         Evidence evidence = Evidence::told;
         QDateTime at; // when this was known, UTC
 

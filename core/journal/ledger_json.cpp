@@ -3,6 +3,7 @@
 
 #include "catalog/strict_json.h"
 #include "journal/journal_texts.h"
+#include "vocabulary/value_json.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -135,7 +136,7 @@ QJsonArray valuesToJson(const std::vector<Ledger::Value> &values)
     QJsonArray json;
     for (const Ledger::Value &value : values)
         json.append(QJsonObject{{parameterMember, parameterKey(value.parameter)},
-                                {valueMember, qint64{value.value}},
+                                {valueMember, valueToJson(value.value)},
                                 {evidenceMember, keyIn(evidenceKeys, value.evidence)},
                                 {atMember, value.at.toUTC().toString(Qt::ISODateWithMs)}});
     return json;
@@ -146,7 +147,7 @@ QJsonArray valuesToJson(const ParameterValues &values)
     QJsonArray json;
     for (const ParameterValue &value : values)
         json.append(QJsonObject{{parameterMember, parameterKey(value.parameter)},
-                                {valueMember, qint64{value.value}}});
+                                {valueMember, valueToJson(value.value)}});
     return json;
 }
 
@@ -155,9 +156,11 @@ std::vector<Ledger::Value> ledgerValues(const QJsonArray &json)
     std::vector<Ledger::Value> values;
     for (const QJsonValue element : json) {
         const QJsonObject one = element.toObject();
-        if (const auto parameter = parameterFromKey(one.value(parameterMember).toString()))
+        const auto parameter = parameterFromKey(one.value(parameterMember).toString());
+        const auto value = valueFromJson(one.value(valueMember));
+        if (parameter && value)
             values.push_back(
-                {*parameter, one.value(valueMember).toInteger(),
+                {*parameter, *value,
                  idIn(evidenceKeys, one.value(evidenceMember).toString()).value_or(Evidence::told),
                  QDateTime::fromString(one.value(atMember).toString(), Qt::ISODateWithMs)});
     }

@@ -30,7 +30,7 @@ struct DeviceLabel
 struct StoredValue
 {
     Parameter parameter = Parameter::steps;
-    std::int64_t value = 0;
+    Value value = 0;
     Evidence evidence = Evidence::told;
     QDateTime at; // UTC
 

@@ -46,7 +46,7 @@ ParameterValues ProjectReader::readWanted(const JsonObject &json)
     ParameterReader parameters;
     if (json.has("wanted"))
         for (const JsonObject &row : json.array("wanted", {"parameter", "value"}, allParameters().size()))
-            values.push_back({parameters.read(row), row.number("value")});
+            values.push_back({parameters.read(row), row.value("value")});
     std::ranges::sort(values, {}, &ParameterValue::parameter);
     return values;
 }
@@ -58,7 +58,7 @@ std::vector<StoredValue> ProjectReader::readStored(const JsonObject &json)
     if (json.has("stored"))
         for (const JsonObject &row :
              json.array("stored", {"parameter", "value", "evidence", "at"}, allParameters().size()))
-            values.push_back({parameters.read(row), row.number("value"), readEvidence(row), readTime(row)});
+            values.push_back({parameters.read(row), row.value("value"), readEvidence(row), readTime(row)});
     std::ranges::sort(values, {}, &StoredValue::parameter);
     return values;
 }

@@ -97,12 +97,12 @@ void ProjectWriter::writeValues(const ProjectDevice &device)
         m_json.lines("wanted", sorted(device.wanted, &ParameterValue::parameter),
                      [&](const ParameterValue &value) {
                          m_json.member("parameter", parameterKey(value.parameter));
-                         m_json.member("value", value.value);
+                         m_json.value("value", value.value);
                      });
     if (!device.stored.empty())
         m_json.lines("stored", sorted(device.stored, &StoredValue::parameter), [&](const StoredValue &value) {
             m_json.member("parameter", parameterKey(value.parameter));
-            m_json.member("value", value.value);
+            m_json.value("value", value.value);
             writeEvidence(value.evidence, value.at);
         });
 }

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "vocabulary/encoder_session.h"
+#include "vocabulary/value_json.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -35,7 +36,7 @@ QByteArray toJson(const RecordedDevice &device)
 {
     QJsonObject parameters;
     for (const ParameterValue &value : device.known)
-        parameters.insert(parameterKey(value.parameter), qint64{value.value});
+        parameters.insert(parameterKey(value.parameter), valueToJson(value.value));
     return QJsonDocument(QJsonObject{{deviceMember, device.key},
                                      {nameMember, device.name},
                                      {turnsMember, device.turns},
@@ -53,8 +54,8 @@ RecordedDevice recordedDeviceFromJson(const QByteArray &json)
                           .stepsPerTurn = std::max(object.value(stepsPerTurnMember).toInt(), 0)};
     const QJsonObject parameters = object.value(parametersMember).toObject();
     for (const Parameter parameter : allParameters())
-        if (const QJsonValue value = parameters.value(parameterKey(parameter)); value.isDouble())
-            device.known.push_back({parameter, value.toInteger()});
+        if (const auto value = valueFromJson(parameters.value(parameterKey(parameter))))
+            device.known.push_back({parameter, *value});
     return device;
 }
 

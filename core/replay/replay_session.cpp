@@ -50,10 +50,10 @@ std::vector<Known> ReplayEncoderSession::allKnown() const
     return all;
 }
 
-void ReplayEncoderSession::tell(Parameter parameter, std::optional<std::int64_t> value)
+void ReplayEncoderSession::tell(Parameter parameter, const std::optional<Value> &value)
 {
     if (value)
-        m_told[parameter] = *value;
+        m_told.insert_or_assign(parameter, *value);
     else
         m_told.erase(parameter);
     Q_EMIT knownChanged();

@@ -26,7 +26,7 @@ public:
     const Reading &latest() const override { return m_reading; }
     std::optional<Known> known(Parameter parameter) const override;
     std::optional<KnownCams> cams(unsigned) const override { return {}; }       // not recorded
-    void tell(Parameter parameter, std::optional<std::int64_t> value) override; // so that it can be shown
+    void tell(Parameter parameter, const std::optional<Value> &value) override; // so that it can be shown
 
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
     Result<JobId> start(const Job &job, Pace pace) override;
@@ -50,7 +50,7 @@ private:
     const Capabilities m_can;
     Reading m_reading;
     ParameterValues m_known;
-    std::map<Parameter, std::int64_t> m_told; // by the user, who looks at it now
+    std::map<Parameter, Value> m_told; // by the user, who looks at it now
     Instant m_knownSince{};
 };
 

@@ -41,7 +41,7 @@ QString camValue(CamField field, std::int64_t value)
     return numberText(value);
 }
 
-QString withUnit(const ReportedDevice &device, Parameter parameter, std::int64_t value)
+QString withUnit(const ReportedDevice &device, Parameter parameter, const Value &value)
 {
     return QStringLiteral("%1 %2")
         .arg(report_words::value(device, parameter, value), report_words::unit(device, parameter))

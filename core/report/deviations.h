@@ -10,7 +10,7 @@ namespace codewheel {
 struct ValueDeviation
 {
     Parameter parameter = Parameter::steps;
-    std::int64_t wanted = 0;
+    Value wanted = 0;
     StoredValue known;
 };
 struct CamDeviation

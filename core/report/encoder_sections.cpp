@@ -24,12 +24,12 @@ QString serialNumber(const ReportedDevice &device)
     QStringList parts;
     const StoredValue *known = device.known(Parameter::serialNumber);
     if (known != nullptr)
-        parts << QStringLiteral("%1 (%2)").arg(report_words::serialNumber(QString::number(known->value)),
+        parts << QStringLiteral("%1 (%2)").arg(report_words::serialNumber(known->value.toString()),
                                                report_words::evidence(known->evidence));
     if (const QString &label = device.planned->label.serialNumber; !label.isEmpty())
         parts << sentence(
             ReportTexts::tr("%1 (from the label)"),
-            {report_words::serialNumberOfLabel(label, known ? std::optional(known->value) : std::nullopt)});
+            {report_words::serialNumberOfLabel(label, known ? known->value.asNumber() : std::nullopt)});
     return parts.empty() ? report_words::unknown() : parts.join(QStringLiteral(", "));
 }
 
@@ -64,7 +64,7 @@ ReportFacts factsOf(const ReportedDevice &device, const QDateTime &now)
     return facts;
 }
 
-QString remark(const std::optional<std::int64_t> &wanted, const StoredValue *known)
+QString remark(const std::optional<Value> &wanted, const StoredValue *known)
 {
     if (!wanted)
         return {};
@@ -75,7 +75,7 @@ QString remark(const std::optional<std::int64_t> &wanted, const StoredValue *kno
 
 ReportTable::Row rowOf(const ReportedDevice &device, Parameter parameter, const QDateTime &now)
 {
-    const auto wanted = valueOf(device.planned->wanted, parameter);
+    const auto wanted = findValue(device.planned->wanted, parameter);
     const StoredValue *known = device.known(parameter);
     return {{parameterName(parameter), wanted ? report_words::value(device, parameter, *wanted) : QString(),
              known ? report_words::value(device, parameter, known->value) : report_words::unknown(),

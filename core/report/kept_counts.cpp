@@ -19,8 +19,7 @@ std::vector<EncoderIdentity> identitiesOf(const ProjectDevice &device, const Cat
     const Place place = device.place();
     const auto serial = std::ranges::find(device.stored, Parameter::serialNumber, &StoredValue::parameter);
     if (serial != device.stored.end() && serial->evidence == Evidence::read)
-        identities.push_back(
-            {CountedBy::serialNumber, vendor, QString::number(serial->value), projectFile, place});
+        identities.push_back({CountedBy::serialNumber, vendor, serial->value.toString(), projectFile, place});
     if (!device.label.serialNumber.isEmpty())
         identities.push_back(
             {CountedBy::labelSerialNumber, vendor, device.label.serialNumber, projectFile, place});

@@ -31,11 +31,11 @@ QString device(const ReportedDevice &device)
     return participantName(participant, device.description);
 }
 
-QString value(const ReportedDevice &device, Parameter parameter, std::int64_t value)
+QString value(const ReportedDevice &device, Parameter parameter, const Value &value)
 {
     const ParameterDescription *described =
         device.description ? device.description->find(parameter) : nullptr;
-    return described ? valueText(*described, value) : numberText(value);
+    return described ? valueText(*described, value) : plainText(value);
 }
 
 QString unit(const ReportedDevice &device, Parameter parameter)

@@ -11,7 +11,7 @@ QString time(const QDateTime &at, const QDateTime &now);
 // "FRABA OCD-IB K3", "bus terminal"; a key without a description is shown as it is.
 QString device(const ReportedDevice &device);
 // Without unit, "3 (CW)".
-QString value(const ReportedDevice &device, Parameter parameter, std::int64_t value);
+QString value(const ReportedDevice &device, Parameter parameter, const Value &value);
 QString unit(const ReportedDevice &device, Parameter parameter);
 QString evidence(Evidence evidence);
 // "20417 (4FC1h)": labels have the one or the other. Anything else is shown as it is.

@@ -24,7 +24,7 @@ public:
     std::optional<ValueOptions> valueOptions() const override;
     std::optional<Known> known(Parameter) const override { return std::nullopt; }
     std::optional<KnownCams> cams(unsigned) const override { return std::nullopt; }
-    void tell(Parameter, std::optional<std::int64_t>) override {}
+    void tell(Parameter, const std::optional<Value> &) override {}
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
     Result<JobId> start(const Job &job, Pace pace) override; // always refused
     std::optional<JobId> runningJob() const override { return std::nullopt; }

@@ -73,7 +73,7 @@ QString became(const AccountCamRow &row)
 QString value(const DeviceDescription *device, const ParameterValue &value)
 {
     const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
-    return parameter ? valueText(*parameter, value.value) : numberText(value.value);
+    return parameter ? valueText(*parameter, value.value) : plainText(value.value);
 }
 
 QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)
@@ -176,7 +176,7 @@ QStringList differences(const ReplacementDifferences &differences, const Replace
                           {numberText(differences.turns->first), numberText(differences.turns->second)});
     for (const ParameterValue &value : differences.notTaken)
         lines << sentence(TransferWords::tr("It has no \"%1\": the value %2 is not written."),
-                          {parameterName(value.parameter), numberText(value.value)});
+                          {parameterName(value.parameter), plainText(value.value)});
     if (differences.camsNotTaken)
         lines << TransferWords::tr("It has no cams: the cam programs are not written.");
     return lines;

@@ -5,6 +5,7 @@
 #include "journal/stored_message.h"
 #include "project/project_keys.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/value_json.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -141,7 +142,7 @@ QJsonArray valuesJson(const std::vector<StoredValue> &values)
     QJsonArray json;
     for (const StoredValue &value : values)
         json.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(value.parameter)},
-                                {QStringLiteral("value"), qint64{value.value}},
+                                {QStringLiteral("value"), valueToJson(value.value)},
                                 {QStringLiteral("evidence"), QLatin1String(project_keys::nameOf(
                                                                  project_keys::evidences, value.evidence))},
                                 {QStringLiteral("at"), isoText(value.at)}});

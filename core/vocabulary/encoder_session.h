@@ -66,7 +66,7 @@ public:
     // The encoder's hardware and software version, in words; empty: not reported.
     virtual QString version() const { return {}; }
     // The user says what the encoder has, e.g. from its papers.
-    virtual void tell(Parameter parameter, std::optional<std::int64_t> value) = 0;
+    virtual void tell(Parameter parameter, const std::optional<Value> &value) = 0;
 
     // The steps of these jobs, one after the other, as far as they are known beforehand: from what is in OUT,
     // the mode the encoder is in, and what is known of it. Refused like the jobs themselves if the input is
@@ -158,12 +158,19 @@ private:
     std::optional<KnownBefore> m_before;
 };
 
+// Empty: not known, or a text.
+inline std::optional<std::int64_t> knownNumber(const EncoderSession &encoder, Parameter parameter)
+{
+    const auto known = encoder.known(parameter);
+    return known ? known->value.asNumber() : std::nullopt;
+}
+
 // The serial number that the encoder has reported. Empty: it has not, or reports 0 as one does that was given
 // none: that identifies nobody.
 inline std::optional<std::int64_t> reportedSerialNumber(const EncoderSession &encoder)
 {
     const auto known = encoder.known(Parameter::serialNumber);
-    return known && known->evidence == Evidence::read && known->value != 0 ? std::optional(known->value)
+    return known && known->evidence == Evidence::read && known->value != 0 ? known->value.asNumber()
                                                                            : std::nullopt;
 }
 

@@ -17,7 +17,7 @@ enum class Evidence : std::uint8_t {
 struct Known
 {
     Parameter parameter = Parameter::steps;
-    std::int64_t value = 0;
+    Value value = 0;
     Evidence evidence = Evidence::told;
     Instant at{};
 

@@ -14,15 +14,15 @@ namespace codewheel {
 // not known: the same one if it reports the same serial number, or if the user says so.
 struct KnownBefore
 {
-    struct Value
+    struct Entry
     {
         Parameter parameter = Parameter::steps;
-        std::int64_t value = 0;
+        Value value = 0;
         Evidence evidence = Evidence::told;
         QDateTime at{};
     };
 
-    std::vector<Value> values;
+    std::vector<Entry> values;
     std::optional<std::int64_t> serialNumber{}; // that it reported
 };
 

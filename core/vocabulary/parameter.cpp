@@ -260,10 +260,16 @@ void replaceValue(ParameterValues &values, ParameterValue value)
     values.push_back(value);
 }
 
-std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter)
+std::optional<Value> findValue(const ParameterValues &values, Parameter parameter)
 {
     const auto found = std::ranges::find(values, parameter, &ParameterValue::parameter);
     return found == values.end() ? std::nullopt : std::optional(found->value);
+}
+
+std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter)
+{
+    const auto value = findValue(values, parameter);
+    return value ? value->asNumber() : std::nullopt;
 }
 
 } // namespace codewheel

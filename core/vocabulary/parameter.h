@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vocabulary/local_text.h"
+#include "vocabulary/value.h"
 
 #include <QString>
 
@@ -115,7 +116,7 @@ QString parameterNameInText(Parameter parameter);
 struct ParameterValue
 {
     Parameter parameter = Parameter::steps;
-    std::int64_t value = 0; // as sent to the encoder, e.g. direction 3 = CW; steps never "minus 1"
+    Value value = 0; // as sent to the encoder, e.g. direction 3 = CW; steps never "minus 1"
 
     friend bool operator==(const ParameterValue &, const ParameterValue &) = default;
 };
@@ -124,6 +125,8 @@ using ParameterValues = std::vector<ParameterValue>;
 // Adds the value, replacing any other of the same parameter.
 void replaceValue(ParameterValues &values, ParameterValue value);
 
+std::optional<Value> findValue(const ParameterValues &values, Parameter parameter);
+// Its number; empty also if it is a text.
 std::optional<std::int64_t> valueOf(const ParameterValues &values, Parameter parameter);
 
 } // namespace codewheel

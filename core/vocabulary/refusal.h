@@ -200,6 +200,11 @@ inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::
 using RefusalArgument =
     std::variant<std::int64_t, double, Word, Parameter, QString>; // a Word is shown as hex
 
+inline RefusalArgument argumentOf(const Value &value)
+{
+    return value.isText() ? RefusalArgument(value.toString()) : RefusalArgument(value.number());
+}
+
 struct Refusal
 {
     RefusalKind kind = RefusalKind::badInput;

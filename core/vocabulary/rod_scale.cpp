@@ -12,11 +12,6 @@ namespace {
 constexpr int mostDecimals = 3;
 constexpr double micrometresPerMillimetre = 1'000;
 
-std::optional<std::int64_t> valueOf(const std::optional<Known> &known)
-{
-    return known ? std::optional(known->value) : std::nullopt;
-}
-
 } // namespace
 
 double millimetresOf(std::int64_t micrometres)
@@ -54,8 +49,8 @@ std::optional<RodScale> rodScale(std::optional<std::int64_t> measuringLength,
 
 std::optional<RodScale> rodScale(const EncoderSession &encoder)
 {
-    return rodScale(valueOf(encoder.known(Parameter::measuringLength)),
-                    valueOf(encoder.known(Parameter::rodLength)));
+    return rodScale(knownNumber(encoder, Parameter::measuringLength),
+                    knownNumber(encoder, Parameter::rodLength));
 }
 
 } // namespace codewheel

@@ -42,6 +42,11 @@ QString numberText(std::int64_t number)
     return QLocale().toString(qlonglong{number});
 }
 
+QString plainText(const Value &value)
+{
+    return value.isText() ? shownInLine(value.toString()) : numberText(value.number());
+}
+
 QString argumentText(const RefusalArgument &argument)
 {
     return std::visit(ArgumentText(), argument);

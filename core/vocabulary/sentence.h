@@ -14,6 +14,8 @@ QString sentence(const QString &pattern, const QStringList &parts);
 
 // A whole number by locale.
 QString numberText(std::int64_t number);
+// A value of which no description says how it is shown: a number by locale, or a text.
+QString plainText(const Value &value);
 
 // Numbers by locale, words with eight hexadecimal digits, parameters by name.
 QString argumentText(const RefusalArgument &argument);

@@ -36,11 +36,7 @@ protected:
         QTest::mouseClick(button, Qt::LeftButton);
         advance(500);
     }
-    std::optional<std::int64_t> known()
-    {
-        const auto steps = bus().encoder(baumer)->known(Parameter::steps);
-        return steps ? std::optional(steps->value) : std::nullopt;
-    }
+    std::optional<std::int64_t> known() { return knownNumber(*bus().encoder(baumer), Parameter::steps); }
 };
 
 TEST_F(TransferInTheWindow, ValuesAreWrittenAndThoseFromBeforeRestored)

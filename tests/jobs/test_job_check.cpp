@@ -37,5 +37,18 @@ TEST(JobCheck, RefusesWhatTheDataFieldCannotHoldWhateverTheDescriptionSays)
     }
 }
 
+// As a project file may have it.
+TEST(JobCheck, RefusesATextWhereTheParameterIsANumber)
+{
+    const Catalog catalog = Catalog::builtIn();
+    for (const QStringView key : {u"fraba-ocd-ib", u"kuebler-esc-rs485"}) {
+        const DeviceDescription *device = catalog.find(key);
+        ASSERT_NE(device, nullptr) << key.toString().toStdString();
+        const auto checked = checkValue(*device, {Parameter::steps, Value(QStringLiteral("255"))});
+        ASSERT_FALSE(checked) << key.toString().toStdString();
+        EXPECT_EQ(checked.error().id, RefusalId::valueNotAllowed);
+    }
+}
+
 } // namespace
 } // namespace codewheel

@@ -138,7 +138,7 @@ TEST_F(LedgerKeeperTest, WhileItIsAskedWhetherItIsTheSameItsWritesCountAsPerhaps
     readSerialNumber();
     write(fraba, 255);
     ASSERT_EQ(countAt(fraba).by, CountedBy::serialNumber);
-    const std::int64_t number = bus.encoder(fraba)->known(Parameter::serialNumber)->value;
+    const std::int64_t number = bus.encoder(fraba)->known(Parameter::serialNumber)->value.number();
     keeper.reset();
     TrainingBus another = makeTrainingBus(catalog);
     bus.useLink(std::move(another.link), bus.dateTime(bus.now()));
@@ -581,7 +581,7 @@ TEST_F(LedgerKeeperTest, KeepsTheValuesFromBefore)
 {
     keep(DatabasePlace::memory());
     run(fraba, ReadParameters{{Parameter::steps}});
-    const std::int64_t before = bus.encoder(fraba)->known(Parameter::steps)->value;
+    const std::int64_t before = bus.encoder(fraba)->known(Parameter::steps)->value.number();
     write(fraba, 255);
     const auto entries = keeper->ledger()->valuesBefore(keeper->identity(fraba));
     ASSERT_EQ(entries.size(), 1U);

@@ -30,7 +30,7 @@ TEST(RecordedDevice, WhatIsNotUnderstoodIsLeftOut)
 {
     EXPECT_EQ(recordedDeviceFromJson("nonsense"), RecordedDevice());
     const RecordedDevice device = recordedDeviceFromJson(
-        R"({"device": 5, "name": "X", "turns": -3, "parameters": {"steps": "many", "preset": 7, "later": 1}})");
+        R"({"device": 5, "name": "X", "turns": -3, "parameters": {"steps": [], "preset": 7, "later": 1}})");
     EXPECT_EQ(device, (RecordedDevice{.name = QStringLiteral("X"), .known = {{Parameter::preset, 7}}}));
 }
 

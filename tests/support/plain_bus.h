@@ -51,7 +51,7 @@ public:
     const Reading &latest() const override { return m_reading; }
     std::optional<Known> known(Parameter) const override { return std::nullopt; }
     std::optional<KnownCams> cams(unsigned) const override { return std::nullopt; }
-    void tell(Parameter, std::optional<std::int64_t>) override {}
+    void tell(Parameter, const std::optional<Value> &) override {}
     Result<std::vector<Step>> planned(const std::vector<Job> &) const override { return std::vector<Step>(); }
     Result<JobId> start(const Job &, Pace) override
     {

@@ -10,12 +10,6 @@
 namespace codewheel {
 namespace {
 
-std::optional<std::int64_t> valueKnown(const EncoderSession &encoder, Parameter parameter)
-{
-    const auto known = encoder.known(parameter);
-    return known ? std::optional(known->value) : std::nullopt;
-}
-
 QString noteOfKnown(const RodState &known, const QString &missing)
 {
     if (!missing.isEmpty())
@@ -62,10 +56,10 @@ RodState rodStateOf(const EncoderSession &encoder, const RodState &known, const 
 RodState knownOfRod(const EncoderSession &encoder)
 {
     RodState known;
-    known.length = valueKnown(encoder, Parameter::measuringLength);
+    known.length = knownNumber(encoder, Parameter::measuringLength);
     known.scale = rodScale(encoder);
     const ParameterDescription *direction = encoder.device().find(Parameter::direction);
-    if (const auto value = valueKnown(encoder, Parameter::direction); value && direction != nullptr)
+    if (const auto value = knownNumber(encoder, Parameter::direction); value && direction != nullptr)
         if (const Choice *choice = direction->findChoice(*value))
             known.countsUpToTheEnd = choice->key == QStringLiteral("increasing");
     return known;

@@ -125,13 +125,13 @@ std::optional<ShaftScale> shaftScale(const EncoderSession &encoder)
 {
     if (onlyTellsPosition(encoder.device()))
         return physicalScale(encoder);
-    const auto steps = encoder.known(Parameter::steps);
-    const auto revolutions = encoder.known(Parameter::revolutions);
+    const auto steps = knownNumber(encoder, Parameter::steps);
+    const auto revolutions = knownNumber(encoder, Parameter::revolutions);
     if (!missingOf(encoder, shaftValues).empty() || !steps || !revolutions)
         return std::nullopt;
     // An encoder on a serial line gives its steps per turn.
-    const std::int64_t turns = !encoder.device().hasWords() ? 1 : revolutions->value;
-    return ShaftScale{.stepsPerTurn = static_cast<double>(steps->value) / static_cast<double>(turns),
+    const std::int64_t turns = !encoder.device().hasWords() ? 1 : *revolutions;
+    return ShaftScale{.stepsPerTurn = static_cast<double>(*steps) / static_cast<double>(turns),
                       .clockwise = countsClockwise(encoder)};
 }
 

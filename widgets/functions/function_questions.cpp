@@ -98,10 +98,7 @@ NowAndThen *pictureOfPreset(EncoderSession &encoder)
     picture->setFixedWidth(dialWidth);
     picture->setEncoder(encoder);
     const auto show = [&encoder, picture] {
-        picture->setThenByPreset([&encoder](Parameter parameter) {
-            const auto known = encoder.known(parameter);
-            return known ? std::optional(known->value) : std::nullopt;
-        });
+        picture->setThenByPreset([&encoder](Parameter parameter) { return knownNumber(encoder, parameter); });
     };
     QObject::connect(&encoder, &EncoderSession::knownChanged, picture, show);
     show();

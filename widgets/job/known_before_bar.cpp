@@ -18,7 +18,7 @@ constexpr std::size_t mostNamed = 2; // the others are in the tooltip
 ParameterValues valuesOf(const KnownBefore &before)
 {
     ParameterValues values;
-    for (const KnownBefore::Value &value : before.values)
+    for (const KnownBefore::Entry &value : before.values)
         values.push_back({value.parameter, value.value});
     return values;
 }
@@ -32,7 +32,7 @@ QString shortList(const DeviceDescription &device, ParameterValues values)
 
 QDateTime newestOf(const KnownBefore &before)
 {
-    return std::ranges::max_element(before.values, {}, &KnownBefore::Value::at)->at;
+    return std::ranges::max_element(before.values, {}, &KnownBefore::Entry::at)->at;
 }
 
 } // namespace

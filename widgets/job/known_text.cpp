@@ -65,7 +65,7 @@ QString valueWithUnit(const DeviceDescription &device, const ParameterValue &val
 {
     const ParameterDescription *parameter = device.find(value.parameter);
     if (parameter == nullptr)
-        return QString::number(value.value);
+        return plainText(value.value);
     return QStringLiteral("%1 %2")
         .arg(valueText(*parameter, value.value, options), unitText(parameter->unit, value.value))
         .trimmed();
@@ -78,7 +78,7 @@ QString valueList(const DeviceDescription &device, const ParameterValues &values
         const ParameterDescription *parameter = device.find(value.parameter);
         texts += QStringLiteral("%1 = %2").arg(parameterName(value.parameter),
                                                parameter ? valueText(*parameter, value.value)
-                                                         : QString::number(value.value));
+                                                         : plainText(value.value));
     }
     return texts.join(QStringLiteral(", "));
 }

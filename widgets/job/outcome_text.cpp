@@ -58,7 +58,7 @@ QString successText(const EncoderSession &encoder, const Outcome &outcome)
     for (const ParameterValue &along : outcome.setAlong)
         sentences << OutcomeText::tr("%1: %2, set by the encoder itself with the steps.",
                                      "name of a parameter, value")
-                         .arg(parameterName(along.parameter), numberText(along.value));
+                         .arg(parameterName(along.parameter), plainText(along.value));
     if (!outcome.written.empty() || outcome.eepromWrites > 0)
         sentences << OutcomeText::tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     if (outcome.positionAfter)

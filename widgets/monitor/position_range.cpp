@@ -24,8 +24,8 @@ std::optional<PositionRange> positionRange(const EncoderSession &encoder)
 {
     const DeviceDescription &device = encoder.device();
     if (device.find(Parameter::measuringLength) != nullptr) {
-        const auto length = encoder.known(Parameter::measuringLength);
-        return length ? std::optional(PositionRange{0, length->value}) : std::nullopt;
+        const auto length = knownNumber(encoder, Parameter::measuringLength);
+        return length ? std::optional(PositionRange{0, *length}) : std::nullopt;
     }
     if (onlyTellsPosition(device)) {
         const std::int64_t positions = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;

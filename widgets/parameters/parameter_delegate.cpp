@@ -191,14 +191,14 @@ void ParameterDelegate::setEditorData(QWidget *editor, const QModelIndex &index)
     if (const auto *number = qobject_cast<NumberInput *>(editor); number && number->isModified())
         return;
     const QVariant value = index.data(Qt::EditRole);
-    setInputValue(*editor, value.isValid() ? std::optional<std::int64_t>(value.toLongLong()) : std::nullopt);
+    setInputValue(*editor, valueFromVariant(value));
 }
 
 void ParameterDelegate::setModelData(QWidget *editor, QAbstractItemModel *model,
                                      const QModelIndex &index) const
 {
     if (const auto value = inputValue(*editor))
-        model->setData(index, *value ? QVariant(qlonglong{**value}) : QVariant(), Qt::EditRole);
+        model->setData(index, variantOf(*value), Qt::EditRole);
 }
 
 } // namespace codewheel

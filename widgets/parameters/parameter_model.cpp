@@ -8,6 +8,7 @@
 #include "widgets/look/roles.h"
 #include "widgets/models/age_text.h"
 #include "widgets/parameters/parameter_words.h"
+#include "widgets/parameters/value_input.h"
 
 #include <QLocale>
 
@@ -181,11 +182,11 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
 {
     if (role != Qt::EditRole || !m_encoder.isThere() || !(flags(index) & Qt::ItemIsEditable))
         return false;
-    const auto number = value.isValid() ? std::optional<std::int64_t>(value.toLongLong()) : std::nullopt;
+    const auto typed = valueFromVariant(value);
     if (rowAt(index.row()).isTold())
-        m_encoder.session()->tell(rowAt(index.row()).parameter.parameter, number);
+        m_encoder.session()->tell(rowAt(index.row()).parameter.parameter, typed);
     else
-        m_wanted.set(m_encoder.place(), rowAt(index.row()).parameter.parameter, number);
+        m_wanted.set(m_encoder.place(), rowAt(index.row()).parameter.parameter, typed);
     return true;
 }
 
@@ -241,8 +242,8 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
         return text(row, column);
     case Qt::EditRole:
         if (column == wantedColumn && row.isTold() && row.known)
-            return qlonglong{row.known->value};
-        return column == wantedColumn && row.wanted ? QVariant(qlonglong{*row.wanted}) : QVariant();
+            return variantOf(row.known->value);
+        return column == wantedColumn ? variantOf(row.wanted) : QVariant();
     case Qt::ToolTipRole:
         return toolTip(row, column);
     case Qt::AccessibleTextRole:
@@ -274,7 +275,7 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
     const Parameter parameter = row.parameter.parameter;
     if (column == nameColumn)
         return parameterName(parameter);
-    const auto shown = [&](std::int64_t value) {
+    const auto shown = [&](const Value &value) {
         const auto options = valueOptionsOf(m_encoder.session());
         return parameterNameInText(parameter).contains(unitText(row.parameter.unit))
                    ? valueText(row.parameter, value, options)

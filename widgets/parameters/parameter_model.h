@@ -16,7 +16,7 @@ struct ParameterRow
 
     ParameterDescription parameter;
     std::optional<Known> known;
-    std::optional<std::int64_t> wanted;
+    std::optional<Value> wanted;
     Head head = Head::none;
 
     bool isHead() const { return head != Head::none; }

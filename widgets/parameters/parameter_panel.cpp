@@ -450,7 +450,7 @@ void ParameterPanel::askWhatItHas()
                 .toolTip = tr("Sets the value manually; nothing is sent. An empty field clears it."),
                 .mayBeEmpty = true,
                 .answered =
-                    [this, parameter](std::optional<std::int64_t> value) {
+                    [this, parameter](const std::optional<Value> &value) {
                         if (session())
                             session()->tell(parameter, value);
                         m_table->setFocus();
@@ -469,10 +469,10 @@ void ParameterPanel::askWherePositionIs()
                 .button = tr("&Set…"),
                 .toolTip = positionToSetText(*session()),
                 .answered =
-                    [this](std::optional<std::int64_t> value) {
+                    [this](const std::optional<Value> &value) {
                         if (!session() || !value)
                             return;
-                        m_presetReview->review(*session(), *value);
+                        m_presetReview->review(*session(), value->number());
                         m_pages->setCurrentWidget(m_presetReview);
                     }},
                std::nullopt);

@@ -34,7 +34,7 @@ ValueBar::ValueBar(QWidget *parent)
     hide();
 }
 
-void ValueBar::ask(Question question, std::optional<std::int64_t> value)
+void ValueBar::ask(Question question, const std::optional<Value> &value)
 {
     delete m_input;
     m_question = std::move(question);

@@ -28,12 +28,12 @@ public:
         QString button;
         QString toolTip;
         bool mayBeEmpty = false;
-        std::function<void(std::optional<std::int64_t>)> answered;
+        std::function<void(const std::optional<Value> &)> answered;
     };
 
     explicit ValueBar(QWidget *parent = nullptr);
 
-    void ask(Question question, std::optional<std::int64_t> value);
+    void ask(Question question, const std::optional<Value> &value);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;

@@ -57,7 +57,7 @@ ValueField::~ValueField()
     m_input->disconnect(this);
 }
 
-void ValueField::setValue(std::optional<std::int64_t> value)
+void ValueField::setValue(const std::optional<Value> &value)
 {
     const QSignalBlocker quiet(this);
     setInputValue(*m_input, value);
@@ -97,7 +97,7 @@ bool ValueField::isBeingTyped() const
     return number != nullptr && number->text() != m_taken;
 }
 
-Result<std::optional<std::int64_t>> ValueField::value() const
+Result<std::optional<Value>> ValueField::value() const
 {
     return inputValue(*m_input);
 }

@@ -21,11 +21,11 @@ public:
     ValueField(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent = nullptr);
     ~ValueField() override;
 
-    void setValue(std::optional<std::int64_t> value);
+    void setValue(const std::optional<Value> &value);
     bool isBeingTyped() const; // and not taken yet
     void takeTyped();          // as if the field were left
     // Nothing: empty. Refused: not a number, or out of the parameter's range.
-    Result<std::optional<std::int64_t>> value() const;
+    Result<std::optional<Value>> value() const;
 
 Q_SIGNALS:
     // Not by setValue(). typed: the text has changed. edited: a value was taken, because the focus went to

@@ -106,15 +106,15 @@ NumberInput::NumberInput(ParameterDescription parameter, QWidget *parent)
     connect(this, &QLineEdit::textChanged, this, &NumberInput::check);
 }
 
-void NumberInput::setValue(std::optional<std::int64_t> value)
+void NumberInput::setValue(const std::optional<Value> &value)
 {
-    setText(value ? inputText(m_parameter, *value) : QString());
+    setText(value ? inputText(m_parameter, value->number()) : QString());
 }
 
-Result<std::optional<std::int64_t>> NumberInput::value() const
+Result<std::optional<Value>> NumberInput::value() const
 {
     if (text().trimmed().isEmpty())
-        return std::optional<std::int64_t>();
+        return std::optional<Value>();
     const auto number = inputNumber(m_parameter, text());
     const auto argument = [this](std::int64_t value) {
         return m_parameter.unit == Unit::micrometres
@@ -127,7 +127,7 @@ Result<std::optional<std::int64_t>> NumberInput::value() const
                       {m_parameter.parameter, number.error(), argument(m_parameter.minimum),
                        argument(m_parameter.maximum)});
     if (*number >= m_parameter.minimum && *number <= m_parameter.maximum)
-        return *number;
+        return std::optional<Value>(*number);
     return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
                   {m_parameter.parameter, argument(*number), argument(m_parameter.minimum),
                    argument(m_parameter.maximum)});
@@ -160,20 +160,34 @@ QWidget *makeValueInput(const ParameterDescription &parameter, const QString &if
     return input;
 }
 
-void setInputValue(QWidget &input, std::optional<std::int64_t> value)
+void setInputValue(QWidget &input, const std::optional<Value> &value)
 {
     if (auto *number = qobject_cast<NumberInput *>(&input))
         number->setValue(value);
     else if (auto *choices = qobject_cast<QComboBox *>(&input))
-        choices->setCurrentIndex(value ? std::max(choices->findData(qlonglong{*value}), 0) : 0);
+        choices->setCurrentIndex(value ? std::max(choices->findData(qlonglong{value->number()}), 0) : 0);
 }
 
-Result<std::optional<std::int64_t>> inputValue(const QWidget &input)
+QVariant variantOf(const std::optional<Value> &value)
+{
+    if (!value)
+        return {};
+    return value->isText() ? QVariant(value->toString()) : QVariant(qlonglong{value->number()});
+}
+
+std::optional<Value> valueFromVariant(const QVariant &variant)
+{
+    if (!variant.isValid())
+        return std::nullopt;
+    return variant.typeId() == QMetaType::QString ? Value(variant.toString()) : Value(variant.toLongLong());
+}
+
+Result<std::optional<Value>> inputValue(const QWidget &input)
 {
     if (const auto *number = qobject_cast<const NumberInput *>(&input))
         return number->value();
     const QVariant chosen = static_cast<const QComboBox &>(input).currentData();
-    return chosen.isValid() ? std::optional<std::int64_t>(chosen.toLongLong()) : std::nullopt;
+    return chosen.isValid() ? std::optional<Value>(chosen.toLongLong()) : std::nullopt;
 }
 
 } // namespace codewheel

@@ -6,6 +6,7 @@
 #include "widgets/input/input_mark.h"
 
 #include <QLineEdit>
+#include <QVariant>
 
 class QComboBox;
 
@@ -21,8 +22,8 @@ public:
     NumberInput(ParameterDescription parameter, QWidget *parent = nullptr);
 
     Parameter parameter() const { return m_parameter.parameter; }
-    void setValue(std::optional<std::int64_t> value);
-    Result<std::optional<std::int64_t>> value() const;
+    void setValue(const std::optional<Value> &value);
+    Result<std::optional<Value>> value() const;
 
 Q_SIGNALS:
     // While typing: a sentence, or empty where the input is good.
@@ -38,7 +39,11 @@ private:
 // For item delegates, the "tell" row and forms: a NumberInput, or a combo box for the choices the device has.
 // ifEmpty stands for no value: "as it is".
 QWidget *makeValueInput(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent);
-void setInputValue(QWidget &input, std::optional<std::int64_t> value);
-Result<std::optional<std::int64_t>> inputValue(const QWidget &input);
+void setInputValue(QWidget &input, const std::optional<Value> &value);
+Result<std::optional<Value>> inputValue(const QWidget &input);
+
+// In the models of items; invalid: no value.
+QVariant variantOf(const std::optional<Value> &value);
+std::optional<Value> valueFromVariant(const QVariant &variant);
 
 } // namespace codewheel

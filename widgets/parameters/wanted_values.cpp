@@ -8,7 +8,7 @@
 
 namespace codewheel {
 
-void putWanted(ParameterValues &values, Parameter parameter, std::optional<std::int64_t> value)
+void putWanted(ParameterValues &values, Parameter parameter, const std::optional<Value> &value)
 {
     if (value)
         replaceValue(values, {parameter, *value});
@@ -24,9 +24,9 @@ WantedValues::WantedValues(ProjectDocument &project, QObject *parent)
     connect(&m_project, &ProjectDocument::changed, this, &WantedValues::tellChanges);
 }
 
-std::optional<std::int64_t> WantedValues::value(Place number, Parameter parameter) const
+std::optional<Value> WantedValues::value(Place number, Parameter parameter) const
 {
-    return valueOf(values(number), parameter);
+    return findValue(values(number), parameter);
 }
 
 ParameterValues WantedValues::values(Place number) const
@@ -34,7 +34,7 @@ ParameterValues WantedValues::values(Place number) const
     return m_project.device(number).wanted;
 }
 
-void WantedValues::set(Place number, Parameter parameter, std::optional<std::int64_t> value)
+void WantedValues::set(Place number, Parameter parameter, const std::optional<Value> &value)
 {
     if (this->value(number, parameter) == value)
         return;

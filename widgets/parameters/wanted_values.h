@@ -14,7 +14,7 @@ namespace codewheel {
 class ProjectDocument;
 
 // Replaces the wanted value of the parameter; nothing: unchanged.
-void putWanted(ParameterValues &values, Parameter parameter, std::optional<std::int64_t> value);
+void putWanted(ParameterValues &values, Parameter parameter, const std::optional<Value> &value);
 
 // What the user wants each encoder to have: entered, not sent. A facade of the project, shared by parameter
 // panel and wizard; each change is an undo step.
@@ -25,10 +25,10 @@ class WantedValues : public QObject
 public:
     explicit WantedValues(ProjectDocument &project, QObject *parent = nullptr);
 
-    std::optional<std::int64_t> value(Place number, Parameter parameter) const;
+    std::optional<Value> value(Place number, Parameter parameter) const;
     ParameterValues values(Place number) const; // in the order of the parameters
     // Nothing: leave it as it is.
-    void set(Place number, Parameter parameter, std::optional<std::int64_t> value);
+    void set(Place number, Parameter parameter, const std::optional<Value> &value);
     // All at once, as an undo step named `what`.
     void replace(Place number, ParameterValues values, const QString &what);
     void clear(Place number);

@@ -29,7 +29,7 @@ QString howItIsSent(const DeviceDescription &device)
 ReviewRow rowOf(const EncoderSession &encoder, const WriteRow &row)
 {
     const ParameterDescription &parameter = *encoder.device().find(row.wanted.parameter);
-    const auto text = [&](std::int64_t value) { return valueText(parameter, value, encoder.valueOptions()); };
+    const auto text = [&](const Value &value) { return valueText(parameter, value, encoder.valueOptions()); };
     return {.cells = {parameterName(row.wanted.parameter),
                       row.known ? text(row.known->value) : WriteReview::tr("unknown"), text(row.wanted.value),
                       sentText(*row.step)},

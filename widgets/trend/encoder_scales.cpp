@@ -23,10 +23,8 @@ bool EncoderScales::look()
                 known.millimetresPerStep = scale->millimetres(1'000'000) / 1e6;
             continue;
         }
-        const auto scale = speedScaleOf(encoder->device(), [encoder](Parameter parameter) {
-            const auto value = encoder->known(parameter);
-            return value ? std::optional(value->value) : std::nullopt;
-        });
+        const auto scale = speedScaleOf(
+            encoder->device(), [encoder](Parameter parameter) { return knownNumber(*encoder, parameter); });
         if (scale)
             known.stepsPerTurn = scale->stepsPerTurn;
     }

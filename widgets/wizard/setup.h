@@ -23,8 +23,8 @@ struct Setup
     WriteWish wish;
     struct Given
     {
-        std::optional<std::int64_t> before;
-        std::optional<std::int64_t> now;
+        std::optional<Value> before;
+        std::optional<Value> now;
     };
     std::map<Parameter, Given> given = {}; // by the pages of the wizard
     bool byHand = true;
@@ -38,14 +38,13 @@ struct Setup
     }
     std::optional<std::int64_t> valueNow(Parameter parameter) const
     {
-        const auto known = encoder ? encoder->known(parameter) : std::nullopt;
-        return known ? std::optional(known->value) : std::nullopt;
+        return encoder ? knownNumber(*encoder, parameter) : std::nullopt;
     }
-    using Wishes = std::map<Parameter, std::optional<std::int64_t>>; // nothing: unchanged
+    using Wishes = std::map<Parameter, std::optional<Value>>; // nothing: unchanged
 
     // As one undo step.
     void want(const Wishes &wishes);
-    void want(Parameter parameter, std::optional<std::int64_t> value) { want(Wishes{{parameter, value}}); }
+    void want(Parameter parameter, const std::optional<Value> &value) { want(Wishes{{parameter, value}}); }
     // Reverts what the pages of the wizard have put among the wanted values; changes made elsewhere since
     // then stay.
     void takeBack();

@@ -234,7 +234,7 @@ void ValuesPage::readPosition()
         return;
     const auto position = m_position->value();
     if (position && *position) {
-        m_setup.wish.setPositionTo = *position;
+        m_setup.wish.setPositionTo = (*position)->number();
         return;
     }
     if (std::exchange(m_inputIsGood, false))

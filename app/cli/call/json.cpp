@@ -4,6 +4,7 @@
 #include "cli/call/keys.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/meaning_text.h"
+#include "vocabulary/value_json.h"
 
 namespace codewheel {
 namespace {
@@ -100,10 +101,10 @@ QJsonArray argumentsJson(const std::vector<RefusalArgument> &arguments)
     return json;
 }
 
-QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value)
+QJsonObject valueJson(const ParameterDescription &parameter, const Value &value)
 {
     QJsonObject json{{QStringLiteral("parameter"), parameterKey(parameter.parameter)},
-                     {QStringLiteral("value"), static_cast<qint64>(value)},
+                     {QStringLiteral("value"), valueToJson(value)},
                      {QStringLiteral("unit"), unitKey(parameter.unit)}};
     if (const Choice *choice = parameter.findChoice(value))
         json.insert(QStringLiteral("choice"), choice->key);
@@ -122,7 +123,7 @@ QJsonValue evidenceJson(const std::optional<Known> &known)
 
 void addKnown(QJsonObject &json, const std::optional<Known> &known)
 {
-    json.insert(QStringLiteral("known"), known ? numberJson(known->value) : QJsonValue());
+    json.insert(QStringLiteral("known"), known ? valueToJson(known->value) : QJsonValue());
     json.insert(QStringLiteral("evidence"), evidenceJson(known));
 }
 

@@ -29,7 +29,7 @@ QJsonArray argumentsJson(const std::vector<RefusalArgument> &arguments);
 // participant.
 QJsonValue participantJson(const Participant *participant);
 // {"parameter", "value", "choice", "unit"}; choice only if the value has a name.
-QJsonObject valueJson(const ParameterDescription &parameter, std::int64_t value);
+QJsonObject valueJson(const ParameterDescription &parameter, const Value &value);
 
 // "known" and "evidence", null if nothing is known.
 void addKnown(QJsonObject &json, const std::optional<Known> &known);

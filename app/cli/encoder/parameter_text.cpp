@@ -3,22 +3,23 @@
 
 #include "catalog/value_text.h"
 #include "cli/call/texts.h"
+#include "vocabulary/sentence.h"
 
 namespace codewheel {
 
-QString typedValue(const ParameterDescription &parameter, std::int64_t value,
+QString typedValue(const ParameterDescription &parameter, const Value &value,
                    const std::optional<ValueOptions> &options)
 {
     const Choice *choice = parameter.findChoice(value);
-    return choice && choice->key != QString::number(value)
-               ? QStringLiteral("%1 (%2)").arg(choice->key).arg(value)
+    return choice && choice->key != value.toString()
+               ? QStringLiteral("%1 (%2)").arg(choice->key, value.toString())
                : valueText(parameter, value, options);
 }
 
 QString typedValue(const DeviceDescription *device, const ParameterValue &value)
 {
     const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;
-    return parameter ? typedValue(*parameter, value.value) : QString::number(value.value);
+    return parameter ? typedValue(*parameter, value.value) : plainText(value.value);
 }
 
 // Millimetres, or hexadecimal digits.

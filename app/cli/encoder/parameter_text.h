@@ -8,7 +8,7 @@
 namespace codewheel {
 
 // A value with its name as typed, followed by the number: "cw (3)"; otherwise as valueText().
-QString typedValue(const ParameterDescription &parameter, std::int64_t value,
+QString typedValue(const ParameterDescription &parameter, const Value &value,
                    const std::optional<ValueOptions> &options = {});
 // The same for a device that may be unknown, or lack it: then a number.
 QString typedValue(const DeviceDescription *device, const ParameterValue &value);

@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-QString valueCell(const ParameterDescription &parameter, std::int64_t value,
+QString valueCell(const ParameterDescription &parameter, const Value &value,
                   const std::optional<ValueOptions> &options)
 {
     const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
@@ -38,7 +38,7 @@ QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &valu
     for (const ParameterValue &value : values) {
         QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
         if (options && options->swapsWarningBytes && value.parameter == Parameter::warnings)
-            object.insert(QStringLiteral("asSent"), qbswap(static_cast<std::uint16_t>(value.value)));
+            object.insert(QStringLiteral("asSent"), qbswap(static_cast<std::uint16_t>(value.value.number())));
         json.append(object);
     }
     return json;

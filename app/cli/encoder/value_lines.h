@@ -11,7 +11,7 @@ namespace codewheel {
 class EncoderSession;
 
 // "= 8192", "= 21.5 °C". Steps and revolutions are their own units. options: valueText().
-QString valueCell(const ParameterDescription &parameter, std::int64_t value,
+QString valueCell(const ParameterDescription &parameter, const Value &value,
                   const std::optional<ValueOptions> &options = {});
 // What an encoder has, a line for each value; the version of a serial encoder last, if there is one.
 QString valueLines(const EncoderSession &encoder, const ParameterValues &values, const QString &version = {});

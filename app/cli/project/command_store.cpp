@@ -17,6 +17,7 @@
 #include "transfer/value_store.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/value_json.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +80,7 @@ void showStored(const Call &call, const EncoderSession &encoder, const ProjectDe
              QStringLiteral("= %1").arg(typedValue(&encoder.device(), {stored.parameter, stored.value})),
              evidenceText(stored.evidence)});
         values.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(stored.parameter)},
-                                  {QStringLiteral("value"), numberJson(stored.value)},
+                                  {QStringLiteral("value"), valueToJson(stored.value)},
                                   {QStringLiteral("evidence"), evidenceKey(stored.evidence)},
                                   {QStringLiteral("at"), stored.at.toString(Qt::ISODate)}});
     }

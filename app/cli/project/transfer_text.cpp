@@ -16,6 +16,7 @@
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/value_json.h"
 
 namespace codewheel {
 namespace {
@@ -93,7 +94,7 @@ QJsonObject valueJsonOf(const DeviceDescription *device, const ParameterValue &v
     if (parameter)
         return valueJson(*parameter, value.value);
     return {{QStringLiteral("parameter"), parameterKey(value.parameter)},
-            {QStringLiteral("value"), numberJson(value.value)}};
+            {QStringLiteral("value"), valueToJson(value.value)}};
 }
 
 // A word, or the command of a serial encoder.
@@ -242,7 +243,7 @@ QJsonObject differencesJson(const ReplacementDifferences &differences)
     QJsonArray notTaken;
     for (const ParameterValue &value : differences.notTaken)
         notTaken.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(value.parameter)},
-                                    {QStringLiteral("value"), numberJson(value.value)}});
+                                    {QStringLiteral("value"), valueToJson(value.value)}});
     return {{QStringLiteral("stepsPerTurn"), pair(differences.stepsPerTurn)},
             {QStringLiteral("turns"), pair(differences.turns)},
             {QStringLiteral("notTaken"), notTaken},

@@ -55,12 +55,6 @@ Checked<std::vector<Track>> tracksMeant(const Arguments &arguments, const Record
     return tracks;
 }
 
-std::optional<std::int64_t> valueOf(const RecordedDevice &device, Parameter parameter)
-{
-    const auto found = std::ranges::find(device.known, parameter, &ParameterValue::parameter);
-    return found == device.known.end() ? std::nullopt : std::optional(found->value);
-}
-
 // As its description says, with what its label said of it when it was recorded.
 std::optional<double> stepsPerTurnOf(const Call &call, const RecordedDevice &recorded)
 {
@@ -71,14 +65,14 @@ std::optional<double> stepsPerTurnOf(const Call &call, const RecordedDevice &rec
     device.physicalTurns = recorded.turns;
     device.physicalStepsPerTurn = recorded.stepsPerTurn;
     const auto scale =
-        speedScaleOf(device, [&](Parameter parameter) { return valueOf(recorded, parameter); });
+        speedScaleOf(device, [&](Parameter parameter) { return valueOf(recorded.known, parameter); });
     return scale ? std::optional(scale->stepsPerTurn) : std::nullopt;
 }
 
 std::optional<double> millimetresPerStep(const RecordedDevice &device)
 {
-    const auto scale =
-        rodScale(valueOf(device, Parameter::measuringLength), valueOf(device, Parameter::rodLength));
+    const auto scale = rodScale(valueOf(device.known, Parameter::measuringLength),
+                                valueOf(device.known, Parameter::rodLength));
     return scale ? std::optional(scale->millimetres(1'000'000) / 1e6) : std::nullopt;
 }
 

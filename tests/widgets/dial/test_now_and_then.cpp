@@ -64,10 +64,7 @@ protected:
     void byPreset(EncoderSession &encoder)
     {
         picture.setEncoder(encoder);
-        picture.setThenByPreset([&encoder](Parameter parameter) {
-            const auto known = encoder.known(parameter);
-            return known ? std::optional(known->value) : std::nullopt;
-        });
+        picture.setThenByPreset([&encoder](Parameter parameter) { return knownNumber(encoder, parameter); });
     }
 
     test::TrainingBusSession ring;
@@ -185,7 +182,7 @@ protected:
 
 TEST_F(RodNowAndThen, ASecondMagnetStandsWhereTheRodWillCount)
 {
-    const std::int64_t length = encoder().known(Parameter::measuringLength)->value;
+    const std::int64_t length = encoder().known(Parameter::measuringLength)->value.number();
     picture.setThen(length / 2);
     EXPECT_TRUE(picture.findChild<RodView *>()->isVisible());
     EXPECT_FALSE(picture.findChild<CodeDisc *>()->isVisible());
@@ -201,7 +198,7 @@ TEST_F(RodNowAndThen, ASecondMagnetStandsWhereTheRodWillCount)
 
 TEST_F(RodNowAndThen, BeyondTheMeasuringLengthThereIsOnlyTheNumber)
 {
-    picture.setThen(encoder().known(Parameter::measuringLength)->value + 1);
+    picture.setThen(encoder().known(Parameter::measuringLength)->value.number() + 1);
     EXPECT_TRUE(magnetPlace(rod()));
     EXPECT_FALSE(magnetPlaceThen(rod()));
     EXPECT_TRUE(rod().then && rod().then->position);
@@ -213,7 +210,7 @@ TEST_F(RodNowAndThen, TheSecondMagnetIsPainted)
     picture.setThen(std::nullopt);
     const QRect right(view->width() * 3 / 4, 0, view->width() / 4, view->height() / 2);
     const QImage without = view->grab(right).toImage();
-    picture.setThen(encoder().known(Parameter::measuringLength)->value);
+    picture.setThen(encoder().known(Parameter::measuringLength)->value.number());
     EXPECT_NE(view->grab(right).toImage(), without);
 }
 

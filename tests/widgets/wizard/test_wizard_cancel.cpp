@@ -38,7 +38,7 @@ protected:
     {
         EXPECT_TRUE(fraba().start(ReadParameters{{parameter}}));
         bus.advance(300);
-        return fraba().known(parameter)->value;
+        return fraba().known(parameter)->value.number();
     }
 };
 

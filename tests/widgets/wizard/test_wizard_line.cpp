@@ -135,10 +135,8 @@ TEST_F(WizardLine, DirectionAndRangeAreThoseOfItsManual)
     ASSERT_TRUE(encoder().start(ReadParameters{encoder().device().readableValues()}));
     pass(4000);
     EXPECT_EQ(positionRange(encoder()), (PositionRange{0, 33'554'431}));
-    const auto scale = scaleOf(encoder().device(), [this](Parameter parameter) {
-        const auto known = encoder().known(parameter);
-        return known ? std::optional(known->value) : std::nullopt;
-    });
+    const auto scale = scaleOf(encoder().device(),
+                               [this](Parameter parameter) { return knownNumber(encoder(), parameter); });
     ASSERT_TRUE(scale);
     EXPECT_EQ(scale->total(), 33'554'432);
     EXPECT_DOUBLE_EQ(scale->resolution(), 8192);

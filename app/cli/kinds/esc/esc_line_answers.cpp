@@ -130,7 +130,7 @@ QString EscLineAccess::whereItIsNow(const EncoderSession &encoder, const Paramet
     const auto baudRate = encoder.known(Parameter::baudRate);
     if (baudRate && baudRate->value != m_link.settings.serial.baudRate)
         text += sentence(CommandLine::tr("The encoder has %1 Bd now: give the link as ...,baud=%1."),
-                         {QString::number(baudRate->value)}) +
+                         {baudRate->value.toString()}) +
                 u'\n';
     return text;
 }

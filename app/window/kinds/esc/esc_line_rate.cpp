@@ -20,8 +20,8 @@ struct EscLineRateText
 // No encoder reports its rate: it is the line's unless this program has changed it.
 int rateOf(const EscLineSession &line, Place number)
 {
-    const auto known = line.encoder(number)->known(Parameter::baudRate);
-    return known ? static_cast<int>(known->value) : line.settings().baudRate;
+    const auto known = knownNumber(*line.encoder(number), Parameter::baudRate);
+    return known ? static_cast<int>(*known) : line.settings().baudRate;
 }
 
 } // namespace

@@ -173,9 +173,9 @@ EscStep EscPlan::writing(const ParameterValue &value) const
     const ParameterDescription &description = *m_device.find(value.parameter);
     EscStep write =
         step(EscStep::Task::write, escWriteCommand(description).value_or(esc::Command::writePreset),
-             escData(description, value.value));
+             escData(description, value.value.number()));
     write.parameter = value.parameter;
-    write.value = value.value;
+    write.value = value.value.number();
     return write;
 }
 

@@ -73,7 +73,7 @@ Result<void> EscPlan::checkWrite(const WriteParameters &job) const
         if (auto checked = checkRange(narrowed, value.value); !checked)
             return checked;
         if (value.parameter == Parameter::lineAddress)
-            if (auto checked = checkAddress({static_cast<std::uint8_t>(value.value)}); !checked)
+            if (auto checked = checkAddress({static_cast<std::uint8_t>(value.value.number())}); !checked)
                 return checked;
     }
     return {};

@@ -337,11 +337,11 @@ std::optional<Refusal> EscLineSession::isOther(Place place, const QString &devic
                        RefusalId::deviceDiffers,
                        {place.shown(), planned->fullName(), there->device().fullName()}};
     const auto told = there->known(Parameter::serialNumber);
-    if (!told || told->evidence != Evidence::read || mayBeSerialNumber(serialNumber, told->value))
+    if (!told || told->evidence != Evidence::read || mayBeSerialNumber(serialNumber, told->value.number()))
         return std::nullopt;
     return Refusal{RefusalKind::link,
                    RefusalId::serialDiffers,
-                   {place.shown(), serialNumber, hexWord(static_cast<Word>(told->value))}};
+                   {place.shown(), serialNumber, hexWord(static_cast<Word>(told->value.number()))}};
 }
 
 std::vector<Place> EscLineSession::places() const

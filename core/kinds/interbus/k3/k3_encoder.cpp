@@ -130,7 +130,7 @@ Result<void> K3Encoder::checkMode(const Job &job) const
     const ParameterValues values = valuesOf(job);
     if (!word && mode == Mode::cam && !values.empty())
         return refuse(RefusalKind::notSupported, RefusalId::inCamMode,
-                      {plan.parameterWord(values.front().parameter, values.front().value)});
+                      {plan.parameterWord(values.front().parameter, values.front().value.number())});
     if (!word)
         return {};
     if (!mode)

@@ -42,7 +42,7 @@ void K3Knowledge::set(const std::vector<Known> &known)
         // since.
         if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told &&
             one.at >= m_modeSince)
-            m_mode.tell(modeAfterStartUp(one.value), camProgramAfterStartUp(one.value));
+            m_mode.tell(modeAfterStartUp(one.value.number()), camProgramAfterStartUp(one.value.number()));
     }
 }
 

@@ -59,7 +59,7 @@ K3Steps K3Plan::plan(const WriteParameters &job) const
         appendPreset(steps);
     for (const ParameterValue &value : job.values)
         if (!job.initialisePreset || value.parameter != Parameter::zeroOffset) // changed by the preset
-            appendRead(steps, value.parameter, value.value);
+            appendRead(steps, value.parameter, value.value.number());
     return steps;
 }
 
@@ -119,7 +119,7 @@ K3Steps K3Plan::endParameterization(const ParameterValues &restore, bool runFirs
     for (K3Step &step : steps)
         step.isRepeated = runFirst && isRepeated && step.kind == StepKind::parameter;
     for (const ParameterValue &value : restore)
-        appendRead(steps, value.parameter, value.value);
+        appendRead(steps, value.parameter, value.value.number());
     return steps;
 }
 
@@ -172,9 +172,9 @@ void K3Plan::appendWrites(K3Steps &steps, const ParameterValues &values) const
     if (values.empty())
         return;
     for (const ParameterValue &value : values) {
-        K3Step step = k3Step(StepKind::parameter, parameterWord(value.parameter, value.value));
+        K3Step step = k3Step(StepKind::parameter, parameterWord(value.parameter, value.value.number()));
         step.parameter = value.parameter;
-        step.value = value.value;
+        step.value = value.value.number();
         steps.push_back(step);
     }
     steps.push_back(runStep(false));

@@ -56,7 +56,7 @@ public:
         const ParameterValue &first = write->values.front();
         const ParameterDescription *parameter = device.find(first.parameter);
         return k3::parameterWord(parameter != nullptr ? wordReach(*parameter).number.value_or(0) : 0,
-                                 static_cast<Word>(first.value));
+                                 static_cast<Word>(first.value.number()));
     }
     std::optional<ParameterValue> valueIn(const DeviceDescription &device, Word out) const override
     {

@@ -53,7 +53,7 @@ void refine(JobSteps<K3Step> &steps, JobAccount &account, const Job &job, const 
         if (!isWrite(*step) || !step->parameter)
             continue;
         if (keepsValue && step->parameter == read.parameter)
-            step->value = read.value;
+            step->value = read.value.number();
         step->out = encoder.plan.parameterWord(*step->parameter, step->value);
     }
     const auto *write = std::get_if<WriteParameters>(&job);

@@ -129,9 +129,9 @@ La66Steps La66Plan::writes(const ParameterValues &values) const
     La66Steps steps;
     for (const ParameterValue &value : values) {
         const ParameterDescription &parameter = *m_device.find(value.parameter);
-        append(steps, writing(parameter, value.value));
+        append(steps, writing(parameter, value.value.number()));
         if (parameter.canBeRead)
-            append(steps, reading(parameter, value.value));
+            append(steps, reading(parameter, value.value.number()));
     }
     return steps;
 }

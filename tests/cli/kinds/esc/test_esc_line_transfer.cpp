@@ -46,7 +46,7 @@ protected:
         const Project now = saved();
         for (const StoredValue &value : findDevice(now, placeOnLine({address}))->stored)
             if (value.parameter == parameter)
-                return value.value;
+                return value.value.asNumber();
         return std::nullopt;
     }
 

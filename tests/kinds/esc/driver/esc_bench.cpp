@@ -249,7 +249,7 @@ int EscBench::countOf(MessageId id) const
 std::optional<std::int64_t> EscBench::value(Parameter parameter) const
 {
     const auto found = known.find(parameter);
-    return found == known.end() ? std::nullopt : std::optional(found->second.value);
+    return found == known.end() ? std::nullopt : found->second.value.asNumber();
 }
 
 } // namespace codewheel

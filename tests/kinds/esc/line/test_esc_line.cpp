@@ -69,7 +69,7 @@ TEST_F(EscLine, AFactorThatIsThereGoesAlongWithTheStepsThatAreNot)
     const auto job = [&](std::int64_t steps) {
         return jobForWish(encoder(), {.wanted = {wantedFactor, {Parameter::steps, steps}}});
     };
-    const std::int64_t steps = encoder().known(Parameter::steps)->value;
+    const std::int64_t steps = encoder().known(Parameter::steps)->value.number();
     EXPECT_TRUE(job(steps).values.empty()) << "all is there";
     EXPECT_EQ(job(4'096).values, (ParameterValues{{Parameter::steps, 4'096}, wantedFactor}));
     EXPECT_EQ(jobForWish(encoder(), {.wanted = {{Parameter::steps, 4'096}}}).values,

@@ -89,7 +89,7 @@ DriverTable baumerWith(const ParameterValues &values)
 {
     DriverTable table(u"baumer-gxp6w");
     for (const ParameterValue &value : values)
-        table.tell(value.parameter, value.value);
+        table.tell(value.parameter, value.value.number());
     return table;
 }
 

@@ -98,7 +98,7 @@ const Known *DriverTable::find(Parameter parameter)
 std::optional<std::int64_t> DriverTable::known(Parameter parameter)
 {
     const Known *known = find(parameter);
-    return known == nullptr ? std::nullopt : std::optional(known->value);
+    return known == nullptr ? std::nullopt : known->value.asNumber();
 }
 
 std::optional<Evidence> DriverTable::evidence(Parameter parameter)
