@@ -16,6 +16,7 @@
 #include "kinds/interbus/words/k3_cam_effect.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
+#include "kinds/interbus/words/register_texts.h"
 #include "vocabulary/place.h"
 #include "vocabulary/texts_of_kinds.h"
 
@@ -87,6 +88,11 @@ const ProtocolRules &protocolRules(Profile profile)
 QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter)
 {
     return busFaultText(codeAndParameter);
+}
+
+QStringList textsOfRegisters(const Refusal &refusal)
+{
+    return registerRefusalTexts(refusal);
 }
 
 QString effectInCamMode(std::optional<Word> out)

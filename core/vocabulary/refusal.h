@@ -177,13 +177,13 @@ enum class RefusalId : std::uint8_t {
     serverAddressNotOurs, // address
     realRingNotOffered,   //
     closedRingNotOffered, //
-    registersUnanswered,  // link, text of the registers, tries
+    registersUnanswered,  // link, registers (registersKey()), tries
     registersLate,        // the same; answers come too late
-    registersRefused,     // link, text of the registers, code of the exception, its meaning
-    registersGarbled,     // link, text of the registers, what was wrong
+    registersRefused,     // link, registers, code of the exception
+    registersGarbled,     // link, registers, what was wrong (wrongAnswerKey())
     wordsTorn,            // Word IN: one of the answers that do not agree
-    outAreaTooShort,      // link, text of the registers
-    outputsBlocked,       // link, text of the registers
+    outAreaTooShort,      // link, registers
+    outputsBlocked,       // link, registers
     notConnected,         // place
     deviceDiffers,        // place, planned, connected
     serialDiffers,        // place, serial number on the label, serial number reported by the encoder

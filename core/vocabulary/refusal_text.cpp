@@ -728,6 +728,13 @@ QString refusalText(const Refusal &refusal)
         return sentence(refusalPattern(refusalRow(refusal.id).text), {faultOfBusText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:
         return labelKeyText(refusal);
+    case RefusalId::registersUnanswered:
+    case RefusalId::registersLate:
+    case RefusalId::registersRefused:
+    case RefusalId::registersGarbled:
+    case RefusalId::outAreaTooShort:
+    case RefusalId::outputsBlocked:
+        return sentence(refusalPattern(refusalRow(refusal.id).text), textsOfRegisters(refusal));
     default:
         break;
     }

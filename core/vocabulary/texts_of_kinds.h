@@ -3,6 +3,8 @@
 
 #include "vocabulary/refusal.h"
 
+#include <QStringList>
+
 #include <optional>
 
 // Texts about what only one kind can read. kinds/protocols.cpp has them.
@@ -10,6 +12,8 @@ namespace codewheel {
 
 // The name of a fault of a bus from its code and parameter: "0BB1 – peripheral fault at 3.0".
 QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter);
+// The arguments of a refusal of registers of a gateway, for its sentence.
+QStringList textsOfRegisters(const Refusal &refusal);
 // What an OUT word does in cam mode: "sets the start of cam 0 to 0". Without one, that of a preset.
 QString effectInCamMode(std::optional<Word> out);
 

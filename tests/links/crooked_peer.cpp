@@ -108,6 +108,7 @@ void CrookedPeer::serve(int descriptor)
             return m_react(request);
         }();
         send(descriptor, reaction);
+        std::this_thread::sleep_for(reaction.deafFor);
         if (reaction.hangsUp)
             return;
     }

@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -22,8 +23,9 @@ struct Reaction
 {
     QByteArray bytes{}; // sent as they are
     bool hangsUp = false;
-    bool inPieces = false;  // each byte by itself, a moment after the one before
-    bool endlessly = false; // again and again, until there is another request
+    std::chrono::milliseconds deafFor{}; // before it hangs up: requests that come meanwhile are not read
+    bool inPieces = false;               // each byte by itself, a moment after the one before
+    bool endlessly = false;              // again and again, until there is another request
 };
 
 // Answers Modbus requests as the test wants it to, in a thread of its own: over TCP, for one client after the

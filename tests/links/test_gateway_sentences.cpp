@@ -10,6 +10,7 @@
 
 #include <QFile>
 
+#include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -223,6 +224,28 @@ TEST(GatewaySentences, AreSaidOfAPeerWithJustThisFault)
         const std::string text = said();
         for (const QString &part : QString::fromStdString(sentence).split(QStringLiteral(", ")))
             EXPECT_THAT(text, HasSubstr(part.toStdString()));
+    }
+}
+
+// Whatever number it is: one of our own requests', or none.
+TEST(GatewaySentences, OfAGatewayWithOneNumberForAllNameThat)
+{
+    for (const quint16 number : std::array<quint16, 4>{0, 1, 2, 0x1234}) {
+        const std::string said = saidOverTcp([number](const SeenRequest &request) {
+            return Reaction{CrookedPeer::tcpFrame(number, askedUnit, rightAnswer(request.message))};
+        });
+        EXPECT_THAT(said, HasSubstr("the gateway does not repeat the number of the request")) << number;
+    }
+}
+
+TEST(GatewaySentences, OnALineNameLateAnswersToo)
+{
+    for (const auto lateness : {900ms, 1'500ms}) {
+        const std::string said = saidOnLine([lateness](const SeenRequest &request) {
+            std::this_thread::sleep_for(lateness);
+            return Reaction{CrookedPeer::lineFrame(askedUnit, rightAnswer(request.message))};
+        });
+        EXPECT_THAT(said, HasSubstr("answers too late")) << lateness.count();
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why a port does not open, and how it is interrupted.
 #include "kinds/interbus/links/modbus_port.h"
+#include "kinds/interbus/words/register_texts.h"
 #include "links/resolve_host.h"
 #include "tests/links/crooked_peer.h"
 #include "tests/support/port_holder.h"
@@ -412,8 +413,7 @@ TEST(ModbusLine, ALineThatNeverIsQuietIsTold)
     });
     std::vector<Register> read(2);
     RegisterError error;
-    for (int tries = 0;
-         tries < 200 && error.text != QStringLiteral("something on the line does not stop sending"); ++tries)
+    for (int tries = 0; tries < 200 && error.text != wrongAnswerKey(WrongAnswer::noPause); ++tries)
         error = port.read(RegisterArea::input, 5, read).error();
     EXPECT_EQ(error.kind, RegisterError::Kind::wrongAnswer);
 }

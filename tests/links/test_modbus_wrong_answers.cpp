@@ -6,9 +6,11 @@
 // slow. Where an answer is awaited the peer is asked again if it was too slow for the time-out; it shows the
 // same reaction each time.
 #include "kinds/interbus/links/modbus_port.h"
+#include "kinds/interbus/words/register_texts.h"
 #include "tests/links/crooked_peer.h"
 #include "tests/support/pty_pair.h"
 
+#include <array>
 #include <atomic>
 #include <gtest/gtest.h>
 #include <thread>
@@ -332,8 +334,27 @@ TEST_F(WrongTcp, AGatewayThatDoesNotRepeatTheNumberIsNamedSo)
     EXPECT_EQ(readingFails().kind, ErrorKind::wrongAnswer);
     const RegisterError again = readingFails();
     isWrong(again);
-    EXPECT_TRUE(again.text.contains(QStringLiteral("does not repeat the number")))
-        << again.text.toStdString();
+    EXPECT_EQ(again.text, wrongAnswerKey(WrongAnswer::oneTransaction, {0x7FFF}));
+}
+
+// The number is that of an earlier request then, as if the answer to it came late.
+TEST_F(WrongTcp, AGatewayThatAlwaysSendsANumberOfOursIsNamedSo)
+{
+    m_port.close(); // the peer has one client at a time
+    for (const quint16 number : std::array<quint16, 3>{1, 2, 3}) {
+        m_way.peer.reactBy([number](const SeenRequest &request) {
+            return Reaction{CrookedPeer::tcpFrame(number, unit, rightAnswer(request.message))};
+        });
+        ModbusPort port(m_way.settings);
+        ASSERT_TRUE(port.open());
+        RegisterError last;
+        Registers read(2);
+        for (int requests = 0; requests < 5; ++requests)
+            if (const auto done = port.read(RegisterArea::input, 20, read); !done)
+                last = done.error();
+        EXPECT_EQ(last.kind, ErrorKind::wrongAnswer);
+        EXPECT_EQ(last.text, wrongAnswerKey(WrongAnswer::oneTransaction, {number}));
+    }
 }
 
 TEST_F(WrongTcp, AnswersThatAreAlwaysTooLateAreNamedSo)
@@ -472,6 +493,46 @@ TEST_F(WrongLine, AnEchoWithoutAnAnswerIsNone)
     EXPECT_FALSE(m_port.write(40, Registers{1, 2, 3}));
 }
 
+TEST_F(WrongLine, ALateAnswerOfAnotherFormIsPassedOver)
+{
+    const auto late = std::make_shared<QByteArray>();
+    m_way.peer.reactBy([late](const SeenRequest &request) {
+        const QByteArray right = rightReaction(request).bytes;
+        return Reaction{std::exchange(*late, right).isEmpty() ? QByteArray() : *late + right};
+    });
+    Registers two(2);
+    EXPECT_EQ(m_port.read(RegisterArea::input, 20, two).error().kind, ErrorKind::noAnswer);
+    Registers three(3);
+    EXPECT_TRUE(m_port.read(RegisterArea::input, 30, three));
+    EXPECT_EQ(three, (Registers{30, 31, 32}));
+}
+
+TEST_F(WrongLine, AnswersThatAreAlwaysTooLateAreNamedSo)
+{
+    for (const auto lateness : {600ms, 1'000ms}) { // while the line has to be quiet; within the next request
+        m_way.peer.reactBy([lateness](const SeenRequest &request) {
+            std::this_thread::sleep_for(lateness);
+            return rightReaction(request);
+        });
+        ASSERT_TRUE(m_port.open());
+        Registers read(2);
+        EXPECT_FALSE(m_port.read(RegisterArea::input, 20, read).error().isLate) << "none has come yet";
+        bool isLate = false;
+        for (int requests = 0; requests < 2 && !isLate; ++requests)
+            if (const auto done = m_port.read(RegisterArea::input, 20, read); !done)
+                isLate = done.error().isLate;
+        EXPECT_TRUE(isLate) << lateness.count();
+    }
+}
+
+TEST_F(WrongLine, SilenceIsNotCalledLate)
+{
+    m_way.peer.reactBy([](const SeenRequest &) { return Reaction{}; });
+    Registers read(2);
+    for (int requests = 0; requests < 3; ++requests)
+        EXPECT_FALSE(m_port.read(RegisterArea::input, 20, read).error().isLate);
+}
+
 TEST_F(WrongLine, ADamagedAnswer)
 {
     for (const qsizetype byte : {3, 5, 7, 8}) {
@@ -537,6 +598,24 @@ TEST_F(ClosingGateway, AfterEachAnswerIsLearnedAndCounted)
     EXPECT_TRUE(port.noticed().closesAfterEach);
     EXPECT_GE(port.noticed().reconnections, 5u) << "those that were seen closed";
     EXPECT_TRUE(port.write(3, Registers{1, 2})) << "connected anew before it is sent";
+}
+
+// Its end crosses the next request.
+TEST_F(ClosingGateway, AWhileBehindEachAnswerLosesNoRequest)
+{
+    for (const auto deafFor : {1ms, 15ms}) {
+        CrookedPeer peer([deafFor](const SeenRequest &request) {
+            Reaction reaction = answer(request, true);
+            reaction.deafFor = deafFor;
+            return reaction;
+        });
+        ModbusPort port(settingsOf(peer));
+        ASSERT_TRUE(port.open());
+        for (int i = 0; i < 50; ++i)
+            ASSERT_TRUE(readsRightly(port)) << i;
+        EXPECT_TRUE(port.noticed().closesAfterEach);
+        EXPECT_TRUE(port.write(3, Registers{1, 2}));
+    }
 }
 
 TEST_F(ClosingGateway, ThatKeepsConnectionsAgainIsNotLeftAnyMore)

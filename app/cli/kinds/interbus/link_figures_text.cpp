@@ -4,7 +4,7 @@
 #include "catalog/hex_code.h"
 #include "cli/bus/answer_time_text.h"
 #include "cli/call/texts.h"
-#include "kinds/interbus/gateway/register_refusal.h"
+#include "kinds/interbus/words/register_texts.h"
 #include "vocabulary/sentence.h"
 
 #include <QLocale>

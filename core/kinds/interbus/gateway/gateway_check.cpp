@@ -175,11 +175,13 @@ GatewayFinding GatewayCheck::connect()
 Result<void> GatewayCheck::read(RegisterArea area, const RegisterBlock &block, std::vector<Register> &to)
 {
     to.assign(static_cast<std::size_t>(block.count), 0);
+    bool mayBeLate = false; // the answer, to the request before, which was repeated
     for (RegisterTries tries(m_port, m_settings);;) {
         auto done = m_port.read(area, block.first, to);
-        if (done)
+        if (done && !mayBeLate)
             return {};
-        if (!tries.goOn(done))
+        mayBeLate = !done && !isBusy(done.error());
+        if (!done && !tries.goOn(done))
             return tl::unexpected(
                 registerRefusal(done.error(), m_port.name(), readFunction(area), block, tries.sent()));
     }
@@ -292,7 +294,12 @@ GatewayFinding GatewayCheck::readStatus()
 GatewayFinding GatewayCheck::judgedStatus(Register status)
 {
     const QString shown = sentence(GatewayTexts::tr("The status register is %1."), {registerText(status)});
-    const auto told = toldRing(m_settings, status);
+    auto told = toldRing(m_settings, status);
+    if (told && told->hasFailed && m_settings.placeRegister) {
+        std::vector<Register> place;
+        if (read(m_settings.inArea, {*m_settings.placeRegister, 1}, place))
+            told->place = place.front();
+    }
     if (!told)
         return passed(
             shown + u' ' +

@@ -2,6 +2,8 @@
 #include "kinds/interbus/gateway/gateway_link.h"
 
 #include "kinds/interbus/gateway/gateway_device_state.h"
+#include "kinds/interbus/gateway/gateway_texts.h"
+#include "vocabulary/sentence.h"
 
 #include <QScopedValueRollback>
 

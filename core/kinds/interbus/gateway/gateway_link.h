@@ -97,6 +97,8 @@ private:
     bool canReadSomeOut();
     Result<void> waitUntilOwnWordsShow();
     Result<void> checkIsOurs();
+    Result<void> readWhetherOurs();
+    std::uint64_t reconnections() const;
     bool hasReconnected();
     bool showsOwnWords(const std::vector<Word> &there) const;
     Result<void> waitForOwnWords();
@@ -120,6 +122,7 @@ private:
     Result<bool> send(int function, const RegisterBlock &block,
                       const std::function<RegisterPort::Done()> &call, Overwrites overwrites);
     bool connectsAgain(RegisterTries &tries);
+    bool mayFollowClosing(const RegisterError &error) const;
 
     const std::unique_ptr<RegisterPort> m_port;
     const GatewaySettings m_settings;
@@ -140,7 +143,7 @@ private:
     bool m_hasExchanged = false; // since the last wait()
     Instant m_nextStatus{};
     bool m_isWriting = false;               // in exchange() or sendZeros()
-    std::uint64_t m_connectedAgain = 0;     // by us
+    std::uint64_t m_connectedAgain = 0;     // by us, to a gateway that does not close each connection
     std::uint64_t m_reconnections = 0;      // that OUT was looked at after
     std::optional<Instant> m_lastWriteAt{}; // tried, on whatever connection
 };

@@ -3,6 +3,7 @@
 #include "kinds/interbus/gateway/gateway_device_state.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "kinds/interbus/gateway/register_refusal.h"
+#include "kinds/interbus/words/device_number.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
@@ -190,11 +191,16 @@ void GatewayLink::showOut(std::size_t device, Word there, Word &out)
         its.own.found(there);
 }
 
+std::uint64_t GatewayLink::reconnections() const
+{
+    const auto noticed = m_port->noticed();
+    return m_connectedAgain + (noticed.closesAfterEach ? 0 : noticed.reconnections);
+}
+
 // Since OUT was last looked at. A gateway may have changed its outputs when it closed the connection.
 bool GatewayLink::hasReconnected()
 {
-    const auto noticed = m_port->noticed();
-    const std::uint64_t now = m_connectedAgain + (noticed.closesAfterEach ? 0 : noticed.reconnections);
+    const std::uint64_t now = reconnections();
     return std::exchange(m_reconnections, now) != now;
 }
 
@@ -232,12 +238,22 @@ Result<void> GatewayLink::checkBlindWriting()
     return refuse(RefusalKind::link, RefusalId::connectionClosed, {m_port->name()});
 }
 
-// Somebody else's word shows in two reads that agree; so does a word that is another one in each read.
+// A connection may end while OUT is looked at.
 Result<void> GatewayLink::checkIsOurs()
 {
-    if (hasReconnected())
-        if (auto shown = waitForOwnWords(); !shown)
-            return shown;
+    Result<void> isOurs;
+    do {
+        if (hasReconnected())
+            isOurs = waitForOwnWords();
+        if (isOurs)
+            isOurs = readWhetherOurs();
+    } while (isOurs && reconnections() != m_reconnections);
+    return isOurs;
+}
+
+// Somebody else's word shows in two reads that agree; so does a word that is another one in each read.
+Result<void> GatewayLink::readWhetherOurs()
+{
     std::vector<Word> there;
     std::vector<Word> before;
     std::vector<std::size_t> suspects;

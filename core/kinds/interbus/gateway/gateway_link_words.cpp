@@ -38,7 +38,7 @@ bool GatewayLink::connectsAgain(RegisterTries &tries)
     if (!tries.mayFailAgain() || !m_port->open())
         return false;
     tries.wasSent();
-    ++m_connectedAgain;
+    m_connectedAgain += m_port->noticed().closesAfterEach ? 0 : 1;
     m_counter.connected();
     return true;
 }
@@ -64,6 +64,14 @@ Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
     }
 }
 
+// The same words twice act once only if OUT has not changed in between, and a gateway may change it when it
+// closes a connection: not if it closes each.
+bool GatewayLink::mayFollowClosing(const RegisterError &error) const
+{
+    const bool isHarmless = !error.isSent || m_port->noticed().closesAfterEach;
+    return error.kind == RegisterError::Kind::closed && m_readsBack && isHarmless;
+}
+
 // A write, which may have been carried out although its answer is missing, and somebody else may have written
 // since: OUT is read back before it is sent again. Whether the first one was answered.
 Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
@@ -78,7 +86,7 @@ Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
                 device.own.wasAnswered(m_port->now());
             return tries.failures() == 0;
         }
-        const bool isKept = !done.error().isSent && m_readsBack && connectsAgain(tries);
+        const bool isKept = mayFollowClosing(done.error()) && connectsAgain(tries);
         if (!isKept && !tries.goOn(done))
             return tl::unexpected(
                 registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));

@@ -34,7 +34,7 @@ struct RegisterError
 
     Kind kind = Kind::noAnswer;
     int exception = 0;   // its code, 1..11
-    QString text{};      // what the system or the library says; may be empty
+    QString text{};      // what the system says, or what was wrong (wrongAnswerKey()); may be empty
     bool isSent = true;  // false: closed before a write was sent
     bool isLate = false; // noAnswer: answers do come, but to earlier requests
 
@@ -89,7 +89,7 @@ public:
     // What it has put up with, since it was made.
     struct Noticed
     {
-        std::uint64_t reconnections = 0; // the gateway had closed the connection, and nothing was on its way
+        std::uint64_t reconnections = 0; // the gateway had closed the connection, and at most a read was lost
         bool closesAfterEach = false;    // it does that after each answer
         std::uint64_t strayBytes = 0;    // that belong to no frame
         std::uint64_t echoes = 0;        // of our own requests

@@ -10,9 +10,6 @@ namespace codewheel {
 // "function 4, registers 0 to 27", for sentences in the user's language.
 QString registersText(int function, const RegisterBlock &block);
 
-// What an exception code means (Modbus Application Protocol V1.1b3, 7); a sentence.
-QString exceptionText(int code);
-
 int readFunction(RegisterArea area);
 
 // The unit answers that it cannot do it yet: it is asked again after a pause.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/links/modbus_message.h"
 
-#include "kinds/interbus/gateway/gateway_texts.h"
-#include "vocabulary/sentence.h"
-
 #include <algorithm>
 
 namespace codewheel::modbus_message {
@@ -15,7 +12,8 @@ constexpr std::uint8_t writeFunction = 16;
 constexpr std::uint8_t writeAndReadFunction = 23;
 constexpr std::uint8_t exceptionBit = 0x80;
 constexpr std::size_t readCountAt = 3; // in the requests 3, 4 and 23
-constexpr std::size_t echoLength = 5;  // function, first register, count
+constexpr std::size_t exceptionLength = 2;
+constexpr std::size_t echoLength = 5; // function, first register, count
 
 void append(Pdu &message, std::size_t number)
 {
@@ -33,8 +31,8 @@ void appendRegisters(Pdu &message, std::span<const Register> registers)
 
 Done takeException(std::span<const std::uint8_t> answer)
 {
-    if (answer.size() != 2)
-        return wrongAnswer(GatewayTexts::tr("an exception of the wrong length"));
+    if (answer.size() != exceptionLength)
+        return wrongAnswer(WrongAnswer::lengthOfException);
     return tl::unexpected(RegisterError{RegisterError::Kind::exception, answer[1], {}});
 }
 
@@ -78,34 +76,38 @@ std::size_t answerLength(const Pdu &request)
     return 2 + 2 * std::size_t{registerAt(request, readCountAt)};
 }
 
+bool mayAnswer(const Pdu &request, const Pdu &answer)
+{
+    if (answer.empty() || (answer.front() & ~exceptionBit) != request.front())
+        return false;
+    return answer.size() == ((answer.front() & exceptionBit) != 0 ? exceptionLength : answerLength(request));
+}
+
 Done take(const Pdu &request, std::span<const std::uint8_t> answer, std::span<Register> registers)
 {
     const std::uint8_t function = request.front();
     if (!answer.empty() && answer[0] == (function | exceptionBit))
         return takeException(answer);
     if (answer.empty() || answer[0] != function)
-        return wrongAnswer(
-            sentence(GatewayTexts::tr("it is for function %1"),
-                     {answer.empty() ? QString() : QString::number(answer[0] & ~exceptionBit)}));
+        return wrongAnswer(WrongAnswer::function, {answer.empty() ? 0 : answer[0] & ~exceptionBit});
     if (answer.size() != answerLength(request))
-        return wrongAnswer(
-            sentence(GatewayTexts::tr("%1 bytes instead of %2"),
-                     {QString::number(answer.size()), QString::number(answerLength(request))}));
+        return wrongAnswer(WrongAnswer::length,
+                           {static_cast<int>(answer.size()), static_cast<int>(answerLength(request))});
     if (function == writeFunction) {
         if (!std::equal(answer.begin(), answer.end(), request.begin()))
-            return wrongAnswer(GatewayTexts::tr("it names other registers than those to be written"));
+            return wrongAnswer(WrongAnswer::otherRegisters);
         return {};
     }
     if (answer[1] != answer.size() - 2)
-        return wrongAnswer(GatewayTexts::tr("it counts its own bytes wrong"));
+        return wrongAnswer(WrongAnswer::count);
     for (std::size_t i = 0; i < registers.size(); ++i)
         registers[i] = registerAt(answer, 2 + 2 * i);
     return {};
 }
 
-tl::unexpected<RegisterError> wrongAnswer(const QString &text)
+tl::unexpected<RegisterError> wrongAnswer(WrongAnswer what, std::initializer_list<int> numbers)
 {
-    return tl::unexpected(RegisterError{RegisterError::Kind::wrongAnswer, 0, text});
+    return tl::unexpected(RegisterError{RegisterError::Kind::wrongAnswer, 0, wrongAnswerKey(what, numbers)});
 }
 
 } // namespace codewheel::modbus_message

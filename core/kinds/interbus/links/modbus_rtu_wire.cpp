@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/links/modbus_rtu_wire.h"
 
-#include "kinds/interbus/gateway/gateway_texts.h"
 #include "kinds/interbus/gateway/rtu_frame.h"
 #include "links/port_access.h"
 #include "vocabulary/refusal_text.h"
-#include "vocabulary/sentence.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -35,6 +36,12 @@ std::vector<PortInfo> noneIsKept()
     return {};
 }
 
+bool isOfSameForm(const Pdu &one, const Pdu &other)
+{
+    return one.front() == other.front() &&
+           modbus_message::answerLength(one) == modbus_message::answerLength(other);
+}
+
 } // namespace
 
 ModbusRtuWire::ModbusRtuWire(const GatewaySettings &settings)
@@ -45,13 +52,15 @@ ModbusRtuWire::ModbusRtuWire(const GatewaySettings &settings)
 Result<void> ModbusRtuWire::open()
 {
     m_doubt = Doubt::none;
+    m_unanswered.clear();
+    m_mayHaveComeLate = false;
+    m_comesLate = false;
     m_answers.begin({});
     auto opened = m_line.open(m_settings.serial);
     m_lastByte = m_line.now();
     return opened;
 }
 
-// The time-out is that of the unit; what the characters need on the line comes on top of it.
 tl::expected<Pdu, RegisterError> ModbusRtuWire::exchange(const Pdu &request)
 {
     auto another = waitForGap();
@@ -62,20 +71,49 @@ tl::expected<Pdu, RegisterError> ModbusRtuWire::exchange(const Pdu &request)
     if (auto quiet = m_doubt == Doubt::unanswered ? waitForQuiet() : Done(); !quiet)
         return tl::unexpected(quiet.error());
     const bool isCertain = std::exchange(m_doubt, Doubt::unanswered) == Doubt::none;
+    Answer answer = isCertain ? ask(request) : askWhileInDoubt(request);
+    if (isCertain && answer)
+        m_doubt = Doubt::none;
+    learn(request, answer, isCertain);
+    return answer;
+}
+
+// An answer may be followed by another one; then nobody knows which of the two is the right one.
+ModbusRtuWire::Answer ModbusRtuWire::askWhileInDoubt(const Pdu &request)
+{
     Answer answer = ask(request);
-    if (!answer || isCertain) {
-        m_doubt = answer ? Doubt::none : Doubt::unanswered;
+    if (!answer)
         return answer;
-    }
-    another = waitForGap();
+    const auto another = waitForGap();
     if (!another)
         return tl::unexpected(another.error());
-    if (*another && **another != *answer) // whichever of the two is the right one
-        return modbus_message::wrongAnswer(GatewayTexts::tr("another one follows it"));
+    if (*another && **another != *answer)
+        return modbus_message::wrongAnswer(WrongAnswer::another);
     m_doubt = *another ? Doubt::another : Doubt::none; // a unit that always answers twice is one to live with
     return answer;
 }
 
+// An answer in doubt with silence behind it was that to the request before. One of another form leaves its
+// request unanswered, too.
+void ModbusRtuWire::learn(const Pdu &request, Answer &answer, bool isCertain)
+{
+    const bool isAnswered = answer && modbus_message::mayAnswer(request, *answer);
+    if (isAnswered && isCertain) {
+        m_unanswered.clear();
+        m_comesLate = false;
+    }
+    const bool wasInDoubt = std::exchange(m_mayHaveComeLate, isAnswered && !m_unanswered.empty());
+    if (isAnswered || (!answer && answer.error().kind != ErrorKind::noAnswer))
+        return;
+    if (!answer) {
+        m_comesLate = m_comesLate || wasInDoubt;
+        answer.error().isLate = m_comesLate;
+    }
+    if (std::ranges::none_of(m_unanswered, [&](const Pdu &one) { return isOfSameForm(one, request); }))
+        m_unanswered.push_back(request);
+}
+
+// The time-out is that of the unit; what the characters need on the line comes on top of it.
 tl::expected<Pdu, RegisterError> ModbusRtuWire::ask(const Pdu &request)
 {
     const auto timeOf = [this](std::size_t length) {
@@ -84,7 +122,7 @@ tl::expected<Pdu, RegisterError> ModbusRtuWire::ask(const Pdu &request)
     const Instant until = m_line.now() + timeOf(request.size()) + m_settings.timeOut;
     if (auto sent = send(request); !sent)
         return tl::unexpected(sent.error());
-    return receive(until, until + timeOf(modbus_message::answerLength(request)));
+    return receive(request, until, until + timeOf(modbus_message::answerLength(request)));
 }
 
 RegisterPort::Done ModbusRtuWire::send(const Pdu &request)
@@ -103,17 +141,28 @@ RegisterPort::Done ModbusRtuWire::send(const Pdu &request)
 }
 
 // An answer that has begun by the first time may come until the second.
-ModbusRtuWire::Answer ModbusRtuWire::receive(Instant firstUntil, Instant until)
+ModbusRtuWire::Answer ModbusRtuWire::receive(const Pdu &request, Instant firstUntil, Instant until)
 {
     for (;;) {
-        if (auto answer = nextAnswer())
-            return *std::move(answer);
+        if (auto answer = nextAnswer()) {
+            if (modbus_message::mayAnswer(request, *answer) || !isOfEarlier(*answer))
+                return *std::move(answer);
+            m_comesLate = true;
+            m_hasCome = false;
+            continue;
+        }
         const Instant end = m_answers.isWithin() ? until : firstUntil;
         if (m_line.now() >= end)
             return tl::unexpected(whyNone());
         if (const auto came = takeBytes(end); !came)
             return tl::unexpected(came.error());
     }
+}
+
+bool ModbusRtuWire::isOfEarlier(const Pdu &answer) const
+{
+    return std::ranges::any_of(
+        m_unanswered, [&](const Pdu &request) { return modbus_message::mayAnswer(request, answer); });
 }
 
 // Frames of other units are passed over.
@@ -130,10 +179,9 @@ std::optional<Pdu> ModbusRtuWire::nextAnswer()
 RegisterError ModbusRtuWire::whyNone() const
 {
     if (m_otherUnit >= 0)
-        return {ErrorKind::wrongAnswer, 0,
-                sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(m_otherUnit)})};
+        return {ErrorKind::wrongAnswer, 0, wrongAnswerKey(WrongAnswer::unit, {m_otherUnit})};
     if (m_hasCome)
-        return {ErrorKind::wrongAnswer, 0, GatewayTexts::tr("it is damaged or incomplete")};
+        return {ErrorKind::wrongAnswer, 0, wrongAnswerKey(WrongAnswer::damaged)};
     return {.kind = ErrorKind::noAnswer};
 }
 
@@ -163,13 +211,14 @@ tl::expected<std::optional<Pdu>, RegisterError> ModbusRtuWire::waitForGap()
         const auto came = takeBytes(m_lastByte + gap);
         if (!came)
             return tl::unexpected(came.error());
-        while (auto answer = nextAnswer())
+        while (auto answer = nextAnswer()) {
+            m_comesLate = m_comesLate || isOfEarlier(*answer);
             another = std::move(answer);
+        }
         if (!*came)
             return another;
         if (m_line.now() >= end)
-            return modbus_message::wrongAnswer(
-                GatewayTexts::tr("something on the line does not stop sending"));
+            return modbus_message::wrongAnswer(WrongAnswer::noPause);
     }
 }
 
@@ -180,11 +229,12 @@ RegisterPort::Done ModbusRtuWire::waitForQuiet()
         const auto came = takeBytes(m_line.now() + m_settings.timeOut);
         if (!came)
             return tl::unexpected(came.error());
+        while (const auto late = nextAnswer())
+            m_comesLate = m_comesLate || isOfEarlier(*late);
         if (!*came)
             return {};
         if (m_line.now() >= end)
-            return modbus_message::wrongAnswer(
-                GatewayTexts::tr("something on the line does not stop sending"));
+            return modbus_message::wrongAnswer(WrongAnswer::noPause);
     }
 }
 

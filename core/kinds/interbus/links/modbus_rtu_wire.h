@@ -13,7 +13,8 @@ namespace codewheel {
 // An answer says no more of its request than unit, function and length. So after silence, a damaged answer or
 // an interruption the next request waits until the line has been quiet for the time-out; and every request
 // for the gap that must be between two frames, in which the second of two answers would show. An answer later
-// than that, to a request of the same form, cannot be told.
+// than that, to a request of the same form, cannot be told. One of another form is dropped, and that answers
+// come late is told (RegisterError::isLate).
 class ModbusRtuWire final : public ModbusWire
 {
 public:
@@ -42,7 +43,10 @@ private:
 
     Answer ask(const modbus_message::Pdu &request);
     Done send(const modbus_message::Pdu &request);
-    Answer receive(Instant firstUntil, Instant until);
+    Answer askWhileInDoubt(const modbus_message::Pdu &request);
+    Answer receive(const modbus_message::Pdu &request, Instant firstUntil, Instant until);
+    bool isOfEarlier(const modbus_message::Pdu &answer) const;
+    void learn(const modbus_message::Pdu &request, Answer &answer, bool isCertain);
     std::optional<modbus_message::Pdu> nextAnswer();
     RegisterError whyNone() const;
     tl::expected<std::optional<modbus_message::Pdu>, RegisterError> waitForGap();
@@ -55,6 +59,9 @@ private:
     int m_otherUnit = -1;   // that answered in place of ours
     bool m_hasCome = false; // something, since the last request
     Doubt m_doubt = Doubt::none;
+    std::vector<modbus_message::Pdu> m_unanswered; // requests since the last answer that is certain
+    bool m_mayHaveComeLate = false;                // the last answer: to the request before
+    bool m_comesLate = false;                      // an answer did, since the last that is certain
     Instant m_lastByte{};
 };
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/links/modbus_tcp_wire.h"
 
-#include "kinds/interbus/gateway/gateway_texts.h"
 #include "links/wait_for.h"
-#include "vocabulary/sentence.h"
 
 #include <array>
 #include <cerrno>
@@ -33,6 +31,10 @@ constexpr int mostDrained = 64;         // times as much that nobody asked for, 
 constexpr unsigned triedEvery = 16;     // connections to a gateway that closes each
 constexpr Instant shortestConnect = 2s; // a network may take longer than a unit
 constexpr int longestMemory = 1'000;    // transactions
+constexpr int fewAnswers = 16;          // on a connection (assumed)
+constexpr int timesForHabit = 2;        // that a connection ended after few answers (assumed)
+constexpr int timesOfForeign = 2;       // that one number came, until it is always the same (assumed)
+constexpr int timesOfOld = 3;           // the same of one that was ours: an answer may come twice (assumed)
 
 RegisterError closedBy(int errorNumber)
 {
@@ -86,10 +88,10 @@ ModbusTcpWire::Failed ModbusTcpWire::failed(RegisterError error)
     return tl::unexpected(std::move(error));
 }
 
-ModbusTcpWire::Failed ModbusTcpWire::outOfStep(const QString &text)
+ModbusTcpWire::Failed ModbusTcpWire::outOfStep(WrongAnswer what, std::initializer_list<int> numbers)
 {
     m_isOutOfStep = true;
-    return modbus_message::wrongAnswer(text);
+    return modbus_message::wrongAnswer(what, numbers);
 }
 
 tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
@@ -104,11 +106,32 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
     if (isOver && !m_closesAfterEach && writes)
         return failed({.kind = ErrorKind::closed, .isSent = false});
     if (!m_socket || m_isOutOfStep || isAnew) {
-        if (auto connected = connect(m_settings.timeOut); !connected)
-            return failed({.kind = connected.error().kind == RefusalKind::stopped ? ErrorKind::stopped
-                                                                                  : ErrorKind::closed});
+        if (auto connected = connectAnew(); !connected)
+            return failed(connected.error());
         m_reconnections += isOver ? 1 : 0;
     }
+    auto answer = ask(request);
+    const bool isCrossed = !answer && answer.error().kind == ErrorKind::closed && m_answers > 0;
+    if (!isCrossed || writes)
+        return answer;
+    m_isOpen = true;
+    if (auto connected = connectAnew(); !connected)
+        return failed(connected.error());
+    ++m_reconnections;
+    return ask(request);
+}
+
+RegisterPort::Done ModbusTcpWire::connectAnew()
+{
+    const auto connected = connect(m_settings.timeOut);
+    if (connected)
+        return {};
+    const bool isStopped = connected.error().kind == RefusalKind::stopped;
+    return tl::unexpected(RegisterError{.kind = isStopped ? ErrorKind::stopped : ErrorKind::closed});
+}
+
+tl::expected<Pdu, RegisterError> ModbusTcpWire::ask(const Pdu &request)
+{
     const Time until = steady_clock::now() + m_settings.timeOut;
     if (auto sent = send(request); !sent)
         return tl::unexpected(sent.error());
@@ -129,7 +152,7 @@ bool ModbusTcpWire::isGivenUp()
     }
     const bool isClosed = m_socket && (came == 0 || (errno != EAGAIN && errno != EINTR));
     if (isClosed)
-        learnFromClosing();
+        learnFromClosing(false);
     return isClosed;
 }
 
@@ -141,9 +164,13 @@ bool ModbusTcpWire::keepsAgain(bool writes)
     return !m_closesAfterEach || (!writes && ++m_untried % triedEvery == 0);
 }
 
-void ModbusTcpWire::learnFromClosing()
+void ModbusTcpWire::learnFromClosing(bool crossesRequest)
 {
-    m_closesAfterEach = m_closesAfterEach || m_answers == 1;
+    if (m_answers > fewAnswers)
+        m_shortConnections = 0;
+    else if (crossesRequest && m_answers > 0)
+        ++m_shortConnections;
+    m_closesAfterEach = m_closesAfterEach || m_answers == 1 || m_shortConnections >= timesForHabit;
 }
 
 RegisterPort::Done ModbusTcpWire::send(const Pdu &request)
@@ -181,31 +208,36 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::receive(Time until)
             continue;
         }
         Answer &answer = **next;
-        if (isOver(answer.transaction)) {
+        const int times = timesInARow(answer.transaction);
+        if (isOver(answer.transaction) && times < timesOfOld) {
             m_comesLate = true;
             continue;
         }
         if (answer.transaction != m_transaction)
-            return outOfStep(ofForeignTransaction(answer.transaction));
+            return ofForeignTransaction(answer.transaction);
         if (answer.unit != m_settings.unit)
-            return outOfStep(sentence(GatewayTexts::tr("it is of unit %1"), {QString::number(answer.unit)}));
+            return outOfStep(WrongAnswer::unit, {answer.unit});
         ++m_answers;
         m_comesLate = false;
         return std::move(answer.pdu);
     }
 }
 
-// A gateway that always sends the same number cannot be used: nothing tells its late answers.
-QString ModbusTcpWire::ofForeignTransaction(std::uint16_t transaction)
+int ModbusTcpWire::timesInARow(std::uint16_t transaction)
 {
-    const QString its = QString::number(transaction);
-    if (std::exchange(m_foreignBefore, transaction) == transaction)
-        return sentence(
-            GatewayTexts::tr("each is for transaction %1: the gateway does not repeat the number of "
-                             "the request, as Modbus/TCP wants it"),
-            {its});
-    return sentence(GatewayTexts::tr("it is for transaction %1, not %2"),
-                    {its, QString::number(m_transaction)});
+    if (m_oneNumber.times == 0 || m_oneNumber.transaction != transaction)
+        m_oneNumber = {transaction, m_transaction, 1};
+    else if (std::exchange(m_oneNumber.request, m_transaction) != m_transaction)
+        ++m_oneNumber.times;
+    return m_oneNumber.times;
+}
+
+// A gateway that always sends the same number cannot be used: nothing tells its late answers.
+ModbusTcpWire::Failed ModbusTcpWire::ofForeignTransaction(std::uint16_t transaction)
+{
+    if (m_oneNumber.times >= timesOfForeign)
+        return outOfStep(WrongAnswer::oneTransaction, {transaction});
+    return outOfStep(WrongAnswer::transaction, {transaction, m_transaction});
 }
 
 // The one that has come completely; empty: none has.
@@ -215,7 +247,7 @@ tl::expected<std::optional<ModbusTcpWire::Answer>, RegisterError> ModbusTcpWire:
         return std::optional<Answer>();
     const std::size_t length = lengthEnd + registerAt(m_received, lengthAt);
     if (registerAt(m_received, protocolAt) != 0 || length < shortestAnswer || length > longestAnswer)
-        return outOfStep(GatewayTexts::tr("it is not Modbus"));
+        return outOfStep(WrongAnswer::notModbus);
     if (m_received.size() < length)
         return std::optional<Answer>();
     const auto end = m_received.begin() + static_cast<std::ptrdiff_t>(length);
@@ -231,7 +263,7 @@ RegisterPort::Done ModbusTcpWire::receiveMore(Time until)
     if (waited == Waited::woken)
         return tl::unexpected(RegisterError{.kind = ErrorKind::stopped});
     if (waited == Waited::timeOut && !m_received.empty())
-        return outOfStep(GatewayTexts::tr("it is incomplete"));
+        return outOfStep(WrongAnswer::incomplete);
     if (waited == Waited::timeOut)
         return tl::unexpected(RegisterError{.kind = ErrorKind::noAnswer, .isLate = m_comesLate});
     std::array<std::uint8_t, mostAtOnce> bytes{};
@@ -240,7 +272,7 @@ RegisterPort::Done ModbusTcpWire::receiveMore(Time until)
         return {};
     if (came <= 0) {
         const int why = came < 0 ? errno : ECONNRESET;
-        learnFromClosing();
+        learnFromClosing(true);
         return tl::unexpected(closedBy(why));
     }
     m_received.insert(m_received.end(), bytes.begin(), bytes.begin() + came);

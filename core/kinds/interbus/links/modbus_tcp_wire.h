@@ -18,7 +18,9 @@ namespace codewheel {
 // many gateways have room for few connections and give up an old one slowly. After half an answer or a
 // foreign one nobody knows where the next one begins; then the wire connects anew before the next request. So
 // it does before a read where the gateway has closed the connection meanwhile, and each time where it does
-// that after each answer. A write is not sent then: a gateway may change its outputs when it closes.
+// that after each answer. A write is not sent then: a gateway may change its outputs when it closes. A read
+// that met the end of a connection which had been answered on is sent once more on a new one; a write is not,
+// since it may have been carried out.
 class ModbusTcpWire final : public ModbusWire
 {
 public:
@@ -39,6 +41,13 @@ public:
 private:
     using Time = std::chrono::steady_clock::time_point;
     using Failed = tl::unexpected<RegisterError>;
+    // Answers with one number, in exchanges without another one between them.
+    struct OneNumber
+    {
+        std::uint16_t transaction = 0;
+        std::uint16_t request = 0; // the last that got one
+        int times = 0;
+    };
     struct Answer
     {
         std::uint16_t transaction = 0;
@@ -47,17 +56,20 @@ private:
     };
 
     Result<void> connect(Instant timeOut);
+    tl::expected<modbus_message::Pdu, RegisterError> ask(const modbus_message::Pdu &request);
+    RegisterPort::Done connectAnew();
     bool isGivenUp();
     bool keepsAgain(bool writes);
-    void learnFromClosing();
+    void learnFromClosing(bool crossesRequest);
     RegisterPort::Done send(const modbus_message::Pdu &request);
     tl::expected<modbus_message::Pdu, RegisterError> receive(Time until);
     RegisterPort::Done receiveMore(Time until);
     tl::expected<std::optional<Answer>, RegisterError> nextAnswer();
     bool isOver(std::uint16_t transaction) const;
-    QString ofForeignTransaction(std::uint16_t transaction);
+    int timesInARow(std::uint16_t transaction);
+    Failed ofForeignTransaction(std::uint16_t transaction);
     Failed failed(RegisterError error);
-    Failed outOfStep(const QString &text);
+    Failed outOfStep(WrongAnswer what, std::initializer_list<int> numbers = {});
 
     const GatewaySettings m_settings;
     WakeFlag m_wake;
@@ -66,12 +78,13 @@ private:
     Descriptor m_socket;                  // none: to be connected anew
     std::vector<std::uint8_t> m_received; // and not yet an answer
     bool m_isOutOfStep = false;
-    bool m_comesLate = false;        // an answer to an earlier request has come since the last right one
-    int m_foreignBefore = -1;        // the transaction of the last answer to none of ours
+    bool m_comesLate = false; // an answer to an earlier request has come since the last right one
+    OneNumber m_oneNumber;
     std::uint16_t m_transaction = 0; // the last one
     int m_before = -1;               // transactions before it on this connection
     int m_answers = 0;               // on this connection
     bool m_closesAfterEach = false;  // the gateway does
+    int m_shortConnections = 0;      // in a row, whose end crossed a request
     unsigned m_untried = 0;          // connections since, that it had not closed yet
     std::uint64_t m_reconnections = 0;
     const Time m_begin = std::chrono::steady_clock::now();

@@ -233,7 +233,7 @@ void RingRunner::Private::exchange()
     const auto exchanged = sendsZeros ? sendZeros()
                            : writes   ? link.exchange(image, received)
                                       : link.watch(image, received);
-    ring.at = std::max(ring.at, link.now()); // a gateway takes its time
+    catchUp();
     if (!exchanged) {
         fail(exchanged.error());
         return;
@@ -247,10 +247,17 @@ void RingRunner::Private::exchange()
         step(i);
 }
 
+// A gateway takes its time. What is told of it is from when it has answered.
+void RingRunner::Private::catchUp()
+{
+    ring.at = std::max(ring.at, link.now());
+}
+
 // A gateway repeats what it has last got, so whether the zeros got there is worth a message.
 Result<void> RingRunner::Private::sendZeros()
 {
     const auto sent = link.sendZeros(received);
+    catchUp();
     if (!sent)
         return tl::unexpected(sent.error());
     zerosAreDue = false;

@@ -64,6 +64,7 @@ void RingRunner::Private::carryOut(command::AcknowledgeWatchdog)
     const auto done = ring.connected ? link.acknowledgeWatchdog()
                                      : Result<void>(tl::unexpected(ring.whyLost.value_or(
                                            Refusal{RefusalKind::link, RefusalId::lineClosed, {}})));
+    catchUp();
     if (!done) {
         refuseOfRing(done.error());
         return;
@@ -95,6 +96,7 @@ void RingRunner::Private::tryToReopen()
 {
     reopenAt = ring.at + betweenOpenings;
     auto there = find();
+    catchUp();
     if (!there) {
         ring.whyLost = ofLink(there.error());
         if (zerosAreDue)
@@ -161,7 +163,9 @@ void RingRunner::Private::tellUnheardWords()
 // Told once.
 void RingRunner::Private::sendZerosUnheard()
 {
-    if (link.sendZerosUnheard() && !std::exchange(sentUnheard, true))
+    const bool isSent = link.sendZerosUnheard();
+    catchUp();
+    if (isSent && !std::exchange(sentUnheard, true))
         tellOfRing({.severity = Severity::fault, .id = MessageId::zerosUnheard});
 }
 

@@ -45,6 +45,7 @@ struct RingRunner::Private
     void work();
     void publish();
     void exchange();
+    void catchUp();
     Result<void> sendZeros();
     void lookWhetherZerosStand();
     void tellZerosAtDevices();

@@ -700,6 +700,7 @@ TEST(GatewayThatHangs, ZerosThatHaveNotArrivedAreToldWithinASecondAndTriedOn)
     EXPECT_TRUE(waitFor([&] { return session.countOf(MessageId::zerosReadBack) == 1; }));
     EXPECT_FALSE(bus.areZerosLate());
     EXPECT_EQ(session.countOf(MessageId::zerosLate), 1u);
+    EXPECT_TRUE(std::ranges::is_sorted(session.messages, {}, &Message::at)) << "they arrived after that";
     bus.close();
 }
 
@@ -725,6 +726,24 @@ TEST(SlowGatewayRing, AnAlarmStopNamesTheWordThatSomebodyElseHasJustWritten)
     EXPECT_EQ(slow.messages.back().id, MessageId::zerosAsked);
     slow.bus->advance(10s);
     EXPECT_TRUE(slow.isOutZero());
+}
+
+// In Watch as well as in Operate. IN and OUT are read behind the write.
+TEST(SlowGatewayRing, ZerosHaveArrivedWhenTheyWereReadBack)
+{
+    constexpr Instant transaction = 400ms;
+    for (const auto start : {EncoderBus::Start::watching, EncoderBus::Start::operating}) {
+        test::GatewaySession slow({.settings = {.timeOut = 2s}, .transaction = transaction});
+        ASSERT_TRUE(slow.bus->open(start));
+        slow.bus->advance(10s);
+        const Instant asked = slow.bus->now();
+        slow.bus->alarmStop();
+        slow.bus->advance(10s);
+        const auto told = std::ranges::find(slow.messages, MessageId::zerosReadBack, &Message::id);
+        ASSERT_NE(told, slow.messages.end());
+        EXPECT_GE(told->at, asked + 3 * transaction);
+        EXPECT_TRUE(std::ranges::is_sorted(slow.messages, {}, &Message::at));
+    }
 }
 
 constexpr Place seldomSeen = "1.0"_ring;

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/register_texts.h"
+
+#include "kinds/interbus/gateway/gateway_texts.h"
+#include "vocabulary/sentence.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr int firstFunctionThatWrites = 16; // of those that are used: 3, 4, 16, 23
+constexpr int exceptionOfValue = 3;
+constexpr int registersOfWord = 2;
+constexpr QChar betweenNumbers = u'/';
+
+struct RegistersOfKey
+{
+    int function = 0;
+    int first = 0;
+    int count = 0;
+};
+
+std::optional<RegistersOfKey> registersOf(const QString &key)
+{
+    constexpr qsizetype numbers = 3;
+    std::array<int, numbers> all{};
+    const QStringList parts = key.split(betweenNumbers);
+    bool isKey = parts.size() == numbers;
+    for (std::size_t i = 0; isKey && i < all.size(); ++i)
+        all[i] = parts[static_cast<qsizetype>(i)].toInt(&isKey);
+    return isKey ? std::optional(RegistersOfKey{all[0], all[1], all[2]}) : std::nullopt;
+}
+
+struct WrongAnswerRow
+{
+    WrongAnswer what;
+    const char *key;
+    const char *text;
+};
+
+constexpr std::array wrongAnswerRows{
+    WrongAnswerRow{WrongAnswer::incomplete, "incomplete",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it is incomplete. Look for newer firmware of the gateway.")},
+    WrongAnswerRow{WrongAnswer::damaged, "damaged",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it is damaged or incomplete. Check cable, shield, terminating "
+                                     "resistors, baud rate, and format.")},
+    WrongAnswerRow{WrongAnswer::notModbus, "notModbus",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it is not Modbus. Check the port: something else listens there.")},
+    WrongAnswerRow{WrongAnswer::unit, "unit",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it is of unit %1. Check the unit number, and on a serial line whether "
+                                     "two devices have the same.")},
+    WrongAnswerRow{WrongAnswer::transaction, "transaction",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it is for transaction %1, not %2. Look for newer firmware of the "
+                                     "gateway.")},
+    WrongAnswerRow{WrongAnswer::oneTransaction, "oneTransaction",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "each is for transaction %1: the gateway does not repeat the number of "
+                                     "the request, as Modbus/TCP wants it. Use Modbus RTU, if it has that, "
+                                     "or look for newer firmware.")},
+    WrongAnswerRow{WrongAnswer::function, "function",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it is for function %1. Look for newer firmware of the gateway.")},
+    WrongAnswerRow{WrongAnswer::length, "length",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it has %1 bytes instead of %2. Compare the number of registers with "
+                                     "the manual of the gateway, or look for newer firmware.")},
+    WrongAnswerRow{WrongAnswer::otherRegisters, "otherRegisters",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it names other registers than those to be written. Look for newer "
+                                     "firmware of the gateway.")},
+    WrongAnswerRow{WrongAnswer::count, "count",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it counts its own bytes wrong. Look for newer firmware of the "
+                                     "gateway.")},
+    WrongAnswerRow{WrongAnswer::lengthOfException, "lengthOfException",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "it is an exception of the wrong length. Look for newer firmware of "
+                                     "the gateway.")},
+    WrongAnswerRow{WrongAnswer::another, "another",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "another one follows it. Check whether two devices on the line have "
+                                     "the same unit number.")},
+    WrongAnswerRow{WrongAnswer::noPause, "noPause",
+                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                                     "something on the line does not stop sending. Look for another master, "
+                                     "or a faulty device.")},
+};
+
+// A limit of the gateway shows nowhere else: the test of the connection writes nothing.
+QString whyRefused(int code, const std::optional<RegistersOfKey> &registers)
+{
+    const bool writesMore =
+        registers && registers->function >= firstFunctionThatWrites && registers->count > registersOfWord;
+    return code == exceptionOfValue && writesMore
+               ? GatewayTexts::tr(
+                     "it does not accept so many registers at once, or not these values. Set fewer "
+                     "registers in a write, in the connection.")
+               : exceptionText(code);
+}
+
+} // namespace
+
+QString registersKey(int function, int first, int count)
+{
+    return QStringLiteral("%1/%2/%3").arg(function).arg(first).arg(count);
+}
+
+QString registersText(const QString &key)
+{
+    const auto its = registersOf(key);
+    if (!its)
+        return key;
+    const QString function = QString::number(its->function);
+    const QString first = QString::number(its->first);
+    if (its->count == 1)
+        return sentence(GatewayTexts::tr("function %1, register %2"), {function, first});
+    return sentence(GatewayTexts::tr("function %1, registers %2 to %3"),
+                    {function, first, QString::number(its->first + its->count - 1)});
+}
+
+QString exceptionText(int code)
+{
+    switch (code) {
+    case 0:
+        return GatewayTexts::tr("0 is no exception code: its answer is faulty.");
+    case 1:
+        return GatewayTexts::tr("it does not have this function.");
+    case 2:
+        return GatewayTexts::tr(
+            "it does not have these registers. Its image is shorter, or begins elsewhere.");
+    case 3:
+        return GatewayTexts::tr("it does not accept this value or this number of registers.");
+    case 4:
+        return GatewayTexts::tr("it failed while carrying this out.");
+    case 5:
+        return GatewayTexts::tr("it has accepted the request and needs longer for it.");
+    case 6:
+        return GatewayTexts::tr("it is busy.");
+    case 8:
+        return GatewayTexts::tr("its memory is damaged.");
+    case 10:
+        return GatewayTexts::tr("the gateway has no path to the unit. Check the unit number.");
+    case 11:
+        return GatewayTexts::tr("the unit behind the gateway does not answer.");
+    default:
+        return GatewayTexts::tr("this code is not in the standard.");
+    }
+}
+
+QString wrongAnswerKey(WrongAnswer what, std::initializer_list<int> numbers)
+{
+    QStringList parts{
+        QString::fromLatin1(std::ranges::find(wrongAnswerRows, what, &WrongAnswerRow::what)->key)};
+    for (const int number : numbers)
+        parts << QString::number(number);
+    return parts.join(betweenNumbers);
+}
+
+QString wrongAnswerText(const QString &key)
+{
+    const QStringList parts = key.split(betweenNumbers);
+    const auto row = std::ranges::find_if(
+        wrongAnswerRows, [&](const WrongAnswerRow &one) { return parts.front() == QLatin1String(one.key); });
+    return row == wrongAnswerRows.end() ? key : sentence(GatewayTexts::tr(row->text), parts.sliced(1));
+}
+
+QStringList registerRefusalTexts(const Refusal &refusal)
+{
+    constexpr qsizetype registersAt = 1;
+    constexpr qsizetype detailAt = 2; // what was wrong, or the code of the exception
+    QStringList parts = argumentTexts(refusal.arguments);
+    if (parts.size() <= registersAt)
+        return parts;
+    const auto registers = registersOf(parts[registersAt]);
+    parts[registersAt] = registersText(parts[registersAt]);
+    if (parts.size() != detailAt + 1)
+        return parts;
+    if (refusal.id == RefusalId::registersGarbled)
+        parts[detailAt] = wrongAnswerText(parts[detailAt]);
+    if (const auto *code = std::get_if<std::int64_t>(&refusal.arguments[detailAt]);
+        code != nullptr && refusal.id == RefusalId::registersRefused)
+        parts << whyRefused(static_cast<int>(*code), registers);
+    return parts;
+}
+
+} // namespace codewheel
