@@ -2,6 +2,8 @@
 #include "jobs/job_report.h"
 
 #include "catalog/value_text.h"
+#include "jobs/value_notes.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -33,9 +35,10 @@ RefusalArgument positionArgument(const std::optional<std::int64_t> &position)
     return position ? RefusalArgument(*position) : RefusalArgument(QString());
 }
 
-Message written(const Outcome &outcome, const DeviceDescription &device)
+Message written(const Outcome &outcome, const DeviceDescription &device, const ParameterValues &known)
 {
-    return {.id = MessageId::parametersWritten,
+    return {.id = scalingNote(device, outcome.written, known) ? MessageId::writtenUnscaled
+                                                              : MessageId::parametersWritten,
             .arguments = {static_cast<std::int64_t>(outcome.written.size()),
                           std::int64_t{outcome.eepromWrites}, valuesText(outcome.written, device)}};
 }
@@ -93,6 +96,7 @@ struct Success
 {
     const Outcome &outcome;
     const DeviceDescription &device;
+    const ParameterValues &known;
 
     std::vector<Message> operator()(const ReadParameters &) const
     {
@@ -149,7 +153,7 @@ struct Success
             return {restored(outcome, device)};
         std::vector<Message> messages;
         if (!outcome.written.empty())
-            messages.push_back(written(outcome, device));
+            messages.push_back(written(outcome, device, known));
         if (!outcome.camsWritten.empty())
             messages.push_back(
                 {.id = MessageId::camsWritten,
@@ -157,6 +161,21 @@ struct Success
         return messages;
     }
 };
+
+// What the encoder can be asked for, and what not: of a position only the machine can tell.
+std::pair<InDoubt, InDoubt> byWhetherItCanBeRead(const InDoubt &doubt, const DeviceDescription &device)
+{
+    InDoubt readable;
+    InDoubt others;
+    for (const ParameterValue &value : doubt.values) {
+        const ParameterDescription *parameter = device.find(value.parameter);
+        (parameter != nullptr && parameter->canBeRead ? readable : others).values.push_back(value);
+    }
+    (device.capabilities.reads ? readable : others).reset = doubt.reset;
+    others.position = doubt.position;
+    readable.camPrograms = doubt.camPrograms;
+    return {readable, others};
+}
 
 } // namespace
 
@@ -177,10 +196,15 @@ QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
 std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device)
 {
     std::vector<Message> messages;
-    if (const QString text = doubtText(doubt, device); !text.isEmpty())
-        messages.push_back({.severity = Severity::attention,
-                            .id = MessageId::inDoubt,
-                            .arguments = {text, std::int64_t{doubt.eepromWrites}}});
+    const auto add = [&](MessageId id, const InDoubt &part) {
+        if (const QString text = doubtText(part, device); !text.isEmpty())
+            messages.push_back({.severity = Severity::attention,
+                                .id = id,
+                                .arguments = {text, std::int64_t{doubt.eepromWrites}}});
+    };
+    const auto [readable, others] = byWhetherItCanBeRead(doubt, device);
+    add(MessageId::inDoubt, readable);
+    add(MessageId::inDoubtForGood, others);
     QStringList words;
     for (const Word out : doubt.out)
         words << hexWord(out);
@@ -199,14 +223,19 @@ QStringList doubtSentences(const InDoubt &doubt, const DeviceDescription &device
     return sentences;
 }
 
-std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device)
+std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device,
+                               const ParameterValues &known)
 {
-    const Success success{outcome, device};
+    const Success success{outcome, device, known};
     std::vector<Message> messages = outcome.result ? std::visit(success, job) : success.whatWasWritten();
     if (!outcome.result)
         messages.push_back(refused(outcome.result.error()));
     for (Message &message : doubtReport(outcome.inDoubt, device))
         messages.push_back(std::move(message));
+    if (outcome.inDoubt.eepromWrites > 0)
+        messages.push_back({.severity = Severity::attention,
+                            .id = MessageId::writesInDoubt,
+                            .arguments = {std::int64_t{outcome.inDoubt.eepromWrites}}});
     if (outcome.onlyZeroSinceRun && !std::holds_alternative<SwitchMode>(job))
         messages.push_back({.severity = Severity::attention, .id = MessageId::onlyZeroSinceRun});
     if (outcome.leftIn == EncoderState::parameterization)

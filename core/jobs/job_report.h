@@ -12,8 +12,10 @@
 namespace codewheel {
 
 // What the message log says when a job has ended: what was done even if the job failed later, why it failed,
-// and whether the encoder was left in parameterization. Without time and place.
-std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device);
+// and whether the encoder was left in parameterization. Without time and place. `known`: of the encoder, once
+// it has ended.
+std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device,
+                               const ParameterValues &known = {});
 
 // "Steps = 255, position"; empty: nothing.
 QString doubtText(const InDoubt &doubt, const DeviceDescription &device);

@@ -31,7 +31,9 @@ enum class MessageId : std::uint8_t {
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed
     wordWritten,       // Word
+    typedWritten,      // what was typed, in words and as it went out
     parametersWritten, // number of parameters, EEPROM writes, texts "Steps = 255" joined
+    writtenUnscaled,   // likewise; some of them act only while the encoder scales its position
     restoredReadBack,  // previous values: their texts joined, EEPROM writes
     restoredConfirmed, // likewise, where nothing can be read
     parametersRead,    // number of parameters
@@ -39,6 +41,8 @@ enum class MessageId : std::uint8_t {
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
     inDoubt,           // texts of what was sent and not answered, joined; EEPROM writes that it may have cost
+    inDoubtForGood,    // likewise, of what cannot be read
+    writesInDoubt,     // EEPROM writes that this may have cost, beside those counted
     outLeft,           // text of the words of which OUT may still hold one
     leftInParameterization,
     leftInService,            // LA-66: IN still holds the answer to a service
@@ -80,6 +84,8 @@ enum class MessageId : std::uint8_t {
     eepromBudgetUsed,         // writes by this program, budget
     valuesStored,             // encoders, values
     transferDone,             // encoders, values written, values that were already there, EEPROM writes
+    transferCancelled,        // likewise
+    transferCancelledSet,     // likewise, then the position that was set all the same
     encoderReplaced,          // serial number before, serial number now (either may be empty)
     valuesRestored,           // the time they date from, values
     reportSaved,              // file

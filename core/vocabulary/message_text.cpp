@@ -73,9 +73,15 @@ constexpr std::array messageRows{
                                  "The computer slept for %1 s: the bus is in Watch, and what was shown "
                                  "before is old.")},
     MessageRow{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
+    MessageRow{MessageId::typedWritten, "typedWritten",
+               QT_TRANSLATE_NOOP("Message", "Written by hand: %1. EEPROM writes: 1.")},
     MessageRow{
         MessageId::parametersWritten, "parametersWritten",
         QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
+    MessageRow{MessageId::writtenUnscaled, "writtenUnscaled",
+               QT_TRANSLATE_NOOP("Message",
+                                 "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
+                                 "acts only while scaling is on.")},
     MessageRow{
         MessageId::restoredReadBack, "restoredReadBack",
         QT_TRANSLATE_NOOP("Message",
@@ -92,6 +98,12 @@ constexpr std::array messageRows{
     MessageRow{
         MessageId::inDoubt, "inDoubt",
         QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. Read it to know.")},
+    MessageRow{MessageId::inDoubtForGood, "inDoubtForGood",
+               QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. It cannot be "
+                                            "read: compare the position with the machine, or "
+                                            "write it again.")},
+    MessageRow{MessageId::writesInDoubt, "writesInDoubt",
+               QT_TRANSLATE_NOOP("Message", "EEPROM writes that this perhaps cost: %1.")},
     MessageRow{MessageId::outLeft, "outLeft",
                QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
                                             "it back once the bus runs again.")},
@@ -190,6 +202,14 @@ constexpr std::array messageRows{
         MessageId::transferDone, "transferDone",
         QT_TRANSLATE_NOOP(
             "Message", "Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.")},
+    MessageRow{MessageId::transferCancelled, "transferCancelled",
+               QT_TRANSLATE_NOOP("Message", "The transfer was cancelled (encoders that have all of it: %1, "
+                                            "values written: %2, already there: %3, EEPROM writes: %4).")},
+    MessageRow{
+        MessageId::transferCancelledSet, "transferCancelledSet",
+        QT_TRANSLATE_NOOP("Message",
+                          "The transfer was cancelled, but the position was set to %5 (encoders that have "
+                          "all of it: %1, values written: %2, already there: %3, EEPROM writes: %4).")},
     MessageRow{MessageId::encoderReplaced, "encoderReplaced",
                QT_TRANSLATE_NOOP("Message", "The encoder was replaced (serial number before: %1, now: %2).")},
     MessageRow{MessageId::valuesRestored, "valuesRestored",

@@ -55,7 +55,8 @@ TEST_F(CliCams, WritesTheWordsOfTheManualAndReadsThemBack)
 
     EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 compare %1").arg(cams)).exit, 0);
     const CliRun again = shared.runLine(QStringLiteral("cams 1.0 write %1 --yes").arg(cams));
-    EXPECT_EQ(again.out, "The encoder has all of it.\n");
+    EXPECT_EQ(again.out, "The encoder has all of it.\n"
+                         "The encoder is in position mode again, as before.\n");
     EXPECT_EQ(shared.eepromWrites(), 1);
 }
 
@@ -164,7 +165,8 @@ TEST_F(CliCams, ACompareTellsLineByLineWhatDiffers)
                        "        2    3  start          0        21  46000015\n"
                        "        2    3  stop           0       531  66000213\n"
                        "        2    -  active  00000000  00001000  20400008\n"
-                       "        2    -  shift          0         3  20100003\n");
+                       "        2    -  shift          0         3  20100003\n"
+                       "The encoder is in position mode again, as before.\n");
     EXPECT_EQ(run.err, "codewheel-cli: The encoder and the file differ in values: 4.\n");
 }
 
@@ -192,6 +194,32 @@ TEST_F(CliCams, StaysInTheProgramThatIsSavedWhereThatIsWanted)
     EXPECT_EQ(shared.runLine(line).exit, 0);
     EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().camProgram, 4u);
     EXPECT_EQ(shared.eepromWrites(), 1);
+}
+
+TEST_F(CliCams, InWhichModeTheEncoderIsAfterwardsIsTold)
+{
+    struct
+    {
+        const char *options;
+        const char *says;
+        std::optional<Mode> mode;
+    } const rows[] = {
+        {"", "The encoder is in position mode again, as before.\n", Mode::position},
+        {"--stay", "The encoder is now in cam mode, program 4; before, it was in position mode.\n",
+         Mode::cam},
+        {"", "The encoder is in cam mode, program 4 again, as before.\n", Mode::cam},
+        {"--to-position", "The encoder is now in position mode; before, it was in cam mode, program 4.\n",
+         Mode::position},
+    };
+    SharedBus shared;
+    for (const auto &row : rows) {
+        const CliRun run =
+            shared.runLine(QStringLiteral("cams 1.0 read --program 4 ") + QString::fromLatin1(row.options));
+        EXPECT_EQ(run.exit, 0) << run.err;
+        EXPECT_THAT(run.out, testing::EndsWith(row.says));
+        EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().mode, row.mode) << row.says;
+    }
+    EXPECT_EQ(shared.runLine(QStringLiteral("cams 1.0 read --stay --to-position")).exit, 2);
 }
 
 TEST_F(CliCams, BadInputIsNamedAndNothingIsSent)

@@ -133,7 +133,7 @@ std::unique_ptr<JobTrace> BusAccess::trace(const std::vector<const EncoderSessio
 std::unique_ptr<WriteAccount> BusAccess::account(const EncoderSession &encoder, const ParameterValues &wanted,
                                                  const FinishedJob &job) const
 {
-    return std::make_unique<WriteAccount>(encoder, wanted, job.outcome);
+    return std::make_unique<WriteAccount>(encoder, wanted, job);
 }
 
 QStringList BusAccess::remarks(const Reading &reading) const

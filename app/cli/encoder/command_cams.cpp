@@ -12,9 +12,11 @@
 #include "cli/encoder/consent.h"
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
+#include "cli/encoder/position_text.h"
 #include "cli/encoder/trace.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
+#include "journal/eeprom_cost.h"
 #include "project/file_access.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
@@ -37,53 +39,132 @@ constexpr std::array camsOptions{
     Option{"--stay", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "leave the encoder in cam mode, in the last of the programs")},
+    Option{"--to-position", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "switch the encoder to position mode afterwards, whatever mode it was in")},
     Option{"--yes", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "write without asking, also where the budget of the "
                                                        "EEPROM is used; replace FILE when reading")},
     traceOption,
 };
 
+// Empty: not known.
+std::optional<SwitchMode> knownMode(const EncoderSession &encoder)
+{
+    const Reading &reading = encoder.latest();
+    if (!reading.mode || (*reading.mode == Mode::cam && !reading.camProgram))
+        return std::nullopt;
+    return SwitchMode{*reading.mode, reading.camProgram.value_or(0)};
+}
+
+QString modeText(const SwitchMode &mode)
+{
+    switch (mode.mode) {
+    case Mode::position:
+        return CommandLine::tr("position mode");
+    case Mode::velocity:
+        return CommandLine::tr("velocity mode");
+    case Mode::cam:
+        break;
+    }
+    return sentence(CommandLine::tr("cam mode, program %1"), {QString::number(mode.camProgram)});
+}
+
+QString modeLine(const std::optional<SwitchMode> &now, const std::optional<SwitchMode> &before)
+{
+    if (!now)
+        return CommandLine::tr("In which mode the encoder is now is not known.");
+    if (now == before)
+        return sentence(CommandLine::tr("The encoder is in %1 again, as before."), {modeText(*now)});
+    if (before)
+        return sentence(CommandLine::tr("The encoder is now in %1; before, it was in %2."),
+                        {modeText(*now), modeText(*before)});
+    const QString text =
+        sentence(CommandLine::tr("The encoder is now in %1; in which mode it was before is not known."),
+                 {modeText(*now)});
+    return now->mode == Mode::position
+               ? text
+               : text + u' ' + CommandLine::tr("With --to-position it is in position mode afterwards.");
+}
+
+// What a job about cams has written, and what that cost.
+QString accountText(const Outcome &outcome)
+{
+    if (outcome.camsWritten.empty())
+        return outcome.result ? QString() : eepromWritesLine(outcome);
+    const QString numbers = listed(outcome.camsWritten,
+                                   [](const CamProgram &program) { return QString::number(program.number); });
+    return sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
+                    {numbers, eepromWritesText(outcome.eepromWrites, outcome.inDoubt.eepromWrites)}) +
+           u'\n';
+}
+
 // One call in progress: what it is about, and what it has to say so far.
 struct CamCall
 {
     const Call &call;
     EncoderSession &encoder;
+    std::optional<SwitchMode> modeBefore{};
     Answer answer{};
     std::unique_ptr<JobTrace> trace{};
+    bool hasSwitched = false;  // to cam mode, and back if all went well
+    bool isOutOfSight = false; // since its last job
 
-    Checked<Outcome> carryOut(const AllowedJob &job)
+    // What it has done is told; if it failed, the answer says why.
+    Outcome carryOut(const AllowedJob &job)
     {
         Outcome outcome = runToEnd(call, job, *trace);
-        if (!outcome.result)
-            return tl::unexpected(complaintAbout(outcome.result.error()));
+        isOutOfSight = endedOutOfSight(outcome);
+        if (!std::holds_alternative<ReadParameters>(job.job())) {
+            hasSwitched = true;
+            answer.text += accountText(outcome);
+            answer.json.insert(QStringLiteral("eepromWrites"), outcome.eepromWrites);
+        }
+        answer.text += doubtLines(encoder, outcome.inDoubt);
+        addDoubt(answer.json, encoder, outcome.inDoubt);
+        if (!outcome.result) {
+            answer.complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
+            answer.complaint->text += u' ' + whereItWasLeft(outcome, encoder.latest());
+        }
         return outcome;
     }
     // Back to where it was, as far as known; otherwise it stays in the last program, which is saved.
     SwitchMode afterwards(const std::vector<unsigned> &programs) const
     {
-        const Reading &reading = encoder.latest();
-        if (call.arguments.has("--stay") || !reading.mode)
-            return {Mode::cam, programs.back()};
-        return {*reading.mode, reading.camProgram.value_or(0)};
+        if (call.arguments.has("--to-position"))
+            return {};
+        const SwitchMode last{Mode::cam, programs.back()};
+        return call.arguments.has("--stay") ? last : modeBefore.value_or(last);
+    }
+    // In which mode it is now, and why.
+    void addMode()
+    {
+        const auto mode = isOutOfSight ? std::nullopt : knownMode(encoder);
+        answer.json.insert(QStringLiteral("mode"), modeJson(mode ? std::optional(mode->mode) : std::nullopt));
+        if (mode && mode->mode == Mode::cam)
+            answer.json.insert(QStringLiteral("camProgram"), static_cast<int>(mode->camProgram));
+        answer.text += modeLine(mode, modeBefore) + u'\n';
     }
     std::optional<std::int64_t> positions() const
     {
         return totalRange(encoder.device(), valuesOf(allKnown(encoder)));
     }
-    // Costs EEPROM writes if a program was changed before.
-    Checked<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
+    // Costs EEPROM writes if a program was changed before. Empty: the answer says why.
+    std::optional<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
     {
         const auto allowed =
             eepromConsent(call, encoder, ReadCams{programs, afterwards(programs)}, AsksAnyway::no);
-        if (!allowed)
-            return tl::unexpected(allowed.error());
-        auto read = carryOut({encoder, ReadParameters{{Parameter::steps, Parameter::revolutions}}});
-        if (read)
+        if (!allowed) {
+            answer.complaint = allowed.error();
+            return std::nullopt;
+        }
+        Outcome read = carryOut({encoder, ReadParameters{{Parameter::steps, Parameter::revolutions}}});
+        if (read.result)
             read = carryOut(*allowed);
-        if (!read)
-            return tl::unexpected(read.error());
-        std::ranges::sort(read->camsRead, {}, &CamProgram::number);
-        return read->camsRead;
+        if (!read.result)
+            return std::nullopt;
+        std::ranges::sort(read.camsRead, {}, &CamProgram::number);
+        return read.camsRead;
     }
 };
 
@@ -165,10 +246,8 @@ void read(CamCall &cams, std::optional<unsigned> program)
     const auto programs =
         program ? std::vector{*program} : programNumbers(cams.encoder.can().cams.value_or(CamAbilities()));
     const auto read = cams.readPrograms(programs);
-    if (!read) {
-        cams.answer.complaint = read.error();
+    if (!read)
         return;
-    }
     cams.answer.text += camTable(*read);
     cams.answer.json.insert(QStringLiteral("programs"), camsJson(*read));
     if (cams.call.arguments.rest.size() > 2)
@@ -179,10 +258,8 @@ void read(CamCall &cams, std::optional<unsigned> program)
 std::optional<std::vector<CamDifference>> compareWith(CamCall &cams, const std::vector<CamProgram> &wanted)
 {
     const auto read = cams.readPrograms(numbersOf(wanted));
-    if (!read) {
-        cams.answer.complaint = read.error();
+    if (!read)
         return std::nullopt;
-    }
     auto differences = differencesOf(cams.encoder.device(), *read, wanted);
     cams.answer.json.insert(QStringLiteral("differences"), differencesJson(differences));
     cams.answer.text += differences.empty() ? CommandLine::tr("The encoder has all of it.") + u'\n'
@@ -234,22 +311,6 @@ void showCams(CamCall &cams)
         cams.call.terminal.print(std::exchange(cams.answer.text, {}));
 }
 
-void writeCams(CamCall &cams, const AllowedJob &job)
-{
-    const auto outcome = cams.carryOut(job);
-    if (!outcome) {
-        cams.answer.complaint = outcome.error();
-        return;
-    }
-    const QString numbers = listed(outcome->camsWritten,
-                                   [](const CamProgram &program) { return QString::number(program.number); });
-    cams.answer.text += sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
-                                 {numbers, QString::number(outcome->eepromWrites)}) +
-                        u'\n';
-    cams.answer.json.insert(QStringLiteral("written"), camsJson(outcome->camsWritten));
-    cams.answer.json.insert(QStringLiteral("eepromWrites"), outcome->eepromWrites);
-}
-
 void write(CamCall &cams, const std::vector<CamProgram> &wanted)
 {
     const auto differences = compareWith(cams, wanted);
@@ -273,7 +334,7 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes to write, or use compare "
                         "to look only."));
     if (agreed)
-        writeCams(cams, *allowed);
+        cams.answer.json.insert(QStringLiteral("written"), camsJson(cams.carryOut(*allowed).camsWritten));
     else
         cams.answer.complaint = agreed.error();
 }
@@ -288,6 +349,10 @@ Checked<Answer> runCams(const Call &call)
                         CommandLine::tr("\"%1\" is none of read, write and compare."), {what});
     if (!reads && call.arguments.rest.size() < 3)
         return badInput(QStringLiteral("missingFile"), CommandLine::tr("Name the file of the cam programs."));
+    if (call.arguments.has("--stay") && call.arguments.has("--to-position"))
+        return badInput(
+            QStringLiteral("optionsContradict"),
+            CommandLine::tr("--stay and --to-position contradict each other. Leave out one of them."));
     const auto program = programFrom(call.arguments);
     if (!program)
         return tl::unexpected(program.error());
@@ -305,13 +370,18 @@ Checked<Answer> runCams(const Call &call)
     if (const auto fits = reads ? Checked<void>() : checkMadeFor(call, *wanted, (*encoder)->device()); !fits)
         return tl::unexpected(fits.error());
 
-    CamCall cams{call, **encoder, {}, call.busOf((*encoder)->place()).trace({*encoder})};
+    CamCall cams{.call = call,
+                 .encoder = **encoder,
+                 .modeBefore = knownMode(**encoder),
+                 .trace = call.busOf((*encoder)->place()).trace({*encoder})};
     if (reads)
         read(cams, *program);
     else if (compares)
         compare(cams, wanted->programs);
     else
         write(cams, wanted->programs);
+    if (cams.hasSwitched)
+        cams.addMode();
     Answer answer = std::move(cams.answer);
     addPlace(answer.json, call, (*encoder)->place());
     answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);
@@ -325,7 +395,7 @@ Checked<Answer> runCams(const Call &call)
 
 const Subcommand camsCommand{
     .name = "cams",
-    .usage = "PLACE read|write|compare [FILE] [--program N] [--stay] [--yes] [--trace]",
+    .usage = "PLACE read|write|compare [FILE] [--program N] [--stay | --to-position] [--yes] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read, write and compare cam programs"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
@@ -339,7 +409,9 @@ const Subcommand camsCommand{
         "Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays "
         "in "
         "the\n"
-        "last of the programs. A changed program is saved when it is left, with one EEPROM write."),
+        "last of the programs, and with --to-position it is in position mode. In the end it is told in "
+        "which\n"
+        "mode it is. A changed program is saved when it is left, with one EEPROM write."),
     .examples = camsExamples,
     .options = camsOptions,
     .minimumArguments = 2,

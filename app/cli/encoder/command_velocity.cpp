@@ -55,11 +55,11 @@ Checked<Answer> runVelocity(const Call &call, EncoderSession &encoder)
                    {QStringLiteral("mode"), modeJson(reading.mode)},
                    {QStringLiteral("velocity"), numberJson(reading.velocity)},
                    {QStringLiteral("position"), numberJson(reading.position)}};
+    addDoubt(answer.json, encoder, job.outcome.inDoubt);
     addTrace(call, encoder.place(), *job.trace, answer);
-    if (job.outcome.result)
-        answer.text += readingText(reading);
-    else
-        answer.complaint = complaintAbout(job.outcome.result.error());
+    answer.text += job.outcome.result ? readingText(reading) : doubtLines(encoder, job.outcome.inDoubt);
+    if (!job.outcome.result)
+        answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
     return answer;
 }
 

@@ -6,29 +6,42 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/parameter_text.h"
 #include "cli/encoder/position_text.h"
+#include "jobs/values_to_write.h"
+
+#include <algorithm>
+#include <span>
 
 namespace codewheel {
 
 WriteAccount::WriteAccount(const EncoderSession &encoder, const ParameterValues &wanted,
-                           const Outcome &outcome)
+                           const FinishedJob &job)
     : m_encoder(encoder)
     , m_wanted(wanted)
-    , m_outcome(outcome)
+    , m_job(job)
 {}
 
 QString WriteAccount::fateOf(const ParameterValue &value) const
 {
-    if (valueOf(m_outcome.written, value.parameter)) {
+    if (valueOf(outcome().written, value.parameter)) {
         const auto known = m_encoder.known(value.parameter);
         return known && known->evidence == Evidence::read
                    ? CommandLine::tr("written, and read back")
                    : CommandLine::tr("written, confirmed by the handshake");
     }
-    if (valueOf(m_outcome.alreadyThere, value.parameter))
+    if (valueOf(outcome().alreadyThere, value.parameter))
         return CommandLine::tr("already there");
-    if (valueOf(m_outcome.inDoubt.values, value.parameter))
+    if (valueOf(outcome().inDoubt.values, value.parameter))
         return CommandLine::tr("sent: it is not known whether the encoder has it");
-    return CommandLine::tr("did not become active");
+    return wasBegun(value.parameter) ? CommandLine::tr("did not become active") : CommandLine::tr("not sent");
+}
+
+bool WriteAccount::wasBegun(Parameter parameter) const
+{
+    const Progress &last = lastStep();
+    const auto begun = std::min(last.steps.size(), static_cast<std::size_t>(last.index) + 1);
+    return std::ranges::any_of(std::span(last.steps).first(begun), [&](const Step &step) {
+        return takesValue(step) && step.parameter == parameter;
+    });
 }
 
 QString WriteAccount::toText() const
@@ -41,14 +54,14 @@ QString WriteAccount::toText() const
     };
     for (const ParameterValue &value : m_wanted)
         add(value, fateOf(value));
-    for (const ParameterValue &value : m_outcome.setAlong)
+    for (const ParameterValue &value : outcome().setAlong)
         add(value, CommandLine::tr("set by the encoder itself, with the steps"));
     return table.toString();
 }
 
 QString WriteAccount::whereItWasLeft() const
 {
-    return codewheel::whereItWasLeft(m_outcome, m_encoder.latest());
+    return codewheel::whereItWasLeft(outcome(), m_encoder.latest());
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/encoder/jobs.h"
 #include "vocabulary/encoder_session.h"
 
 #include <QJsonObject>
@@ -11,7 +12,7 @@ namespace codewheel {
 class WriteAccount
 {
 public:
-    WriteAccount(const EncoderSession &encoder, const ParameterValues &wanted, const Outcome &outcome);
+    WriteAccount(const EncoderSession &encoder, const ParameterValues &wanted, const FinishedJob &job);
     virtual ~WriteAccount() = default;
     Q_DISABLE_COPY_MOVE(WriteAccount)
 
@@ -23,14 +24,17 @@ public:
 protected:
     virtual QString fateOf(const ParameterValue &value) const; // in words
 
+    // Whether the job got as far as the step that sends it.
+    bool wasBegun(Parameter parameter) const;
     const EncoderSession &encoder() const { return m_encoder; }
     const ParameterValues &wanted() const { return m_wanted; }
-    const Outcome &outcome() const { return m_outcome; }
+    const Outcome &outcome() const { return m_job.outcome; }
+    const Progress &lastStep() const { return m_job.lastStep; }
 
 private:
     const EncoderSession &m_encoder;
     const ParameterValues &m_wanted;
-    const Outcome &m_outcome;
+    const FinishedJob &m_job;
 };
 
 } // namespace codewheel

@@ -12,6 +12,7 @@
 #include "cli/project/project_of_call.h"
 #include "cli/project/transfer_call.h"
 #include "cli/project/transfer_text.h"
+#include "jobs/job_report.h"
 #include "project/project_file.h"
 #include "transfer/project_places.h"
 #include "transfer/value_store.h"
@@ -69,28 +70,44 @@ std::vector<EncoderJobs> jobsFor(const Call &call, const std::vector<ProjectDevi
     return all;
 }
 
-void showStored(const Call &call, const EncoderSession &encoder, const ProjectDevice &device, Answer &answer,
-                QJsonArray &json)
+// What the project had of it, and nobody has read or confirmed now, says so.
+QString howItIsKnown(const EncoderSession &encoder, const StoredValue &stored)
 {
-    TextTable table;
+    const QString evidence = evidenceText(stored.evidence);
+    return encoder.known(stored.parameter) ? evidence
+                                           : sentence(CommandLine::tr("%1, kept from before"), {evidence});
+}
+
+QJsonObject storedJson(const EncoderSession &encoder, const ProjectDevice &device,
+                       const std::vector<EncoderResult> &results)
+{
     QJsonArray values;
-    for (const StoredValue &stored : device.stored) {
-        table.add(
-            {parameterKey(stored.parameter),
-             QStringLiteral("= %1").arg(typedValue(&encoder.device(), {stored.parameter, stored.value})),
-             evidenceText(stored.evidence)});
+    for (const StoredValue &stored : device.stored)
         values.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(stored.parameter)},
                                   {QStringLiteral("value"), valueToJson(stored.value)},
                                   {QStringLiteral("evidence"), evidenceKey(stored.evidence)},
+                                  {QStringLiteral("kept"), !encoder.known(stored.parameter)},
                                   {QStringLiteral("at"), stored.at.toString(Qt::ISODate)}});
-    }
+    QJsonObject json{{QStringLiteral("stored"), values},
+                     {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}};
+    const auto result = std::ranges::find(results, device.place(), &EncoderResult::place);
+    if (result != results.end() && !result->outcomes.empty())
+        addDoubt(json, encoder, result->outcomes.back().inDoubt);
+    return json;
+}
+
+void showStored(const EncoderSession &encoder, const ProjectDevice &device, Answer &answer)
+{
+    TextTable table;
+    for (const StoredValue &stored : device.stored)
+        table.add(
+            {parameterKey(stored.parameter),
+             QStringLiteral("= %1").arg(typedValue(&encoder.device(), {stored.parameter, stored.value})),
+             howItIsKnown(encoder, stored)});
     answer.text +=
         device.place().shown() + QStringLiteral("  ") + encoder.device().fullName() + u'\n' +
         (device.stored.empty() ? QStringLiteral("  ") + CommandLine::tr("Nothing is known of it.") + u'\n'
                                : table.toString(2));
-    json.append(placeJson(call, device.place(),
-                          {{QStringLiteral("stored"), values},
-                           {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}}));
 }
 
 // Those that a signal kept from being read to the end.
@@ -102,6 +119,23 @@ void leaveOut(Meant &meant, const std::vector<EncoderResult> &results)
         const auto left = std::ranges::find(meant.encoders, result.place, &ProjectDevice::place);
         meant.others.emplace_back(*left, Refusal{RefusalKind::stopped, RefusalId::cancelled, {}});
         meant.encoders.erase(left);
+    }
+}
+
+// What the last word of a job that was cut leaves behind.
+void showDoubts(const Call &call, const std::vector<EncoderResult> &results, Answer &answer)
+{
+    for (const EncoderResult &result : results) {
+        const EncoderSession &encoder = *call.buses.encoder(result.place);
+        QStringList lines;
+        for (const Outcome &outcome : result.outcomes) {
+            lines += doubtSentences(outcome.inDoubt, encoder.device());
+            if (outcome.inDoubt.eepromWrites > 0)
+                lines << messageText({.id = MessageId::writesInDoubt,
+                                      .arguments = {std::int64_t{outcome.inDoubt.eepromWrites}}});
+        }
+        for (const QString &one : lines)
+            answer.text += result.place.shown() + QStringLiteral(": ") + one + u'\n';
     }
 }
 
@@ -153,9 +187,11 @@ Checked<Answer> runStore(const Call &call)
         const EncoderSession &encoder = *call.buses.encoder(device.place());
         ProjectDevice &kept = *findDevice(project, device.place());
         kept = withStored(kept, encoder);
-        showStored(call, encoder, kept, answer, encoders);
+        showStored(encoder, kept, answer);
+        encoders.append(placeJson(call, kept.place(), storedJson(encoder, kept, round.results)));
     }
     answer.json.insert(QStringLiteral("encoders"), encoders);
+    showDoubts(call, round.results, answer);
     showOthers(call, meant, answer);
     complain(call, round.results, meant, answer);
     if (meant.encoders.empty())

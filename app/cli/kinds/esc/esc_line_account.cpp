@@ -12,8 +12,7 @@
 namespace codewheel {
 EscLineAccount::EscLineAccount(const EncoderSession &encoder, const ParameterValues &wanted,
                                const FinishedJob &job)
-    : WriteAccount(encoder, wanted, job.outcome)
-    , m_lastStep(job.lastStep)
+    : WriteAccount(encoder, wanted, job)
 {}
 
 EscLineAccount::Fate EscLineAccount::fate(const ParameterValue &value) const
@@ -25,9 +24,9 @@ EscLineAccount::Fate EscLineAccount::fate(const ParameterValue &value) const
     const bool isRead = known && known->evidence == Evidence::read && known->value == value.value;
     if (valueOf(outcome.written, value.parameter))
         return isRead ? Fate::readBack : Fate::accepted;
-    if (!wasSentOnEsc(m_lastStep, value.parameter))
+    if (!wasSentOnEsc(lastStep(), value.parameter))
         return Fate::notSent;
-    return isFateUnknownOnEsc(encoder(), value.parameter, outcome, m_lastStep) ? Fate::unknown
+    return isFateUnknownOnEsc(encoder(), value.parameter, outcome, lastStep()) ? Fate::unknown
                                                                                : Fate::refused;
 }
 

@@ -22,8 +22,6 @@ private:
 
     QString fateOf(const ParameterValue &value) const override;
     Fate fate(const ParameterValue &value) const;
-
-    const Progress m_lastStep;
 };
 
 } // namespace codewheel

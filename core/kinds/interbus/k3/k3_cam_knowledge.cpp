@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/words/k3_cam_word.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -66,10 +67,10 @@ void K3CamKnowledge::observeAnswer(Word in)
     m_isParameterized = true;
     if (!m_program) {
         forgetAll(); // it was in cam mode, in an unknown program
-        m_changed = true;
+        m_change = Change::certainly;
         return;
     }
-    beginChange();
+    beginChange(Change::certainly);
     const CamField field = *fieldSetBy(asked);
     learn(*m_program, field, {dataOf(field, asked), Evidence::echoed});
 }
@@ -103,11 +104,11 @@ void K3CamKnowledge::observeError(Word in)
         forgetAll();
 }
 
-void K3CamKnowledge::beginChange()
+void K3CamKnowledge::beginChange(Change how)
 {
-    if (m_program && !m_changed)
+    if (m_program && m_change == Change::no)
         m_saved = m_programs[*m_program];
-    m_changed = true;
+    m_change = std::max(m_change, how);
 }
 
 // A word that left OUT without an answer may be taken all the same.
@@ -116,24 +117,32 @@ void K3CamKnowledge::doubtAsked()
     if (!m_asked)
         return;
     if (!m_program) {
-        forgetAll();
-        m_changed = true;
+        forgetValues();
+        m_change = std::max(m_change, Change::perhaps);
         return;
     }
-    beginChange();
+    beginChange(Change::perhaps);
     m_programs[*m_program].values[indexOf(*fieldSetBy(*m_asked))].reset();
     m_isDirty = true;
 }
 
-void K3CamKnowledge::loseSight(Word out, bool mayBeCamMode)
+bool K3CamKnowledge::loseSight(const Unseen &unseen)
 {
-    if (out != m_out)
-        observeOut(out, mayBeCamMode);
+    if (unseen.out != m_out)
+        observeOut(unseen.out, unseen.mayBeCamMode);
     doubtAsked();
     loseChange(false);
     m_asked.reset();
     m_answerIsFresh = false;
     m_in = m_out = k3::normalRunning;
+    if (!unseen.mayLeave && !unseen.isOfJob)
+        return false;
+    return std::exchange(m_change, Change::no) != Change::no;
+}
+
+std::optional<unsigned> K3CamKnowledge::unsaved() const
+{
+    return m_change != Change::no || m_asked ? m_program : std::nullopt;
 }
 
 // Power-off brings the program back as it was saved; if it is not certain, what differs is unknown.
@@ -141,7 +150,7 @@ void K3CamKnowledge::loseChange(bool certainly)
 {
     if (certainly)
         m_asked.reset();
-    if (!m_changed || !m_program)
+    if (m_change == Change::no || !m_program)
         return;
     Program &program = m_programs[*m_program];
     for (std::size_t i = 0; i < camFieldCount; ++i)
@@ -150,23 +159,29 @@ void K3CamKnowledge::loseChange(bool certainly)
         else if (!m_saved.values[i] || !program.values[i] ||
                  program.values[i]->data != m_saved.values[i]->data)
             program.values[i].reset();
-    m_changed = m_changed && !certainly;
+    if (certainly)
+        m_change = Change::no;
     m_isDirty = true;
 }
 
-bool K3CamKnowledge::leave()
+K3CamKnowledge::Change K3CamKnowledge::leave()
 {
     doubtAsked();
     m_asked.reset();
     m_mayEnd = true;
-    return std::exchange(m_changed, false);
+    return std::exchange(m_change, Change::no);
 }
 
 void K3CamKnowledge::forgetAll()
 {
+    forgetValues();
+    m_change = Change::no;
+}
+
+void K3CamKnowledge::forgetValues()
+{
     m_programs = {};
     m_saved = {};
-    m_changed = false;
     m_isDirty = true;
 }
 

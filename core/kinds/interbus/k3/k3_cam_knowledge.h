@@ -18,12 +18,26 @@ public:
     void set(const std::vector<KnownCams> &known);
     // One bus cycle. `mode` and `program` (in cam mode) as far as they are known.
     void observe(Word in, Word out, std::optional<Mode> mode, std::optional<unsigned> program, Instant now);
-    // A word that leaves the program was taken. True: the program had been changed, which costs an EEPROM
-    // write.
-    bool leave();
+    // Of the program in use, since it was entered; `perhaps` by a word that left OUT without an answer.
+    enum class Change : std::uint8_t { no, perhaps, certainly };
+    // A word that leaves the program was taken: a change costs an EEPROM write.
+    Change leave();
     void forgetAll();
-    // Nobody sees any more what becomes of `out`, nor of what was changed and is not saved.
-    void loseSight(Word out, bool mayBeCamMode);
+    // But a program that was changed is still saved when it is left.
+    void forgetValues();
+    // What one job or one hand has sent last, and nobody sees the answer to.
+    struct Unseen
+    {
+        Word out = 0; // in OUT, or on its way there
+        bool mayBeCamMode = false;
+        bool mayLeave = false; // a word that leaves the program, this one or that before
+        bool isOfJob = false;
+    };
+    // Nobody sees any more what becomes of it, nor of what was changed and is not saved. True: the program
+    // was perhaps saved, or a job leaves it to be saved when nobody counts. It is not counted later.
+    bool loseSight(const Unseen &unseen);
+    // The program in use that was changed, or perhaps was, and is not saved.
+    std::optional<unsigned> unsaved() const;
 
     // The program as the encoder has it now; empty while one of its values is not known.
     std::optional<KnownCams> known(unsigned program) const;
@@ -48,14 +62,14 @@ private:
     void observeReadOut(Word in, Word out);
     void observeError(Word in);
     void learn(unsigned program, CamField field, Value value);
-    void beginChange();
+    void beginChange(Change how);
     void doubtAsked();
     void loseChange(bool certainly);
 
     std::array<Program, CamProgram::programs + 1> m_programs; // by number
     std::array<std::optional<KnownCams>, CamProgram::programs + 1> m_told;
     std::optional<unsigned> m_program; // the one in use
-    bool m_changed = false;            // since it was entered, and not yet saved
+    Change m_change = Change::no;      // not yet saved
     Program m_saved;                   // that program, before the first change
     std::optional<Word> m_asked;       // a cam word not yet answered, still in OUT or not
     bool m_isParameterized = false;    // an acknowledgement was in IN, and its end has not been seen

@@ -86,7 +86,7 @@ void K3Encoder::reportChanges()
 
 int K3Encoder::loseSight(Word out)
 {
-    const int perhaps = knowledge.loseSight(out);
+    const int perhaps = knowledge.loseSight(out, K3Knowledge::SentBy::job);
     reportChanges();
     return perhaps;
 }
@@ -94,7 +94,8 @@ int K3Encoder::loseSight(Word out)
 void K3Encoder::loseSightByHand(Word out)
 {
     InDoubt doubt = knowledge.inDoubtWith(out);
-    (void)loseSight(out);
+    (void)knowledge.loseSight(out, K3Knowledge::SentBy::hand);
+    reportChanges();
     if (doubt.hasSomething())
         events.emplace_back(std::move(doubt));
 }

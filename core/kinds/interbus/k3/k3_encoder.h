@@ -20,8 +20,8 @@ struct K3Encoder
     void forget();
     // One bus cycle.
     void observe(Word in, Word out, Instant now);
-    // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there.
-    // Returns how many writes that may cost which are not counted.
+    // A job has ended, and nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or
+    // on its way there. Returns how many writes that may cost which are not counted.
     int loseSight(Word out);
     // No job is running: what is in doubt is reported.
     void loseSightByHand(Word out);

@@ -48,9 +48,9 @@ void K3Knowledge::set(const std::vector<Known> &known)
 
 void K3Knowledge::forget()
 {
-    (void)loseSight(k3::normalRunning);
+    (void)loseSight(k3::normalRunning, SentBy::hand);
     m_known.set({});
-    m_cams.forgetAll();
+    m_cams.forgetValues();
     m_mode = {};
     m_presetArmed.reset();
 }
@@ -115,16 +115,36 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
 
 void K3Knowledge::observeMode(Word out, Instant now)
 {
-    if (!m_device.mayHaveModes() || !m_mode.observe(out))
+    const K3Mode::Switched switched = m_device.mayHaveModes() ? m_mode.observe(out) : K3Mode::Switched::no;
+    if (switched == K3Mode::Switched::no)
         return;
     if (!m_device.quirks.hasModes && mode() != Mode::position) // only a FRABA can have gone there
         m_mode.tell(std::nullopt);
     m_modeSince = now;
-    if (m_cams.leave() && !m_othersWrite)
-        m_known.countEepromWrite();
+    leaveCams(switched == K3Mode::Switched::certainly);
     const auto startUp = value(Parameter::startUpMode); // an encoder starts in the mode it was in
     if (startUp && (mode() == Mode::cam || modeAfterStartUp(*startUp) != mode()))
         m_known.forget(Parameter::startUpMode);
+}
+
+// Whether it was changed, and left, may be in doubt: a job says so in the end. What is sent by hand counts:
+// better twice than never.
+void K3Knowledge::leaveCams(bool isCertain)
+{
+    using enum K3CamKnowledge::Change;
+    const auto change = m_cams.leave();
+    if (change == no || m_othersWrite)
+        return;
+    if (m_jobRuns && (change == perhaps || !isCertain))
+        ++m_perhapsWritten;
+    else
+        m_known.countEepromWrite();
+}
+
+int K3Knowledge::endJob()
+{
+    m_jobRuns = false;
+    return std::exchange(m_perhapsWritten, 0);
 }
 
 // An encoder of unknown make may be a FRABA, too.
@@ -255,13 +275,15 @@ void K3Knowledge::forgetUnseenRun()
             forgetNumber(*number);
 }
 
-// What was taken while nobody saw the encoder becomes valid, too. Only the last of it stood in IN.
+// What was taken while nobody saw the encoder becomes valid, too. Only the last of it stood in IN, and in cam
+// mode that was a cam.
 void K3Knowledge::activateUnseen()
 {
     for (const ParameterDescription &parameter : m_device.parameters)
         if (const auto number = wordReach(parameter).number; number && !m_pending.contains(*number))
             forgetNumber(*number);
-    m_pending.emplace(k3::number(*m_foundConfirmed), k3::data(*m_foundConfirmed));
+    m_pending.emplace(k3::number(*m_foundConfirmed),
+                      mode() == Mode::cam ? std::nullopt : std::optional(k3::data(*m_foundConfirmed)));
 }
 
 // D30 0 -> 1: there is a new zero offset. FRABA stores it, once per programmed preset; with a number or data
@@ -335,9 +357,9 @@ bool K3Knowledge::setsPositionBy(Word out) const
            !k3::isParameterWord(out) && mode() != Mode::cam && mayTakePreset(m_in);
 }
 
-int K3Knowledge::loseSight(Word out)
+int K3Knowledge::loseSight(Word out, SentBy by)
 {
-    const int perhaps = writesInDoubt(out);
+    int perhaps = writesInDoubt(out);
     for (const auto &[number, data] : m_pending)
         forgetNumber(number);
     for (const auto &[number, data] : m_unproven)
@@ -346,8 +368,7 @@ int K3Knowledge::loseSight(Word out)
         forgetNumber(k3::number(*m_asked));
     if (k3::isParameterWord(out))
         forgetNumber(k3::number(out));
-    if (m_device.capabilities.cams)
-        m_cams.loseSight(out, mode().value_or(Mode::cam) == Mode::cam);
+    perhaps += losesCams(out, by) ? 1 : 0;
     m_pending.clear();
     m_unproven.clear();
     m_asked.reset();
@@ -357,6 +378,18 @@ int K3Knowledge::loseSight(Word out)
     m_hasSeenWords = false; // what is in OUT when it is seen again may have been sent by others
     m_out = k3::normalRunning;
     return perhaps;
+}
+
+// Leaving a program that was changed saves it.
+bool K3Knowledge::losesCams(Word out, SentBy by)
+{
+    const bool mayBeCamMode = mode().value_or(Mode::cam) == Mode::cam;
+    const bool mayLeave = m_device.mayHaveModes() && m_mode.loseSight(out);
+    const bool isInDoubt =
+        m_device.capabilities.cams &&
+        m_cams.loseSight(
+            {.out = out, .mayBeCamMode = mayBeCamMode, .mayLeave = mayLeave, .isOfJob = by == SentBy::job});
+    return isInDoubt && !m_othersWrite;
 }
 
 // A word that was confirmed, and followed by another one, is certain.

@@ -18,6 +18,8 @@ namespace codewheel {
 class K3Knowledge
 {
 public:
+    enum class SentBy : std::uint8_t { job, hand };
+
     explicit K3Knowledge(const DeviceDescription &device)
         : m_device(device)
     {}
@@ -31,9 +33,12 @@ public:
     // Nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or on its way there:
     // what it may have changed, or what may become active by it, is not known from now on. Returns how many
     // writes that may cost which are not counted.
-    int loseSight(Word out);
+    int loseSight(Word out, SentBy by);
     // What that may change of what this program has sent, as far as words tell: values, reset, position.
     InDoubt inDoubtWith(Word out) const;
+    void beginJob() { m_jobRuns = true; }
+    // How many writes the job may have cost besides those counted, as far as it saw what became of its words.
+    int endJob();
     Word lastOut() const { return m_out; }
     // What is in OUT and confirmed has been written: counted before its word leaves OUT.
     void countStanding();
@@ -50,6 +55,8 @@ public:
     // The cam program the encoder is in, in cam mode.
     std::optional<unsigned> camProgram() const { return m_mode.camProgram(); }
     std::optional<KnownCams> cams(unsigned program) const { return m_cams.known(program); }
+    // The cam program that was changed, or perhaps was, and is not saved.
+    std::optional<unsigned> unsavedCams() const { return m_cams.unsaved(); }
     // 60000000h acts in every cycle it is in OUT (FRABA manual 5.4.1); in cam mode it is another word.
     bool isManufacturerPreset(Word out) const;
     std::optional<PositionCoding> coding() const;
@@ -74,11 +81,13 @@ private:
     void activateUnseen();
     void forgetUnseenRun();
     void observeMode(Word out, Instant now);
+    void leaveCams(bool isCertain);
     void observePreset(Word out);
     void observeManufacturerPreset();
     void countConfirmed();
     bool isConfirmed(Word out) const;
     int writesInDoubt(Word out);
+    bool losesCams(Word out, SentBy by);
     bool setsPositionBy(Word out) const;
     void forgetNumber(unsigned number);
     void activate(unsigned number, std::optional<Word> data, Instant now);
@@ -113,7 +122,9 @@ private:
     bool m_othersWrite = false;
     std::optional<Doubtful> m_doubtful; // the last read-out that may be torn
     Word m_lastPosition = 0;            // IN in operation
-    bool m_presetIsOpen = false;        // it was sent, and stores once it is there
+    bool m_jobRuns = false;
+    int m_perhapsWritten = 0;    // by it
+    bool m_presetIsOpen = false; // it was sent, and stores once it is there
     std::optional<bool> m_presetArmed;
     bool m_hasSeenWords = false;
     bool m_wordIsOfOthers = false; // the last parameter word, or it was counted already

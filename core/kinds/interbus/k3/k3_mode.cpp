@@ -18,20 +18,34 @@ void K3Mode::tell(std::optional<Mode> mode, std::optional<unsigned> camProgram)
     m_camProgram = mode == Mode::cam ? camProgram : std::nullopt;
 }
 
-bool K3Mode::observe(Word out)
+K3Mode::Switched K3Mode::observe(Word out)
 {
-    bool isOpen = false;
+    bool wasOpen = false;
     if (out != m_out) {
-        isOpen = m_stoodFor > 0 && m_stoodFor < cyclesUntilTaken && switches(m_out);
-        if (isOpen)
+        wasOpen = isOpen();
+        if (wasOpen)
             tell(std::nullopt);
         m_out = out;
         m_stoodFor = 0;
     }
     if (m_stoodFor == cyclesUntilTaken || ++m_stoodFor != cyclesUntilTaken || !switches(out))
-        return isOpen;
+        return wasOpen ? Switched::perhaps : Switched::no;
     switchedBy(out);
-    return true;
+    return Switched::certainly;
+}
+
+bool K3Mode::loseSight(Word out)
+{
+    const bool mayBeSwitched = isOpen() || (out != m_out && switches(out));
+    if (mayBeSwitched)
+        tell(std::nullopt);
+    return mayBeSwitched;
+}
+
+// Its word has not been there long enough to be certain that it was taken.
+bool K3Mode::isOpen() const
+{
+    return m_stoodFor > 0 && m_stoodFor < cyclesUntilTaken && switches(m_out);
 }
 
 bool K3Mode::switches(Word out) const

@@ -19,14 +19,19 @@ public:
     static constexpr int cyclesUntilTaken = 3;
 
     void tell(std::optional<Mode> mode, std::optional<unsigned> camProgram = {});
-    // True once a word has switched the mode, even if to the one it was in, or has left OUT too early to
-    // know.
-    bool observe(Word out);
+    enum class Switched : std::uint8_t { no, perhaps, certainly };
+    // Once a word has switched the mode, even if to the one it was in; or perhaps has, since it left OUT too
+    // early to know.
+    Switched observe(Word out);
+    // Nobody sees what becomes of `out`. True: it, or the word before it, may switch the mode, which is not
+    // known from now on.
+    bool loseSight(Word out);
     std::optional<Mode> now() const { return m_mode; }
     // The cam program, 1..8, in cam mode.
     std::optional<unsigned> camProgram() const { return m_camProgram; }
 
 private:
+    bool isOpen() const;
     bool switches(Word out) const;
     void switchedBy(Word out);
 

@@ -27,7 +27,9 @@ K3Run::K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder)
     , m_encoder(encoder)
     , m_handshake(encoder.device.dialect.as<k3::Dialect>(), encoder.timing)
     , m_cams(encoder)
-{}
+{
+    m_encoder.knowledge.beginJob();
+}
 
 Result<void> K3Run::plan(Word in, Word out)
 {
@@ -354,6 +356,7 @@ Result<void> K3Run::resultAt(Word in)
 
 void K3Run::complete(Outcome &outcome)
 {
+    outcome.inDoubt.eepromWrites += m_encoder.knowledge.endJob();
     if (outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::unknown)
         outcome.confirmed = m_confirmed.values;
     if (outcome.leftIn == EncoderState::error)

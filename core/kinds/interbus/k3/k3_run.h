@@ -18,6 +18,8 @@ class K3Run final : public WordRun<K3Step>
 public:
     // The job has been checked. The encoder must outlive this.
     K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder);
+    ~K3Run() override { (void)m_encoder.knowledge.endJob(); }
+    Q_DISABLE_COPY_MOVE(K3Run)
 
 private:
     // What the encoder has confirmed since the last run.
@@ -73,6 +75,7 @@ private:
     const ParameterValues &confirmed() const override { return m_confirmed.values; }
     bool mayLeftOffAct(bool nextMayBeSent) const;
     void doubtStep(InDoubt &doubt, const K3Step &step);
+    void doubtCams(InDoubt &doubt) const;
     void lookForRestart(Word in);
     void lookForLateAnswer(Word in);
     void dropConfirmed();

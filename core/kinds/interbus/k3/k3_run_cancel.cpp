@@ -71,6 +71,7 @@ void K3Run::doubt(InDoubt &doubt, bool nextMayBeSent)
         doubtStep(doubt, *m_leftOff);
     if (isSent)
         doubtStep(doubt, m_steps.current());
+    doubtCams(doubt);
     doubt.eepromWrites = m_encoder.loseSight(out);
     if (out != k3::normalRunning)
         doubt.out = {out};
@@ -87,6 +88,14 @@ void K3Run::doubtStep(InDoubt &doubt, const K3Step &step)
         doubt.camPrograms = {step.camProgram};
 }
 
+// Acknowledged and not saved, so that it may be lost, or saved meanwhile.
+void K3Run::doubtCams(InDoubt &doubt) const
+{
+    const auto unsaved = m_encoder.knowledge.unsavedCams();
+    if (unsaved && std::ranges::count(doubt.camPrograms, *unsaved) == 0)
+        doubt.camPrograms.push_back(*unsaved);
+}
+
 bool K3Run::mayLeftOffAct(bool nextMayBeSent) const
 {
     const bool hasGone = !m_goesOut || *m_goesOut == m_encoder.knowledge.lastOut() || hasGoneOut(*m_goesOut);
@@ -96,7 +105,8 @@ bool K3Run::mayLeftOffAct(bool nextMayBeSent) const
 bool K3Run::mayStillAct(bool hasGoneOut) const
 {
     const auto acts = [](const K3Step &step) {
-        return mayBeTaken(step) || setsPosition(step) || step.out == k3::run;
+        return mayBeTaken(step) || setsPosition(step) || step.out == k3::run ||
+               step.kind == StepKind::switchMode;
     };
     const bool isSent = m_steps.begun && !m_steps.atEnd() &&
                         (hasGoneOut || m_steps.current().out == m_encoder.knowledge.lastOut());

@@ -31,6 +31,7 @@ public:
     FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate plate, EncoderTiming timing = {});
 
     bool hasCams() const override { return true; }
+    const FrabaCams &cams() const { return m_cams; }
     bool isCamOutOfRange() const override { return m_camOutOfRange; }
     void setCamOutOfRange(bool outOfRange) override;
 

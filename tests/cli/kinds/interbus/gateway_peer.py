@@ -28,11 +28,15 @@ CONFIRMED = 0xC0000000
 READ_OUT = 0x2021
 ANSWER = 0xA0000000
 DATA = 0x01FFFFFF
+PROGRAM = 0x20800000
+CAM_CONFIGURATION = 0x2040
+CAM_SHIFT = 0x2010
+CAM_READ_OUT = 0x2020
 STEPS, REVOLUTIONS, DIRECTION, PRESET_VALUE, ZERO_OFFSET = 1, 2, 3, 4, 5
 
 
 class Encoder:
-    """The handshake of a FRABA K3 (manual 5.2, 5.3), each word acting at once."""
+    """The handshake of a FRABA K3 (manual 5.2, 5.3, cams 5.4.4), each word acting at once."""
 
     def __init__(self, number):
         self.values = {STEPS: 8192, REVOLUTIONS: 1, DIRECTION: 3, PRESET_VALUE: 0, ZERO_OFFSET: 0}
@@ -42,12 +46,20 @@ class Encoder:
         self.number = number
         self.preset_flag = 0
         self.out = 0
+        self.program = 0  # of cams, 0: position mode
+        self.cams = {}  # of all programs, by the code that reads them
+        self.parameterizes_cams = False
 
     def take(self, out):
         before, self.out = self.out, out
         if out == before:
             return
-        if out & RUN:
+        if out & 0xFFFFFFF0 == PROGRAM:
+            self.program = out & 0xF
+            self.parameterizes_cams = False
+        elif self.program:
+            self.take_cam(out)
+        elif out & RUN:
             if self.pending:
                 self.values.update(self.pending)
             self.pending = None
@@ -62,6 +74,22 @@ class Encoder:
             self.confirmation = CONFIRMED | out
             if number == PRESET_VALUE:
                 self.preset_flag = 1
+
+    def take_cam(self, out):
+        code = {2: 0x10, 3: 0x20}.get(out >> 29)
+        if out & RUN:
+            self.parameterizes_cams = False
+            return
+        if code:
+            self.cams[self.program, code + (out >> 25 & 0xF)] = out & DATA
+        elif out >> 16 == CAM_CONFIGURATION:
+            self.cams[self.program, 0] = out & 0xFFFF
+        elif out >> 16 == CAM_SHIFT:
+            self.cams[self.program, 0x40] = out & 0xFF
+        else:
+            return
+        self.parameterizes_cams = True
+        self.confirmation = CONFIRMED | out
 
     def read_out(self, code):
         others = {
@@ -78,6 +106,10 @@ class Encoder:
     def shown(self):
         if self.out >> 16 == READ_OUT:
             return self.read_out(self.out & 0xFF)
+        if self.program and self.out >> 16 == CAM_READ_OUT:
+            return ANSWER | self.cams.get((self.program, self.out & 0xFF), 0)
+        if self.program:
+            return self.confirmation if self.parameterizes_cams else self.position << 8
         return self.confirmation if self.pending is not None else self.position
 
 
@@ -88,7 +120,15 @@ class Ring:
         if options.pending:
             self.encoders[0].take(options.pending)
         self.writes = 0
+        self.times = 0  # that the word came behind which it vanishes
         self.words = 0  # of them, those with a word other than 0: a job is under way
+
+    def vanish_in_time(self, before):
+        out = self.encoders[0].out
+        if out == self.options.vanish_behind and out != before:
+            self.times += 1
+            if self.times == self.options.vanish_at:
+                os._exit(0)  # without an answer
 
     def arranged(self, pair):
         """Of the registers of a word, high word first, or back."""
@@ -129,10 +169,10 @@ class Out(ModbusSequentialDataBlock):
             if self.ring.words == self.ring.options.other_writer:
                 super().setValues(2, self.ring.registers_of(RUN))  # to the second encoder
         image = super().getValues(0, 2 * len(self.ring.encoders))
+        before = self.ring.encoders[0].out
         for i, encoder in enumerate(self.ring.encoders):
             encoder.take(self.ring.word_of(image[2 * i : 2 * i + 2]))
-        if self.ring.encoders[0].out == self.ring.options.vanish_behind:
-            os._exit(0)  # without an answer
+        self.ring.vanish_in_time(before)
 
 
 class Hidden(Out):
@@ -205,4 +245,5 @@ parser.add_argument("--no-read-back", action="store_true")
 parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes of a job")
 parser.add_argument("--pending", type=lambda word: int(word, 16), help="the first encoder was left in parameterization")
 parser.add_argument("--vanish-behind", type=lambda word: int(word, 16), help="ends once the first encoder has this word")
+parser.add_argument("--vanish-at", type=int, default=1, help="once it has it for this time")
 asyncio.run(serve(Ring(parser.parse_args())))

@@ -238,6 +238,110 @@ TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
     EXPECT_EQ(run.json()[u"inDoubt"].toObject()[u"out"].toArray(), QJsonArray{line("20210001")});
 }
 
+QString camsOfTest(const RingProject &project)
+{
+    const QString name = project.path(line("cams.json"));
+    QFile file(name);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(
+        R"({"format": "codewheel-cams", "version": 1, "device": "fraba-ocd-ib", "programs": [)"
+        R"({"program": 1, "shift": 0, "cams": [{"cam": 0, "start": 100, "stop": 200, "active": true}]}]})");
+    return name;
+}
+
+TEST(CliGatewayRing, CamsThatAreCutSayWhatTheyLeaveInOut)
+{
+    const RingProject project;
+    const QString write = QStringLiteral("cams 1.0 write %1 --yes --to-position").arg(camsOfTest(project));
+    struct
+    {
+        QString line;
+        const char *word;
+    } const rows[] = {
+        {line("cams 1.0 read --program 1"), "20200011"},
+        {write, "20800001"},
+        {write, "20400001"},
+        {write, "80000000"},
+    };
+    for (const auto &row : rows) {
+        GatewayPeer peer(line("--vanish-behind ") + line(row.word));
+        const CliRun run = project.run(row.line, peer.link());
+        EXPECT_EQ(run.exit, 1) << row.word;
+        EXPECT_THAT(run.out, HasSubstr(std::string("OUT may still hold ") + row.word));
+        EXPECT_THAT(run.err,
+                    HasSubstr("In which state the encoder is, is not known until it is seen again."));
+    }
+    GatewayPeer peer(line("--vanish-behind 20400001"));
+    const QJsonObject doubt = project.run(write + line(" --json"), peer.link()).json()[u"inDoubt"].toObject();
+    EXPECT_EQ(doubt[u"out"].toArray().first(), line("20400001"));
+    EXPECT_EQ(doubt[u"camPrograms"].toArray(), QJsonArray{1});
+}
+
+// The program was left: that is an EEPROM write, seen by nobody.
+TEST(CliGatewayRing, CamsThatAreCutBehindTheWordThatStoresThemPerhapsCostAWrite)
+{
+    const RingProject project;
+    const QString write = QStringLiteral("cams 1.0 write %1 --yes --to-position").arg(camsOfTest(project));
+    GatewayPeer peer(line("--vanish-behind 20800000 --vanish-at 2"));
+    const CliRun run = project.run(write, peer.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out,
+                HasSubstr("Written and read back: cam program 1. EEPROM writes: 0, perhaps 1 more.\n"));
+    EXPECT_THAT(run.out, HasSubstr("It is not known whether the encoder has this: cam program 1."));
+    EXPECT_THAT(run.out, HasSubstr("OUT may still hold 20800000"));
+    EXPECT_THAT(run.out, HasSubstr("In which mode the encoder is now is not known."));
+    const CliRun ledger = runLine(line("ledger --json --ledger ") + project.path(line("ledger.sqlite")));
+    const QJsonObject account = ledger.json()[u"accounts"].toArray().first().toObject();
+    EXPECT_EQ(account[u"writes"].toInt(), 0);
+    EXPECT_EQ(account[u"perhaps"].toInt(), 1);
+}
+
+// Nobody can ask an encoder behind a gateway for its mode.
+TEST(CliGatewayRing, AfterCamsItIsToldInWhichModeTheEncoderIs)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    const CliRun stays = project.run(line("cams 1.0 read --program 2"), peer.link());
+    EXPECT_EQ(stays.exit, 0) << stays.err;
+    EXPECT_THAT(stays.out, HasSubstr("The encoder is now in cam mode, program 2; in which mode it was before "
+                                     "is not known. With --to-position it is in position mode afterwards."));
+    const CliRun goes = project.run(line("cams 1.0 read --program 2 --to-position"), peer.link());
+    EXPECT_EQ(goes.exit, 0) << goes.err;
+    EXPECT_THAT(goes.out, HasSubstr("The encoder is now in position mode; in which mode it was before is not "
+                                    "known.\n"));
+    EXPECT_THAT(project.run(line("monitor 1.0 --for 1"), peer.link()).out, HasSubstr("000003E8"));
+    const CliRun json = project.run(line("cams 1.0 read --program 2 --json"), peer.link());
+    EXPECT_EQ(json.json()[u"mode"], line("cam"));
+    EXPECT_EQ(json.json()[u"camProgram"], 2);
+}
+
+TEST(CliGatewayRing, AStoreThatIsCutSaysWhatItLeavesInOutAndWhatItKept)
+{
+    const RingProject project;
+    const auto store = [&](const GatewayPeer &peer) {
+        return runLine(QStringLiteral("store %1 1.0 --link %2").arg(project.file(), peer.link()));
+    };
+    GatewayPeer whole;
+    EXPECT_EQ(store(whole).exit, 0);
+    EXPECT_THAT(store(whole).out, Not(HasSubstr("kept from before")));
+    GatewayPeer peer(line("--vanish-behind 20210004"));
+    const CliRun run = store(peer);
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("1.0: OUT may still hold 20210004"));
+    EXPECT_THAT(run.out, testing::ContainsRegex("steps +.*read from the encoder\n"));
+    EXPECT_THAT(run.out, testing::ContainsRegex("preset +.*read from the encoder, kept from before\n"));
+}
+
+// The word was never sent, since the value is read first.
+TEST(CliGatewayRing, AWriteThatIsCutWhileItReadsHasSentNothing)
+{
+    GatewayPeer peer(line("--vanish-behind 20210001"));
+    const CliRun run = RingProject().run(line("write 1.0 steps=1000 --yes"), peer.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("= 1000  not sent\n"));
+    EXPECT_THAT(run.out, Not(HasSubstr("did not become active")));
+}
+
 // Somebody, or a link, has left it so: what is read is not all that there is.
 TEST(CliGatewayRing, AnEncoderFoundInParameterizationIsNamed)
 {

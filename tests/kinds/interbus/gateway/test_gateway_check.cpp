@@ -119,6 +119,19 @@ TEST_F(GatewayCheckTest, AGoodGatewayPassesEveryStep)
     EXPECT_EQ(shown.readings.size(), 4U);
 }
 
+TEST_F(GatewayCheckTest, ARingThatHasFailedIsNamedWithThePlaceOfTheFault)
+{
+    settings.statusRegister = 100;
+    settings.faultBits = 4;
+    bank->input[100] = 0x0084;
+    bank->input[101] = 0x0200;
+    EXPECT_EQ(whyOf(run(frabaRing(2))[5]), RefusalId::ringFailed) << "nothing tells where";
+    settings.placeRegister = 101;
+    const auto finding = run(frabaRing(2))[5];
+    EXPECT_EQ(whyOf(finding), RefusalId::ringFailedAt);
+    EXPECT_TRUE(finding.sentence.contains(QStringLiteral("2.0"))) << finding.sentence.toStdString();
+}
+
 TEST_F(GatewayCheckTest, AnUnknownHostIsTheFirstThingMissing)
 {
     port.refusal = Refusal{RefusalKind::link, RefusalId::hostNotFound, {QStringLiteral("nowhere")}};

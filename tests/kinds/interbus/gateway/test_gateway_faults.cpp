@@ -16,6 +16,8 @@ using namespace test;
 using namespace std::chrono_literals;
 
 constexpr int faultyEncoders = 4;
+// This one gets the cam jobs. Its shaft stands: the gateway knows of positions only whether a shaft came by.
+constexpr std::size_t withCams = 0;
 constexpr auto runs = 10;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool isSanitized = true;
@@ -92,6 +94,7 @@ public:
                 bus().advance(30s);
             }
             EXPECT_EQ(whyOf(m_session.finish(place, EndParameterization{})), "");
+            EXPECT_EQ(whyOf(m_session.finish(place, SwitchMode{})), "");
             EXPECT_EQ(whyOf(m_session.finish(
                           place, WriteParameters{.values = {{Parameter::direction, 3}}, .previous = {}})),
                       "");
@@ -106,6 +109,8 @@ public:
     int jobsThatWorked() const { return m_jobsThatWorked; }
     int foreignWords() const { return m_foreignWords; }
     int comparisons() const { return m_comparisons; }
+    int camsWritten() const { return m_camsWritten; }
+    int camsInDoubt() const { return m_camsInDoubt; }
 
 private:
     // As the ring is made: those that the session does not see.
@@ -113,12 +118,13 @@ private:
     {
         constexpr PhysicalResolution thirteenPlusTwelveBit{.stepsPerTurn = 8192, .turns = 4096};
         auto ring = std::make_shared<SimulatedRing>();
-        for (int i = 0; i < faultyEncoders; ++i) {
-            auto encoder = std::make_unique<FrabaK3>(
-                thirteenPlusTwelveBit, 97 * i, FrabaPlate{.serialNumber = 20'000 + static_cast<Word>(i)});
-            encoder->setSpeed(3.0 + i);
+        for (std::size_t i = 0; i < faultyEncoders; ++i) {
+            auto encoder =
+                std::make_unique<FrabaK3>(thirteenPlusTwelveBit, 97 * static_cast<std::int64_t>(i),
+                                          FrabaPlate{.serialNumber = 20'000 + static_cast<Word>(i)});
+            encoder->setSpeed(i == withCams ? 0.0 : 3.0 + static_cast<double>(i));
             encoders.push_back(encoder.get());
-            ring->add(frabaAt(i + 1), std::move(encoder));
+            ring->add(frabaAt(static_cast<int>(i) + 1), std::move(encoder));
         }
         return {.link = std::make_unique<SimulatedRingLink>(ring), .controls = ring};
     }
@@ -189,10 +195,31 @@ private:
             EXPECT_TRUE(!mustBeTold || device.leftOut) << "encoder " << i << ": OUT is " << std::hex << out;
         }
     }
+    // The mode, and the program in use, as soon as nothing is under way.
+    void expectThatItsModeIsTrue(std::size_t i)
+    {
+        const EncoderSession &encoder = m_session.encoder(bus().places()[i]);
+        const FrabaCams &has = m_encoders[i]->cams();
+        const Reading &shown = encoder.latest();
+        if (encoder.runningJob() || !shown.mode || !encoder.freshness().isLive() ||
+            m_session.gateway->out()[i] != 0)
+            return;
+        EXPECT_EQ(shown.camProgram.value_or(0), has.program()) << "encoder " << i;
+        const auto known = shown.camProgram ? encoder.cams(*shown.camProgram) : std::nullopt;
+        if (!known || known->program.number != has.program())
+            return;
+        for (std::size_t cam = 0; cam < CamProgram::cams; ++cam) {
+            const auto code = static_cast<Word>(cam);
+            EXPECT_EQ(known->program.cam[cam].start, has.readOut(0x10 + code)) << "encoder " << i;
+            EXPECT_EQ(known->program.cam[cam].stop, has.readOut(0x20 + code)) << "encoder " << i;
+        }
+        ++m_comparisons;
+    }
     // What was read or confirmed, as soon as nothing is under way.
     void expectThatWhatIsKnownIsTrue()
     {
         for (std::size_t i = 0; i < faultyEncoders; ++i) {
+            expectThatItsModeIsTrue(i);
             const EncoderSession &encoder = m_session.encoder(bus().places()[i]);
             const ParameterSet &has = m_encoders[i]->parameters();
             const std::pair<Parameter, std::int64_t> all[] = {{Parameter::steps, has.steps},
@@ -213,11 +240,16 @@ private:
         std::size_t device = 0;
         int writes = 0; // of the encoder, before
         std::map<Word, int> edges;
+        bool isOfWords = false; // of the user: one that is refused stays in OUT
     };
     void judge(const JobSeen &job, const Outcome &outcome)
     {
         const std::size_t i = job.device;
         m_perhaps[i] += outcome.inDoubt.eepromWrites;
+        m_mayLeave[i] = m_mayLeave[i] || (job.isOfWords && !outcome.result &&
+                                          outcome.result.error().kind == RefusalKind::device);
+        m_camsWritten += outcome.camsWritten.empty() ? 0 : 1;
+        m_camsInDoubt += outcome.inDoubt.camPrograms.empty() ? 0 : 1;
         if (m_isCancelled[i]) // and perhaps written back
             return;
         EXPECT_LE(writesOf(i) - job.writes, 2) << "a parameter, and what stores along";
@@ -244,7 +276,7 @@ private:
             bus().setRunning(pick(0, 3) != 0);
             break;
         case 4:
-            m_session.ring->setSpeed(somePlace().node, pick(-3'000, 3'000));
+            m_session.ring->setSpeed(somePlaceThatTurns().node, pick(-3'000, 3'000));
             break;
         case 5:
             cancelOne();
@@ -259,7 +291,29 @@ private:
         m_isCancelled[device] = m_mayLeave[device] = true;
         m_session.encoder(bus().places()[device]).cancel(static_cast<OnCancel>(pick(0, 3)));
     }
+    // As somebody does who looks at the encoder.
+    void tellMode(std::size_t device, EncoderSession &encoder) const
+    {
+        const unsigned program = m_encoders[device]->cams().program();
+        if (!encoder.latest().mode && !encoder.runningJob() && m_session.gateway->out()[device] == 0)
+            encoder.tell(Parameter::startUpMode, program == 0 ? 1 : 2 + std::int64_t{program});
+    }
+    unsigned someProgram() { return static_cast<unsigned>(pick(1, 2)); }
+    SwitchMode someMode()
+    {
+        return pick(0, 3) != 0 ? SwitchMode{} : SwitchMode{.mode = Mode::cam, .camProgram = someProgram()};
+    }
+    CamProgram someCams()
+    {
+        CamProgram program{.number = someProgram(), .cam = {}, .shift = 0};
+        program.cam[3] = {.start = pick(1, 50), .stop = pick(51, 99), .active = true};
+        return program;
+    }
     Place somePlace() { return bus().places().at(static_cast<std::size_t>(pick(0, faultyEncoders - 1))); }
+    Place somePlaceThatTurns()
+    {
+        return bus().places().at(static_cast<std::size_t>(pick(1, faultyEncoders - 1)));
+    }
     void startJob()
     {
         if (!bus().isOperating()) {
@@ -269,21 +323,26 @@ private:
         }
         const auto device = static_cast<std::size_t>(pick(0, faultyEncoders - 1));
         EncoderSession &encoder = m_session.encoder(bus().places()[device]);
-        const std::array<Job, 6> some{
+        const std::array<Job, 9> some{
             ReadParameters{{Parameter::direction, Parameter::revolutions}},
             SendWords{
                 .words = {0x0200'0000U | static_cast<Word>(pick(100, 8'000)), k3::run, k3::normalRunning}},
             ResetToDefault{},
             WriteParameters{.values = {{Parameter::steps, pick(100, 8'000)}}, .previous = {}},
             SetPreset{pick(0, 1'000), PresetCommand::profile},
-            EndParameterization{}};
-        encoder.tell(Parameter::startUpMode, 1);
-        const auto id = encoder.start(some.at(static_cast<std::size_t>(pick(0, 5))));
+            EndParameterization{},
+            SwitchMode{},
+            ReadCams{.programs = {someProgram()}, .afterwards = someMode()},
+            WriteCams{.programs = {someCams()}, .afterwards = someMode()}};
+        tellMode(device, encoder);
+        const Job &chosen = some.at(static_cast<std::size_t>(device == withCams ? pick(4, 8) : pick(0, 5)));
+        const auto id = encoder.start(chosen);
         if (!id)
             return;
         ++m_jobs;
         m_isCancelled[device] = false;
-        const JobSeen job{device, writesOf(device), m_edges[device]};
+        const JobSeen job{device, writesOf(device), m_edges[device],
+                          std::holds_alternative<SendWords>(chosen)};
         QObject::connect(&encoder, &EncoderSession::finished, &bus(),
                          [this, id, job](const Outcome &outcome) {
                              if (outcome.job != *id)
@@ -306,6 +365,8 @@ private:
     int m_jobs = 0;
     int m_jobsThatWorked = 0;
     int m_foreignWords = 0;
+    int m_camsWritten = 0;
+    int m_camsInDoubt = 0;
     std::array<Word, faultyEncoders> m_out{};
     std::array<std::map<Word, int>, faultyEncoders> m_edges;
     std::array<int, faultyEncoders> m_counted{};
@@ -322,6 +383,8 @@ TEST(GatewayFaults, ADayOfThemPutsNoWordWhereItDoesNotBelong)
     int foreign = 0;
     int connections = 0;
     int comparisons = 0;
+    int camsWritten = 0;
+    int camsInDoubt = 0;
     for (unsigned seed = 1; seed <= runs; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         FaultyDays days(seed);
@@ -334,16 +397,23 @@ TEST(GatewayFaults, ADayOfThemPutsNoWordWhereItDoesNotBelong)
         foreign += days.foreignWords();
         connections += days.reconnects();
         comparisons += days.comparisons();
+        camsWritten += days.camsWritten();
+        camsInDoubt += days.camsInDoubt();
         if (HasFailure())
             return;
     }
     for (int kind = 0; kind < FaultyRegisterPort::kinds; ++kind)
         EXPECT_GT(faults[kind], 20) << "kind " << kind << ": of all of them there must be some";
     std::cout << jobs << " jobs, " << worked << " of them worked, " << foreign << " ended by a foreign word, "
-              << connections << " connections\n";
+              << connections << " connections; cams written " << camsWritten << ", in doubt " << camsInDoubt
+              << '\n';
     EXPECT_GT(worked, jobs / 4);
     EXPECT_GT(connections, 100);
     EXPECT_GT(comparisons, jobs) << "of values known and had";
+    if (!isSanitized) {
+        EXPECT_GT(camsWritten, 30);
+        EXPECT_GT(camsInDoubt, 10);
+    }
     if (!isSanitized) {
         EXPECT_GT(jobs, 10'000);
     }

@@ -317,6 +317,69 @@ TEST(LostGateway, AResetThatWasSentIsInDoubt)
     EXPECT_GE(inDoubt, 2) << "behind 0E000000, and behind run";
 }
 
+CamProgram lostCams()
+{
+    CamProgram program;
+    program.cam[0] = {.start = 100, .stop = 200, .active = true};
+    return program;
+}
+
+// A program that was changed is stored when it is left, which nothing acknowledges.
+TEST(LostGateway, ACamProgramThatMayHaveBeenStoredIsInDoubt)
+{
+    int inDoubt = 0;
+    int stored = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        LedgerKeeper keeper(*gateway.session.bus, DatabasePlace::memory());
+        const EncoderSession &encoder = gateway.session.encoder(lostFraba);
+        const auto outcome =
+            gateway.lostAt(write, lostFraba, WriteCams{.programs = {lostCams()}, .afterwards = SwitchMode{}});
+        if (!outcome)
+            break;
+        const int done = gateway.writesOf(lostFraba);
+        EXPECT_GE(done, outcome->eepromWrites);
+        EXPECT_LE(done, outcome->eepromWrites + outcome->inDoubt.eepromWrites);
+        EXPECT_EQ(encoder.eepromCount().writes, outcome->eepromWrites);
+        EXPECT_EQ(encoder.eepromCount().perhaps, outcome->inDoubt.eepromWrites);
+        const bool isInDoubt = outcome->inDoubt.eepromWrites > 0;
+        EXPECT_EQ(gateway.session.countOf(MessageId::writesInDoubt), isInDoubt ? 1u : 0u);
+        if (isInDoubt) {
+            EXPECT_EQ(outcome->inDoubt.camPrograms, std::vector{1u});
+        }
+        inDoubt += isInDoubt ? 1 : 0;
+        stored += done > outcome->eepromWrites ? 1 : 0;
+        const Word there = gateway.session.gateway->out().front();
+        EXPECT_TRUE(there == 0 || std::ranges::count(outcome->inDoubt.out, there) == 1);
+        gateway.comeBack();
+        EXPECT_EQ(whyOf(gateway.session.finish(lostFraba, SwitchMode{})), "");
+        EXPECT_GE(gateway.writesOf(lostFraba), encoder.eepromCount().writes);
+        EXPECT_LE(gateway.writesOf(lostFraba), encoder.eepromCount().atMost());
+    }
+    EXPECT_GE(inDoubt, 3) << "behind the words of the cam, and behind 20800000";
+    EXPECT_GE(stored, 1);
+}
+
+TEST(LostGateway, BehindAWordThatSwitchesTheModeItIsNotKnown)
+{
+    int unknown = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        const auto outcome = gateway.lostAt(write, lostFraba, SwitchMode{.mode = Mode::cam, .camProgram = 1});
+        if (!outcome)
+            break;
+        gateway.control->isAway = false;
+        gateway.session.gateway->setOut(0, 0); // somebody cleans up
+        gateway.giveLinkBack();
+        const auto mode = gateway.session.encoder(lostFraba).latest().mode;
+        unknown += mode ? 0 : 1;
+        EXPECT_NE(mode, Mode::position);
+    }
+    EXPECT_GE(unknown, 1);
+}
+
 TEST(LostGateway, AServiceOfARodIsInDoubt)
 {
     int inDoubt = 0;
@@ -455,7 +518,8 @@ TEST(LostGateway, WhatAWordByHandMayHaveChangedIsNotKnown)
         gateway.session.bus->advance(5s);
         ASSERT_EQ(gateway.session.bus->state(), BusState::lost);
         EXPECT_FALSE(encoder.known(changes));
-        EXPECT_EQ(gateway.session.countOf(MessageId::inDoubt), 1u);
+        EXPECT_EQ(gateway.session.countOf(MessageId::inDoubt), word == k3::initialisePreset ? 0u : 1u);
+        EXPECT_EQ(gateway.session.countOf(MessageId::inDoubtForGood), word == k3::initialisePreset ? 1u : 0u);
         gateway.giveLinkBack();
         ASSERT_TRUE(encoder.knownBefore());
         encoder.takeKnownBefore();

@@ -88,6 +88,15 @@ TEST_F(Wire, WhatWasTakenUnseenBecomesValidWithRun)
     EXPECT_EQ(fraba.value(Parameter::preset), std::nullopt) << "it may have been taken before";
 }
 
+TEST_F(Wire, WhatStoodInInInCamModeWasACam)
+{
+    play(fraba, {{0, 0xC600'0023}}); // the acknowledgement of 46000023, in a mode that is not known yet
+    fraba.set(
+        {{Parameter::direction, 3, Evidence::read, {}}, {Parameter::startUpMode, 3, Evidence::told, {}}});
+    play(fraba, {{0x8000'0000, 0xC600'0023}, {0x8000'0000, pos}});
+    EXPECT_EQ(fraba.value(Parameter::direction), std::nullopt);
+}
+
 TEST_F(Wire, APowerCycleDropsWhatWasOnlyConfirmed)
 {
     play(baumer, {{0, pos}, {0x0200'00FF, 0xC200'00FF}, {0, pos}, {0x8000'0000, pos}});
