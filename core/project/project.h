@@ -50,6 +50,7 @@ struct LastPosition
 {
     std::int64_t position = 0; // steps
     QDateTime at;              // UTC
+    ParameterValues scale{};   // known of the encoder with it, by parameter; empty: nothing
 
     friend bool operator==(const LastPosition &, const LastPosition &) = default;
 };

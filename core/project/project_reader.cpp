@@ -73,10 +73,10 @@ void ProjectReader::readWhatIsKnown(const JsonObject &json, ProjectDevice &devic
     device.note = json.freeText("note");
     if (json.has("label"))
         device.label = readLabel(json.object("label", {"turns", "stepsPerTurn", "serialNumber"}));
-    device.wanted = readWanted(json);
+    device.wanted = readValues(json, "wanted");
     device.stored = readStored(json);
     if (json.has("lastPosition"))
-        device.lastPosition = readLastPosition(json.object("lastPosition", {"position", "at"}));
+        device.lastPosition = readLastPosition(json.object("lastPosition", {"position", "at", "scale"}));
 }
 
 DeviceLabel ProjectReader::readLabel(const JsonObject &json)
@@ -88,7 +88,7 @@ DeviceLabel ProjectReader::readLabel(const JsonObject &json)
 // Without its time nobody can tell whether the shaft is still there.
 LastPosition ProjectReader::readLastPosition(const JsonObject &json)
 {
-    LastPosition last{json.number("position"), readTime(json)};
+    LastPosition last{json.number("position"), readTime(json), readValues(json, "scale")};
     if (!json.has("at"))
         json.report("at", tr("A time such as \"2026-03-01T14:02:00.000Z\" is expected here (UTC)."));
     return last;

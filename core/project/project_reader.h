@@ -23,7 +23,7 @@ public:
 private:
     static void readBus(const JsonObject &json, Project &project);
     static DeviceLabel readLabel(const JsonObject &json);
-    static ParameterValues readWanted(const JsonObject &json);
+    static ParameterValues readValues(const JsonObject &json, const char *key);
     static std::vector<StoredValue> readStored(const JsonObject &json);
     static LastPosition readLastPosition(const JsonObject &json);
     static QDateTime readTime(const JsonObject &json);

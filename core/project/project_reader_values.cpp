@@ -40,12 +40,12 @@ Evidence readEvidence(const JsonObject &json)
 
 } // namespace
 
-ParameterValues ProjectReader::readWanted(const JsonObject &json)
+ParameterValues ProjectReader::readValues(const JsonObject &json, const char *key)
 {
     ParameterValues values;
     ParameterReader parameters;
-    if (json.has("wanted"))
-        for (const JsonObject &row : json.array("wanted", {"parameter", "value"}, allParameters().size()))
+    if (json.has(key))
+        for (const JsonObject &row : json.array(key, {"parameter", "value"}, allParameters().size()))
             values.push_back({parameters.read(row), row.value("value")});
     std::ranges::sort(values, {}, &ParameterValue::parameter);
     return values;

@@ -75,6 +75,7 @@ void ProjectWriter::writeLastPosition(const ProjectDevice &device)
         m_json.object("lastPosition", [&] {
             m_json.member("position", device.lastPosition->position);
             m_json.member("at", device.lastPosition->at.toUTC().toString(Qt::ISODateWithMs));
+            writeValues("scale", device.lastPosition->scale);
         });
 }
 
@@ -91,14 +92,18 @@ void ProjectWriter::writeLabel(const DeviceLabel &label)
     });
 }
 
+void ProjectWriter::writeValues(const char *key, const ParameterValues &values)
+{
+    if (!values.empty())
+        m_json.lines(key, sorted(values, &ParameterValue::parameter), [&](const ParameterValue &value) {
+            m_json.member("parameter", parameterKey(value.parameter));
+            m_json.value("value", value.value);
+        });
+}
+
 void ProjectWriter::writeValues(const ProjectDevice &device)
 {
-    if (!device.wanted.empty())
-        m_json.lines("wanted", sorted(device.wanted, &ParameterValue::parameter),
-                     [&](const ParameterValue &value) {
-                         m_json.member("parameter", parameterKey(value.parameter));
-                         m_json.value("value", value.value);
-                     });
+    writeValues("wanted", device.wanted);
     if (!device.stored.empty())
         m_json.lines("stored", sorted(device.stored, &StoredValue::parameter), [&](const StoredValue &value) {
             m_json.member("parameter", parameterKey(value.parameter));

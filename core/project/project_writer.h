@@ -24,6 +24,7 @@ public:
 
 private:
     void writeBus(const Project &project, const PlannedBus &bus);
+    void writeValues(const char *key, const ParameterValues &values);
     void writeLabel(const DeviceLabel &label);
     void writeEvidence(Evidence evidence, const QDateTime &at);
 

@@ -58,8 +58,11 @@ ReportFacts accountFacts(const EncoderAccount &account)
     facts.push_back({TransferReport::tr("Ended"), timeText(account.ended)});
     facts.push_back({TransferReport::tr("EEPROM writes"),
                      eepromWritesText(account.eepromWrites, account.eepromWritesPerhaps)});
-    if (account.positionWanted)
+    if (account.positionWanted) {
         facts.push_back({TransferReport::tr("Position to be set"), positionText(account.positionWanted)});
+        facts.push_back(
+            {TransferReport::tr("Setting the position"), transfer_words::becameOfPosition(account)});
+    }
     facts.push_back({TransferReport::tr("Position before"), positionText(account.positionBefore)});
     facts.push_back({TransferReport::tr("Position after"), positionText(account.positionAfter)});
     facts.push_back({TransferReport::tr("State afterwards"), transfer_words::leftIn(account)});

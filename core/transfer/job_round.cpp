@@ -127,8 +127,7 @@ void JobRound::takeOutcome(const Outcome &outcome)
         return;
     m_id.reset();
     current().outcomes.push_back(outcome);
-    if (m_encoder->agreesOnPositions())
-        takePositions(current(), outcome);
+    takePositions(current(), outcome);
     if (!outcome.result)
         endEncoder(outcome.result.error());
     else if (m_beginsNoJob && m_job + 1 < m_encoders[m_index].jobs.size())

@@ -2,6 +2,7 @@
 #include "transfer/last_positions.h"
 
 #include "bus/buses.h"
+#include "bus/word_channel.h"
 #include "catalog/device_description.h"
 #include "jobs/protocol.h"
 #include "transfer/project_places.h"
@@ -32,6 +33,17 @@ ParameterValues knownScale(const EncoderSession &encoder)
     for (const Parameter parameter : scaleParameters)
         if (const auto known = encoder.known(parameter))
             scale.push_back({parameter, known->value});
+    return scale;
+}
+
+// Without what is set along with the position.
+ParameterValues withoutZero(ParameterValues scale)
+{
+    static constexpr Parameter setWithThePosition[] = {Parameter::preset, Parameter::zeroOffset,
+                                                       Parameter::offset};
+    std::erase_if(scale, [](const ParameterValue &value) {
+        return std::ranges::find(setWithThePosition, value.parameter) != std::end(setWithThePosition);
+    });
     return scale;
 }
 
@@ -71,6 +83,13 @@ bool mayChangeScale(const DeviceDescription &device, const Job &job)
            (send != nullptr && std::ranges::any_of(send->words, changes));
 }
 
+// Behind a fault of its bus, of which an encoder without a reading says nothing itself.
+bool isCutOff(const EncoderBus &bus, const EncoderSession &encoder)
+{
+    const WordChannel *channel = bus.channel(encoder.place());
+    return channel != nullptr && channel->freshness().reason() == Freshness::Reason::notOnBus;
+}
+
 // Nothing works there: no word, no answer, or the word of an encoder without power. One that shows no
 // position because it is parameterized, in error or in another mode is there.
 bool isSeenToBeAway(const EncoderBus &bus, const EncoderSession &encoder)
@@ -81,7 +100,7 @@ bool isSeenToBeAway(const EncoderBus &bus, const EncoderSession &encoder)
     case Freshness::Reason::silent:
         return true;
     case Freshness::Reason::notSeen:
-        return bus.isRunning();
+        return bus.isRunning() || isCutOff(bus, encoder);
     case Freshness::Reason::none:
         return encoder.device().hasWords() && reading.state == EncoderState::operation && reading.in == 0 &&
                !reading.velocity && !reading.cams;
@@ -118,6 +137,27 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
     if (its == nullptr)
         return std::nullopt;
     return its->last ? withScale(its->last, its->scale) : withScale(its->before, its->scaleBefore);
+}
+
+SeenPosition LastPositions::kept(Place number, const LastPosition &kept) const
+{
+    SeenPosition seen{.position = kept.position, .at = kept.at.toLocalTime(), .scale = kept.scale};
+    const auto compare = [&seen](const ParameterValues &later) {
+        if (scalesDiffer(seen.scale, later))
+            seen.scaled = Scaled::otherwise;
+    };
+    if (const EncoderSession *encoder = m_buses.encoder(number))
+        compare(knownScale(*encoder));
+    const Watched *its = watched(number);
+    if (its == nullptr)
+        return seen;
+    if (its->last && its->last->at >= kept.at)
+        compare(its->scale);
+    if (its->before && its->before->at >= kept.at) {
+        compare(its->scaleBefore);
+        seen.scaled = std::max(seen.scaled, its->before->scaled);
+    }
+    return seen;
 }
 
 // A simulated encoder says nothing about a real one at its place, nor the other way round.
@@ -275,13 +315,19 @@ void LastPositions::scaledAnew(Place place, const ParameterValues &written)
 
 bool isOfAnotherScale(const ParameterValues &then, const ParameterValues &values)
 {
-    static constexpr Parameter setWithThePosition[] = {Parameter::preset, Parameter::zeroOffset,
-                                                       Parameter::offset};
-    ParameterValues scale = then;
-    std::erase_if(scale, [](const ParameterValue &value) {
-        return std::ranges::find(setWithThePosition, value.parameter) != std::end(setWithThePosition);
+    return scalesDiffer(withoutZero(then), values);
+}
+
+bool isScaleKnown(const ParameterValues &then)
+{
+    return !withoutZero(then).empty();
+}
+
+bool isScaleKnown(const ParameterValues &then, const ParameterValues &values)
+{
+    return std::ranges::all_of(withoutZero(values), [&](const ParameterValue &value) {
+        return !isOfScale(value.parameter) || valueOf(then, value.parameter);
     });
-    return scalesDiffer(scale, values);
 }
 
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder)
@@ -289,7 +335,7 @@ std::optional<LastPosition> positionToKeep(const EncoderSession &encoder)
     if (!encoder.showsPosition())
         return std::nullopt;
     const Reading &reading = encoder.latest();
-    return LastPosition{*reading.position, encoder.dateTime(reading.at).toUTC()};
+    return LastPosition{*reading.position, encoder.dateTime(reading.at).toUTC(), knownScale(encoder)};
 }
 
 Project withLastPositions(Project project, const LastPositions &positions, const Buses &buses)
@@ -299,7 +345,7 @@ Project withLastPositions(Project project, const LastPositions &positions, const
         if (!places.isTheProjects(device.place()))
             continue;
         if (const auto seen = positions.newest(device.place()))
-            device.lastPosition = LastPosition{seen->position, seen->at.toUTC()};
+            device.lastPosition = LastPosition{seen->position, seen->at.toUTC(), seen->scale};
     }
     return project;
 }

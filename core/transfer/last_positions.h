@@ -38,6 +38,10 @@ struct SeenPosition
 
 // Whether it is another position with these values: what is not known of both is not compared.
 bool isOfAnotherScale(const ParameterValues &then, const ParameterValues &values);
+// Of the scale a position was seen with: whether anything is known of it, apart from its zero; whether all
+// that these values give is.
+bool isScaleKnown(const ParameterValues &then);
+bool isScaleKnown(const ParameterValues &then, const ParameterValues &values);
 
 // What the encoder shows, to be kept in a project; empty if it shows no position.
 std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
@@ -65,6 +69,8 @@ public:
     // The newest one, of whichever encoder is there. It differs from at() if the encoder, or a new one, has
     // shown positions since it came back.
     std::optional<SeenPosition> newest(Place number) const;
+    // One that a project keeps, with what became of it since.
+    SeenPosition kept(Place number, const LastPosition &kept) const;
 
 private:
     struct Watched

@@ -33,10 +33,7 @@ ParameterValues forDevice(const DeviceDescription &device, const ParameterValues
 
 ParameterValues valuesFor(const ProjectDevice &planned, const DeviceDescription &device)
 {
-    ParameterValues values = storedSettings(planned, &device);
-    for (const ParameterValue &wanted : withoutItsPlace(planned.wanted))
-        replaceValue(values, wanted);
-    return forDevice(device, values);
+    return forDevice(device, settingsOfNew(planned, &device));
 }
 
 std::vector<CamProgram> camsFor(const ProjectDevice &planned)
@@ -91,6 +88,14 @@ ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceD
             differences.notTaken.push_back(value);
     differences.camsNotTaken = !device.capabilities.cams && !camsFor(planned).empty();
     return differences;
+}
+
+ParameterValues settingsOfNew(const ProjectDevice &planned, const DeviceDescription *device)
+{
+    ParameterValues values = storedSettings(planned, device);
+    for (const ParameterValue &wanted : withoutItsPlace(planned.wanted))
+        replaceValue(values, wanted);
+    return values;
 }
 
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,

@@ -34,6 +34,10 @@ struct ReplacementDifferences
 ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceDescription *before,
                                      const Replacement &now);
 
+// What the project has for the new encoder, by the names of the old one: what it wants, otherwise what was
+// stored. `device`: the new one; null: not known.
+ParameterValues settingsOfNew(const ProjectDevice &planned, const DeviceDescription *device);
+
 // The values for the new encoder: what the project wants, otherwise what was stored of the old one. A FRABA's
 // direction 3 and 4 become a Baumer's unsigned coding 3 and 4, and vice versa. If a position is to be set,
 // the zero offset is left out: it belongs to the old encoder, and setting the position creates a new one.

@@ -86,6 +86,12 @@ bool isUnknown(const EncoderSession *encoder, std::optional<Parameter> parameter
                .isFateUnknown(*encoder, parameter, result->outcomes.back(), result->lastJob);
 }
 
+// By a job that was cancelled afterwards.
+bool wasPositionSetBefore(const std::vector<Outcome> &outcomes)
+{
+    return std::ranges::any_of(outcomes, &Outcome::isPositionSet);
+}
+
 // A job that was cancelled has read back what its preset did.
 bool wasPositionReadBack(const EncoderPlan &plan, const EncoderSession *encoder, const EncoderResult *result)
 {
@@ -113,17 +119,22 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
     }
 }
 
-// The preset that was to set the position was written, and did not act: it would, the next time.
-void addPresetThatWaits(EncoderAccount &account, const EncoderPlan &plan,
-                        const std::vector<Outcome> &outcomes)
+// The preset that was to set the position was written, and is left: it did not act, and would, the next time;
+// or what was to be written after it was not.
+void addPresetThatIsLeft(EncoderAccount &account, const EncoderPlan &plan, const EncoderSession *encoder,
+                         const std::vector<Outcome> &outcomes)
 {
     const ParameterValue preset{Parameter::preset, plan.position.value_or(0)};
     const bool isShown = std::ranges::find(account.rows, preset, &AccountRow::wanted) != account.rows.end();
     const bool wasWritten = std::ranges::any_of(outcomes, [&](const Outcome &outcome) {
         return valueOf(outcome.written, preset.parameter) == preset.value;
     });
-    if (plan.position && !account.positionSet && wasWritten && !isShown)
-        account.rows.push_back({.wanted = preset, .became = Became::written});
+    const bool isLeft = !account.positionSet || account.why;
+    if (plan.position && isLeft && wasWritten && !isShown)
+        account.rows.push_back({.wanted = preset,
+                                .before = valueBefore({.wanted = preset}, outcomes),
+                                .after = encoder ? encoder->known(preset.parameter) : std::nullopt,
+                                .became = Became::written});
 }
 
 EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, const EncoderResult *result)
@@ -152,11 +163,17 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
     }
     for (const TransferCamRow &row : plan.cams)
         account.cams.push_back({row.wanted.number, becameOf(row, outcomes)});
-    account.positionSet = wasPositionSet(plan, outcomes) || wasPositionReadBack(plan, encoder, result);
-    addPresetThatWaits(account, plan, outcomes);
+    account.positionSet = wasPositionSet(plan, outcomes) || wasPositionSetBefore(outcomes) ||
+                          wasPositionReadBack(plan, encoder, result);
+    addPresetThatIsLeft(account, plan, encoder, outcomes);
     account.positionUnknown =
         plan.position && !account.positionSet && isUnknown(encoder, std::nullopt, result);
     return account;
+}
+
+bool wasCancelled(const EncoderAccount &account)
+{
+    return account.why && account.why->id == RefusalId::cancelled;
 }
 
 bool isThere(Became became)
@@ -199,6 +216,11 @@ int TransferAccount::eepromWritesPerhaps() const
     return sum;
 }
 
+bool TransferAccount::isCancelled() const
+{
+    return std::ranges::any_of(encoders, wasCancelled);
+}
+
 bool TransferAccount::isDone() const
 {
     return std::ranges::all_of(encoders, &EncoderAccount::isDone);
@@ -219,11 +241,19 @@ TransferAccount accountOf(const Buses &buses, TransferKind kind, const TransferP
 Message messageOf(const TransferAccount &account)
 {
     const auto done = std::ranges::count_if(account.encoders, &EncoderAccount::isDone);
-    return {.severity = account.isDone() ? Severity::information : Severity::attention,
-            .id = MessageId::transferDone,
-            .arguments = {std::int64_t{done}, std::int64_t{account.count(Became::written)},
-                          std::int64_t{account.count(Became::alreadyThere)},
-                          std::int64_t{account.eepromWrites()}}};
+    Message message{.severity = account.isDone() ? Severity::information : Severity::attention,
+                    .id = account.isCancelled() ? MessageId::transferCancelled : MessageId::transferDone,
+                    .arguments = {std::int64_t{done}, std::int64_t{account.count(Became::written)},
+                                  std::int64_t{account.count(Became::alreadyThere)},
+                                  std::int64_t{account.eepromWrites()}}};
+    const auto set = std::ranges::find_if(account.encoders, [](const EncoderAccount &encoder) {
+        return wasCancelled(encoder) && encoder.positionSet && encoder.positionWanted;
+    });
+    if (set != account.encoders.end()) {
+        message.id = MessageId::transferCancelledSet;
+        message.arguments.emplace_back(*set->positionWanted);
+    }
+    return message;
 }
 
 std::vector<EncoderJobs> jobsOf(const TransferPlan &plan)

@@ -75,6 +75,7 @@ struct TransferAccount
     int count(Became became) const; // values and cam programs
     int eepromWrites() const;
     int eepromWritesPerhaps() const;
+    bool isCancelled() const;
     bool isDone() const;
 };
 
@@ -82,7 +83,7 @@ struct TransferAccount
 TransferAccount accountOf(const Buses &buses, TransferKind kind, const TransferPlan &plan,
                           const std::vector<EncoderResult> &results);
 
-// "transferDone" for the message log.
+// For the message log: "transferDone", or that it was cancelled.
 Message messageOf(const TransferAccount &account);
 
 // What a round has to do for a plan.

@@ -70,6 +70,12 @@ QString became(const AccountCamRow &row)
     return row.became == Became::written ? TransferWords::tr("Written, and read back") : text(row.became);
 }
 
+QString becameOfPosition(const EncoderAccount &account)
+{
+    return account.positionSet ? TransferWords::tr("Set", "the position")
+                               : text(account.positionUnknown ? Became::unknown : Became::notDone);
+}
+
 QString value(const DeviceDescription *device, const ParameterValue &value)
 {
     const ParameterDescription *parameter = device ? device->find(value.parameter) : nullptr;

@@ -14,6 +14,8 @@ namespace transfer_words {
 // "Written, and read back", "Already there".
 QString became(const AccountRow &row);
 QString became(const AccountCamRow &row);
+// Of the position that was to be set: "Set", "Not done"
+QString becameOfPosition(const EncoderAccount &account);
 // "8 192 (read)"; "unknown"
 QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known);
 // "8 192", without unit; `device` may be null.

@@ -6,7 +6,9 @@
 #include "widgets/transfer/transfer_page.h"
 
 #include <QAction>
+#include <QLocale>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QTest>
 
 namespace codewheel {
@@ -95,6 +97,27 @@ TEST_F(TransferInTheWindow, TheChosenEncoderIsReplaced)
     choose("3.0"_ring);
     EXPECT_FALSE(actions().replaceEncoder->isEnabled()); // a K1 has nothing to write
     EXPECT_TRUE(actions().replaceEncoder->toolTip().contains(QStringLiteral("cannot be parameterized")));
+}
+
+TEST_F(TransferInTheWindow, APositionThatWasSavedIsOfferedAtOnce)
+{
+    shown->project().setFile(folder.filePath(QStringLiteral("crane.codewheel")));
+    choose(fraba);
+    actions().replaceEncoder->trigger();
+    auto &replacing = *window().findChild<ReplacePage *>();
+    for (const int turnedBy : {0, 100}) {
+        shown->controls().turnBy(fraba.node, turnedBy);
+        advance(500);
+        const auto position = bus().encoder(fraba)->latest().position;
+        ASSERT_TRUE(position);
+        actions().saveProject->trigger();
+        EXPECT_TRUE(shown->project().isSaved());
+        if (turnedBy == 0)
+            QTest::mouseClick(replacing.findChild<QPushButton *>(QStringLiteral("replaceNext")),
+                              Qt::LeftButton);
+        const QString offer = replacing.findChild<QRadioButton *>(QStringLiteral("positionKept"))->text();
+        EXPECT_TRUE(offer.contains(QLocale().toString(qlonglong{*position}))) << offer.toStdString();
+    }
 }
 
 TEST_F(TransferInTheWindow, AnotherProjectTakesTheResultOfTheTransferAway)

@@ -128,6 +128,21 @@ TEST_F(CliReplace, TheLastPositionOfTheProjectIsGiven)
     EXPECT_EQ(fraba().latest().position, 12345);
 }
 
+TEST_F(CliReplace, ALastPositionOfAnotherScaleSaysSo)
+{
+    const auto said = [this](const ParameterValues &scale) {
+        project.devices[0].stored.clear();
+        project.devices[0].wanted = {{Parameter::steps, 4096}};
+        project.devices[0].lastPosition = {1000, QDateTime(QDate(2026, 2, 1), QTime(8, 0), Qt::UTC), scale};
+        save();
+        return run("replace 1.0 --project @ --position last --dry-run").out;
+    };
+    EXPECT_THAT(said({}), HasSubstr("How the encoder was scaled then is not known: "));
+    EXPECT_THAT(said({{Parameter::revolutions, 1}}), HasSubstr("is not known in full: "));
+    EXPECT_THAT(said({{Parameter::steps, 8192}}), HasSubstr("It is of another scale than"));
+    EXPECT_THAT(said({{Parameter::steps, 4096}}), Not(HasSubstr("scale")));
+}
+
 TEST_F(CliReplace, NothingIsDoneWithoutConsent)
 {
     EXPECT_EQ(run("replace 1.0 --project @ --serial 4711 --dry-run").exit, 0);

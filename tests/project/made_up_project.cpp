@@ -116,7 +116,8 @@ void Maker::addCams(ProjectDevice &device)
         if (below(16) == 0)
             device.storedCams.push_back({cams(number), evidence(), time()});
         if (below(2) == 0)
-            device.lastPosition = {below(1 << 25), QDateTime({2026, 3, 1}, QTime(14, 2, 0, 7), Qt::UTC)};
+            device.lastPosition = {below(1 << 25), QDateTime({2026, 3, 1}, QTime(14, 2, 0, 7), Qt::UTC),
+                                   device.wanted};
     }
 }
 

@@ -64,6 +64,25 @@ TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOn
     EXPECT_EQ(positions.at(fraba)->position, before);
 }
 
+TEST_F(LastPositionsOfTheRing, AnEncoderBehindAFaultOfTheRingIsGone)
+{
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    training.controls->setFault(TrainingFault::noSupply, fraba.node, 1);
+    pass(17'000);
+    ASSERT_FALSE(bus.isRunning());
+    ASSERT_TRUE(positions.at(fraba));
+    EXPECT_EQ(positions.at(fraba)->position, before);
+    EXPECT_EQ(positions.at(fraba)->since, Since::gone);
+    training.controls->turnBy(fraba.node, 100);
+    training.controls->setFault(TrainingFault::noSupply, fraba.node, 0);
+    bus.setRunning(true);
+    pass(3000);
+    ASSERT_TRUE(bus.isRunning());
+    EXPECT_EQ(positions.at(fraba)->position, before);
+    EXPECT_EQ(positions.at(fraba)->since, Since::gone);
+}
+
 TEST_F(LastPositionsOfTheRing, AnEncoderThatComesBackWhereItWasIsTheSame)
 {
     pass(100);
@@ -151,6 +170,22 @@ TEST_F(LastPositionsOfTheRing, AScaleThatNobodyKnewIsNotSaidToBeAnother)
     EXPECT_EQ(positions.at(fraba)->scaled, Scaled::perhapsOtherwise);
 }
 
+TEST_F(LastPositionsOfTheRing, AKeptPositionIsComparedWithWhatCameAfterIt)
+{
+    encoder(fraba).tell(Parameter::steps, 300);
+    pass(100);
+    const auto kept = positionToKeep(encoder(fraba));
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(valueOf(kept->scale, Parameter::steps), 300);
+    EXPECT_EQ(positions.kept(fraba, *kept).scaled, Scaled::asThen);
+    EXPECT_EQ(positions.kept(fraba, *kept).position, kept->position);
+    goAndReturn();
+    carryOutJob(WriteParameters{.values = {{Parameter::steps, 2048}}, .previous = {}});
+    EXPECT_EQ(positions.kept(fraba, *kept).scaled, Scaled::otherwise);
+    encoder(fraba).tell(Parameter::steps, {});
+    EXPECT_EQ(positions.kept(fraba, *kept).scaled, Scaled::otherwise) << "it was seen with that scale";
+}
+
 TEST_F(LastPositionsOfTheRing, APositionFromBeforeAnotherZeroSaysSo)
 {
     pass(100);
@@ -225,9 +260,13 @@ TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
         project.devices.emplace_back().participant = participant;
         project.devices.back().lastPosition = {1, QDateTime(QDate(2026, 2, 1), QTime(8, 0), Qt::UTC)};
     }
+    encoder(fraba).tell(Parameter::steps, 8192);
     pass(100);
     const auto before = encoder(fraba).latest().position;
     EXPECT_EQ(withLastPositions(project, positions, buses).devices[0].lastPosition->position, before);
+    EXPECT_EQ(valueOf(withLastPositions(project, positions, buses).devices[0].lastPosition->scale,
+                      Parameter::steps),
+              8192);
 
     training.controls->setFault(TrainingFault::powerOff, fraba.node,
                                 1); // it dies, and is replaced later

@@ -68,11 +68,17 @@ std::vector<Place> ProjectDocument::notKept() const
     return others(true);
 }
 
+// A line that the project plans takes its encoders.
+bool ProjectDocument::isOfTrainingLine(Place place) const
+{
+    return place.isAddress() && findBus(m_project, place.bus) == nullptr;
+}
+
 std::vector<Place> ProjectDocument::others(bool areOfTrainingLine) const
 {
     std::vector<Place> numbers;
     for (const auto &[number, device] : m_others)
-        if (number.isAddress() == areOfTrainingLine && !findDevice(m_project, number))
+        if (isOfTrainingLine(number) == areOfTrainingLine && !findDevice(m_project, number))
             numbers.push_back(number);
     return numbers;
 }
@@ -111,6 +117,14 @@ void ProjectDocument::setFile(const QString &file, const QByteArray &fileMark)
     m_undo.setClean();
     Q_EMIT fileChanged();
     Q_EMIT savedChanged(isSaved());
+}
+
+void ProjectDocument::takeLastPositions(const Project &saved)
+{
+    for (ProjectDevice &device : m_project.devices)
+        if (const ProjectDevice *its = findDevice(saved, device.place()))
+            device.lastPosition = its->lastPosition;
+    Q_EMIT changed();
 }
 
 void ProjectDocument::setRecovered()
@@ -237,6 +251,15 @@ ProjectDocument::Content ProjectDocument::content() const
     return {.header = std::move(header), .others = m_others};
 }
 
+// It was seen, not edited.
+void ProjectDocument::keepNewerPosition(ProjectDevice &device, DeviceId id) const
+{
+    const ProjectDevice *now = this->device(id);
+    if (now != nullptr && now->lastPosition && device.lastPosition &&
+        device.lastPosition->at < now->lastPosition->at)
+        device.lastPosition = now->lastPosition;
+}
+
 void ProjectDocument::apply(const Content &content, std::size_t first, std::size_t count,
                             const std::vector<ProjectDevice> &devices, const std::vector<DeviceId> &ids)
 {
@@ -245,8 +268,11 @@ void ProjectDocument::apply(const Content &content, std::size_t first, std::size
                                   all.begin() + static_cast<std::ptrdiff_t>(first + count));
         all.insert(at, by.begin(), by.end());
     };
+    std::vector<ProjectDevice> by = devices;
+    for (std::size_t i = 0; i < by.size(); ++i)
+        keepNewerPosition(by[i], ids[i]);
     std::vector<ProjectDevice> all = std::move(m_project.devices);
-    replace(all, devices);
+    replace(all, by);
     replace(m_ids, ids);
     m_project = content.header;
     m_project.devices = std::move(all);

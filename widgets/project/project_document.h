@@ -47,7 +47,7 @@ public:
     // project (a connected ring may have others): they enter the project once it is planned at this place.
     // Until then they are in no file, and the project counts as unsaved.
     const ProjectDevice &device(Place number) const;
-    // The places of the ring that have values but are not in the project.
+    // The places of planned buses that have values but are not in the project.
     std::vector<Place> notPlanned() const;
     // For which something is wanted that goes into no file, as they are on the training line.
     std::vector<Place> notKept() const;
@@ -58,6 +58,8 @@ public:
     void setProject(Project project, const QString &file, const QByteArray &fileMark = {});
     QString file() const { return m_file; }                             // empty: not saved yet
     void setFile(const QString &file, const QByteArray &fileMark = {}); // saved there as it is now
+    // What was added to the file when it was saved: no step, and not undone.
+    void takeLastPositions(const Project &saved);
     // Of the file's content when it was read, or saved here; empty: not known.
     const QByteArray &fileMark() const { return m_fileMark; }
     bool isSaved() const { return m_undo.isClean() && !m_isRecovered && notPlanned().empty(); }
@@ -87,10 +89,12 @@ Q_SIGNALS:
     void savedChanged(bool isSaved);
 
 private:
+    bool isOfTrainingLine(Place place) const;
     std::vector<Place> others(bool areOfTrainingLine) const;
     friend class ProjectStep;
     struct Content; // everything a step changes except the devices
     Content content() const;
+    void keepNewerPosition(ProjectDevice &device, DeviceId id) const;
     void apply(const Content &content, std::size_t first, std::size_t count,
                const std::vector<ProjectDevice> &devices, const std::vector<DeviceId> &ids);
     void push(Project after, std::vector<DeviceId> ids, std::map<Place, ProjectDevice> others,

@@ -3,7 +3,6 @@
 
 #include "catalog/device_description.h"
 #include "catalog/total_range.h"
-#include "transfer/transfer_wish.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/input/decimal_text.h"
 #include "widgets/input/text_fields.h"
@@ -61,6 +60,8 @@ void ReplacePositionStep::enter()
     m_since = m_positions.newest(m_replacing.place);
     if (m_since == m_seen)
         m_since.reset();
+    const auto &kept = m_replacing.before.lastPosition;
+    m_ofProject = kept ? std::optional(m_positions.kept(m_replacing.place, *kept)) : std::nullopt;
     showOffers();
     const bool presets = m_typed->isEnabled();
     if (chosen() == nullptr) {
@@ -75,10 +76,9 @@ void ReplacePositionStep::enter()
 void ReplacePositionStep::showOffers()
 {
     const bool presets = m_replacing.now.device != nullptr && m_replacing.now.device->capabilities.presets;
-    const auto &kept = m_replacing.before.lastPosition;
     m_last->setVisible(m_seen && presets);
     m_newest->setVisible(m_since && presets);
-    m_kept->setVisible(kept && presets);
+    m_kept->setVisible(m_ofProject && presets);
     m_typed->setEnabled(presets);
     m_value->setEnabled(presets);
     const QLocale locale;
@@ -95,16 +95,34 @@ void ReplacePositionStep::showOffers()
                 .arg(locale.toString(qlonglong{m_since->position}),
                      locale.toString(m_since->at, QLocale::ShortFormat)),
             m_since->scale));
-    if (kept)
-        m_kept->setText(withScale(tr("Position %1, kept in the pro&ject: seen at %2")
-                                      .arg(locale.toString(qlonglong{kept->position}),
-                                           locale.toString(kept->at.toLocalTime(), QLocale::ShortFormat)),
-                                  storedSettings(m_replacing.before, nullptr)));
+    if (m_ofProject)
+        m_kept->setText(keptText(*m_ofProject));
+}
+
+// What nobody knew of its scale when it was kept cannot be compared.
+QString ReplacePositionStep::keptText(const SeenPosition &kept) const
+{
+    const QLocale locale;
+    const QString text =
+        tr("Position %1, kept in the pro&ject: seen at %2")
+            .arg(locale.toString(qlonglong{kept.position}), locale.toString(kept.at, QLocale::ShortFormat));
+    const bool isOther = kept.scaled == SeenPosition::Scaled::otherwise || isWantedOtherwise(kept.scale);
+    if (!isOther && !isScaleKnown(kept.scale))
+        return tr("%1. How the encoder was scaled then is not known: it is right if its scale was the same.",
+                  "most of a sentence")
+            .arg(text);
+    const bool isAsThen = !isOther && kept.scaled == SeenPosition::Scaled::asThen;
+    if (isAsThen && !isScaleKnown(kept.scale, newSettings()))
+        return tr("%1. How the encoder was scaled then is not known in full: it is right if all of its scale "
+                  "was the same.",
+                  "most of a sentence")
+            .arg(text);
+    return scaledText(text, kept);
 }
 
 bool ReplacePositionStep::isWantedOtherwise(const ParameterValues &scale) const
 {
-    return isOfAnotherScale(scale, m_replacing.before.wanted);
+    return isOfAnotherScale(scale, newSettings());
 }
 
 // `scale`: with which the position was seen.
@@ -125,6 +143,11 @@ QString ReplacePositionStep::textOf(const SeenPosition &seen) const
                              ? tr("&Position %1, seen at %2, before the encoder went away")
                              : tr("&Position %1, seen at %2. Then nobody saw the encoder for a while; it was "
                                   "not seen to be away.");
+    return scaledText(text, seen);
+}
+
+QString ReplacePositionStep::scaledText(const QString &text, const SeenPosition &seen) const
+{
     const QString whole = text.endsWith(u'.') ? text : text + u'.';
     switch (seen.scaled) {
     case SeenPosition::Scaled::otherwise:
@@ -167,12 +190,12 @@ QRadioButton *ReplacePositionStep::chosen() const
 void ReplacePositionStep::takeSeen(const SeenPosition &seen)
 {
     m_replacing.position = seen.position;
-    m_scale = seen.scale;
+    for (const ParameterValue &value : seen.scale)
+        replaceValue(m_scale, value);
 }
 
 void ReplacePositionStep::takeTyped()
 {
-    m_scale = newSettings();
     const QString text = m_value->text().trimmed();
     const auto position = readWhole(text);
     if (position && *position >= 0)
@@ -188,10 +211,7 @@ void ReplacePositionStep::takeTyped()
 // What is written to the new encoder.
 ParameterValues ReplacePositionStep::newSettings() const
 {
-    ParameterValues values = storedSettings(m_replacing.before, m_replacing.now.device);
-    for (const ParameterValue &wanted : m_replacing.before.wanted)
-        replaceValue(values, wanted);
-    return values;
+    return settingsOfNew(m_replacing.before, m_replacing.now.device);
 }
 
 // With what is written to it the encoder counts no further than that.
@@ -205,7 +225,7 @@ bool ReplacePositionStep::stillHolds() const
 {
     if (!m_replacing.position)
         return true;
-    const bool isOtherNow = isWantedOtherwise(m_scale) && m_replacing.before.wanted != m_wanted;
+    const bool isOtherNow = isWantedOtherwise(m_scale) && newSettings() != m_settings;
     const auto total = newRange();
     return !isOtherNow && (!total || *m_replacing.position < *total);
 }
@@ -236,14 +256,13 @@ bool ReplacePositionStep::leave()
     m_replacing.position.reset();
     if (m_none->isChecked())
         return true;
-    m_wanted = m_replacing.before.wanted;
+    m_scale = m_settings = newSettings();
     if (m_last->isChecked() && m_seen)
         takeSeen(*m_seen);
     else if (m_newest->isChecked() && m_since)
         takeSeen(*m_since);
-    else if (m_kept->isChecked() && m_replacing.before.lastPosition)
-        takeSeen({.position = m_replacing.before.lastPosition->position,
-                  .scale = storedSettings(m_replacing.before, nullptr)});
+    else if (m_kept->isChecked() && m_ofProject)
+        takeSeen(*m_ofProject);
     else
         takeTyped();
     if (m_replacing.position)

@@ -32,6 +32,8 @@ private:
     bool isWantedOtherwise(const ParameterValues &scale) const;
     QString withScale(const QString &text, const ParameterValues &scale) const;
     QString textOf(const SeenPosition &seen) const; // %1 the position, %2 the time
+    QString scaledText(const QString &text, const SeenPosition &seen) const;
+    QString keptText(const SeenPosition &kept) const;
     static QString tipOf(const SeenPosition &seen);
     ParameterValues newSettings() const;
     std::optional<std::int64_t> newRange() const;
@@ -43,8 +45,9 @@ private:
     const LastPositions &m_positions;
     std::optional<SeenPosition> m_seen;
     std::optional<SeenPosition> m_since; // after it, of whichever encoder
-    ParameterValues m_scale;             // of the position that was chosen
-    ParameterValues m_wanted;            // when it was
+    std::optional<SeenPosition> m_ofProject;
+    ParameterValues m_scale;    // of the position that was chosen
+    ParameterValues m_settings; // of the new encoder, when it was
     QRadioButton *m_last;
     QRadioButton *m_newest;
     QRadioButton *m_kept;

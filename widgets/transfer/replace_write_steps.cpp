@@ -19,6 +19,7 @@
 #include "widgets/transfer/transfer_table.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace codewheel {
 
@@ -157,7 +158,12 @@ ReplaceAccountStep::ReplaceAccountStep(Replacing &replacing, QWidget *parent)
 
 void ReplaceAccountStep::show(const TransferAccount &account)
 {
-    m_result->setText(transfer_words::outcome(account.encoders.front()));
+    const EncoderAccount &its = account.encoders.front();
+    QString result = transfer_words::outcome(its);
+    if (its.why && its.positionSet && its.positionWanted)
+        result += u' ' + tr("The position was set to %1 all the same.")
+                             .arg(QLocale().toString(qlonglong{*its.positionWanted}));
+    m_result->setText(result);
     m_account->show(reportOf(account, m_replacing.catalog, QCoreApplication::applicationVersion()),
                     QStringLiteral("replaced-%1-%2")
                         .arg(m_replacing.place.shown(), account.at.toString(QStringLiteral("yyyy-MM-dd"))));

@@ -12,6 +12,7 @@
 #include "cli/project/transfer_text.h"
 #include "journal/ledger_keeper.h"
 #include "project/project_file.h"
+#include "transfer/last_positions.h"
 #include "transfer/project_places.h"
 #include "transfer/replacement.h"
 #include "transfer/transfer_words.h"
@@ -140,15 +141,39 @@ Checked<void> checkSerial(const Call &call, Place place, const Replacement &now)
         other->arguments});
 }
 
+// What the position is worth with the scale that is written; empty: as much as before.
+QString scaleOfLastText(const LastPosition &last, const ParameterValues &settings)
+{
+    if (isOfAnotherScale(last.scale, settings))
+        return CommandLine::tr(
+            "It is of another scale than the one of the project: with that, it is another position.");
+    if (!isScaleKnown(last.scale))
+        return CommandLine::tr(
+            "How the encoder was scaled then is not known: it is right if its scale was the same.");
+    return isScaleKnown(last.scale, settings)
+               ? QString()
+               : CommandLine::tr(
+                     "How the encoder was scaled then is not known in full: it is right if all of "
+                     "its scale was the same.");
+}
+
+void showLastPosition(const Call &call, const ProjectDevice &planned, const Replacement &now)
+{
+    const LastPosition &last = *planned.lastPosition;
+    QStringList sentences{
+        sentence(CommandLine::tr("The position that the project keeps: %1, seen at %2."),
+                 {QString::number(last.position), last.at.toLocalTime().toString(Qt::ISODate)})};
+    if (const QString scale = scaleOfLastText(last, settingsOfNew(planned, now.device)); !scale.isEmpty())
+        sentences << scale;
+    call.terminal.print(sentences.join(u' ') + u'\n');
+}
+
 void showDifferences(const Call &call, const ProjectDevice &planned, const Replacement &now)
 {
     if (call.arguments.has("--json"))
         return;
     if (call.arguments.value("--position") == QStringLiteral("last"))
-        call.terminal.print(sentence(CommandLine::tr("The position that the project keeps: %1, seen at %2."),
-                                     {QString::number(planned.lastPosition->position),
-                                      planned.lastPosition->at.toLocalTime().toString(Qt::ISODate)}) +
-                            u'\n');
+        showLastPosition(call, planned, now);
     const auto differences = differencesOf(planned, call.catalog.find(planned.participant.deviceKey), now);
     const QStringList lines = differences.areNone()
                                   ? QStringList{CommandLine::tr(

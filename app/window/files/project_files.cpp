@@ -167,6 +167,7 @@ bool ProjectFiles::keep(const QString &path, const std::optional<QByteArray> &ov
         return false;
     }
     m_notice.withdraw();
+    m_document.takeLastPositions(complete);
     m_document.setFile(path, projectMark(complete));
     remember(path);
     Q_EMIT told({.severity = Severity::information, .id = MessageId::projectSaved, .arguments = {path}});
@@ -189,9 +190,8 @@ QString ProjectFiles::leftOut() const
     const QString places = shown(m_document.notPlanned());
     if (places.isEmpty())
         return {};
-    return tr("What is planned for %1 is in no file: the project has no device there. Compare with the ring, "
-              "take "
-              "it into the project, then save.")
+    return tr("What is planned for %1 is in no file: the project has no device there. Compare (F9), take it "
+              "into the project, then save.")
         .arg(places);
 }
 

@@ -91,6 +91,30 @@ TEST_F(Document, IsSavedWhereItStandsInItsHistory)
     EXPECT_GE(saved.count(), 4);
 }
 
+// They were seen, and are not edited: undoing brings none back that is older.
+TEST_F(Document, TheLastPositionsThatWereSavedAreNoStep)
+{
+    const auto at = [](int hour) { return QDateTime(QDate(2026, 3, 1), QTime(hour, 0), Qt::UTC); };
+    const Place place = document.project().devices[0].place();
+    const auto save = [&](std::int64_t position, int hour) {
+        Project saved = document.project();
+        saved.devices[0].lastPosition = {position, at(hour)};
+        document.takeLastPositions(saved);
+        document.setFile(QStringLiteral("a.codewheel"));
+    };
+    save(4711, 8);
+    EXPECT_FALSE(undo.canUndo());
+    EXPECT_TRUE(document.isSaved());
+    setStation(0, QStringLiteral("hoist"));
+    save(3533, 9);
+    undo.undo();
+    EXPECT_EQ(document.device(place).lastPosition->position, 3533);
+    EXPECT_EQ(document.device(place).station, QString());
+    undo.redo();
+    EXPECT_TRUE(document.isSaved());
+    EXPECT_EQ(document.device(place).lastPosition->position, 3533);
+}
+
 TEST_F(Document, ARecoveredProjectIsNotSaved)
 {
     document.setRecovered();

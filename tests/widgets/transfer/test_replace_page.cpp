@@ -9,8 +9,10 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 
 namespace codewheel {
 namespace {
@@ -353,6 +355,123 @@ TEST_F(ReplacePageTest, ThePositionOfTheProjectIsOffered)
     click("replaceNext");
     advanceWhileBusy(page);
     EXPECT_EQ(session.encoder(fraba).latest().position, 4711);
+}
+
+// What was known of its scale when it was kept is compared like that of any other position.
+TEST_F(ReplacePageTest, AKeptPositionOfAnotherScaleSaysSo)
+{
+    const auto textWith = [this](const ParameterValues &scale) {
+        project.editDevice(fraba, QStringLiteral("keep"), [&](ProjectDevice &device) {
+            device.lastPosition = {4711, QDateTime(QDate(2026, 2, 28), QTime(17, 30)), scale};
+        });
+        page.replace(fraba);
+        click("replaceNext");
+        return find<QRadioButton>("positionKept")->text();
+    };
+    const auto says = [&](const ParameterValues &scale, const char *what) {
+        const QString text = textWith(scale);
+        EXPECT_TRUE(text.contains(QLatin1String(what))) << text.toStdString();
+    };
+    says({}, "scaled then is not known:");
+    says({{Parameter::steps, 4096}}, "not known in full");
+    says({{Parameter::steps, 4096}, {Parameter::revolutions, 2}}, "another scale than the wanted");
+    const QString same = textWith({{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
+    EXPECT_FALSE(same.contains(QStringLiteral("scale"))) << same.toStdString();
+    session.encoder(fraba).tell(Parameter::revolutions, 2);
+    says({{Parameter::steps, 4096}, {Parameter::revolutions, 1}}, "scaled otherwise then");
+}
+
+TEST_F(ReplacePageTest, OtherWantedValuesAskForAKeptPositionOnceMore)
+{
+    for (const ParameterValues &scale :
+         {ParameterValues(), ParameterValues{{Parameter::steps, 4096}, {Parameter::revolutions, 1}}}) {
+        project.editDevice(fraba, QStringLiteral("keep"), [&](ProjectDevice &device) {
+            device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}};
+            device.lastPosition = {1000, QDateTime(QDate(2026, 2, 28), QTime(17, 30)), scale};
+        });
+        page.replace(fraba);
+        click("replaceNext");
+        find<QRadioButton>("positionKept")->click();
+        click("replaceNext");
+        ASSERT_EQ(page.title(), QStringLiteral("Replace encoder 3/4"));
+        want(fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 2}});
+        EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 2/4")) << "with these it is another place";
+    }
+}
+
+// Saving is no edit, and the page shows what the file has now.
+TEST_F(ReplacePageTest, ThePositionOfTheProjectIsTheOneThatWasSavedLast)
+{
+    const auto save = [this](std::int64_t position) {
+        Project saved = project.project();
+        findDevice(saved, fraba)->lastPosition = {position, QDateTime(QDate(2026, 2, 28), QTime(17, 30))};
+        project.takeLastPositions(saved);
+    };
+    save(4711);
+    page.replace(fraba);
+    click("replaceNext");
+    auto *kept = find<QRadioButton>("positionKept");
+    EXPECT_TRUE(kept->text().contains(QStringLiteral("711"))) << kept->text().toStdString();
+    save(3533);
+    EXPECT_TRUE(kept->text().contains(QStringLiteral("533"))) << kept->text().toStdString();
+}
+
+// The question that Cancel asks closes when the encoder is done with the preset; what comes after it is not
+// begun.
+TEST_F(ReplacePageTest, ACancelledReplacementSaysThatThePositionWasSet)
+{
+    want(fraba, {{Parameter::preset, 0}});
+    session.controls->setFault(TrainingFault::slowConfirmation, fraba.node, 1);
+    page.replace(fraba);
+    click("replaceNext");
+    type("positionValue", "16");
+    click("replaceNext");
+    click("replaceNext");
+    const auto isTaken = [this] {
+        return session.encoder(fraba).latest().state == EncoderState::parameterization;
+    };
+    for (int i = 0; i < 2000 && !isTaken(); ++i)
+        session.bus.advance(10);
+    QTimer::singleShot(0, &page, [this] {
+        for (int i = 0; i < 2000 && QApplication::activeModalWidget() != nullptr; ++i)
+            session.bus.advance(10);
+    });
+    click("replaceCancel");
+    ASSERT_FALSE(page.isBusy());
+    EXPECT_EQ(text("replaceResult"),
+              QStringLiteral("The job was cancelled. The position was set to 16 all the same."));
+    const QString said = account();
+    EXPECT_TRUE(said.contains(QRegularExpression(QStringLiteral("Setting the position: +Set\n"))))
+        << said.toStdString();
+    EXPECT_TRUE(said.contains(QRegularExpression(QStringLiteral("Position before: +12,?345\n"))))
+        << said.toStdString();
+    EXPECT_TRUE(said.contains(QRegularExpression(QStringLiteral("Preset +0 \\(read\\) +16 +Written"))))
+        << said.toStdString();
+    EXPECT_EQ(messages.last(),
+              QStringLiteral("The transfer was cancelled, but the position was set to 16 (encoders that have "
+                             "all of it: 0, values written: 1, already there: 0, EEPROM writes: 2)."));
+}
+
+TEST_F(ReplacePageTest, ACancelledReplacementThatSetNothingSaysSo)
+{
+    writeLeavingThePosition();
+    click("replaceCancel");
+    advanceWhileBusy(page);
+    EXPECT_TRUE(messages.last().startsWith(QStringLiteral("The transfer was cancelled (")))
+        << messages.last().toStdString();
+}
+
+TEST_F(ReplacePageTest, TheReportKnowsThePositionBefore)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    type("positionValue", "16");
+    click("replaceNext");
+    click("replaceNext");
+    advanceWhileBusy(page);
+    ASSERT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_FALSE(account().contains(QRegularExpression(QStringLiteral("Position before: +not known"))))
+        << account().toStdString();
 }
 
 TEST_F(ReplacePageTest, AnotherMakeIsTold)
