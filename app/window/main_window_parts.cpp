@@ -340,6 +340,7 @@ void MainWindow::connectViews()
     connect(m_monitors, &MonitorArea::trendWanted, this, &MainWindow::showInTrend);
     connect(m_cams, &CamEditor::trendWanted, this, &MainWindow::showInTrend);
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
+    connect(m_wizard, &ParameterWizard::encoderChosen, m_choice, &DeviceChoice::choose);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(panel::parameters); });
     const auto openChosen = [this] {
         const auto place = m_choice->place();

@@ -2,6 +2,8 @@
 #include "jobs/driven_encoder_session.h"
 
 #include "jobs/job_report.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
 #include "vocabulary/position_speed.h"
 
 #include <algorithm>
@@ -130,7 +132,7 @@ void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
     if (outcome.inDoubt.hasSomething())
         m_inDoubt = outcome.inDoubt;
     takeWhatWaitsForRun(outcome, at);
-    for (Message &message : jobReport(m_job, outcome, m_description))
+    for (Message &message : jobReport(m_job, outcome, m_description, valuesOf(allKnown(*this))))
         report(std::move(message), at);
     Q_EMIT finished(outcome);
 }

@@ -28,6 +28,33 @@ std::int64_t positionOfRaw(const PositionScale &scale, std::int64_t raw)
     return scale.shown(inDirection(scale, scaled(scale, raw)) + *scale.zeroOffset + scale.offset);
 }
 
+bool differInOffsetsOnly(PositionScale now, const PositionScale &then)
+{
+    const bool isShiftKnown = now.zeroOffset.has_value() == then.zeroOffset.has_value();
+    now.zeroOffset = then.zeroOffset;
+    now.offset = then.offset;
+    now.preset = then.preset;
+    return isShiftKnown && now == then;
+}
+
+std::int64_t offsetsOf(const PositionScale &scale)
+{
+    return scale.zeroOffset.value_or(0) + scale.offset;
+}
+
+// Without a range to count in.
+std::optional<double> stepsPerTurn(const DeviceDescription &device, const ValueOf &valueOf)
+{
+    const ScalingState scaling = scalingState(device, valueOf(Parameter::scaling));
+    if (scaling == ScalingState::off && device.physicalStepsPerTurn > 0)
+        return device.physicalStepsPerTurn;
+    const auto steps = valueOf(Parameter::steps);
+    const auto revolutions = tellsItsRange(device) ? 1 : valueOf(Parameter::revolutions);
+    if (scaling != ScalingState::on || !steps || !revolutions || *steps < 1 || *revolutions < 1)
+        return std::nullopt;
+    return static_cast<double>(*steps) / static_cast<double>(*revolutions);
+}
+
 bool isSignedCoding(const DeviceDescription &device, std::int64_t value)
 {
     const Choice *choice = device.find(Parameter::coding)->findChoice(value);
@@ -110,12 +137,8 @@ std::optional<PositionSpeed::Scale> speedScaleOf(const DeviceDescription &device
     }
     if (const auto scale = scaleOf(device, valueOf))
         return PositionSpeed::Scale{.stepsPerTurn = scale->resolution(), .total = scale->total()};
-    const auto steps = valueOf(Parameter::steps);
-    const auto revolutions = valueOf(Parameter::revolutions);
-    if (!steps || !revolutions || *steps < 1 || *revolutions < 1)
-        return std::nullopt;
-    return PositionSpeed::Scale{.stepsPerTurn =
-                                    static_cast<double>(*steps) / static_cast<double>(*revolutions)};
+    const auto turn = stepsPerTurn(device, valueOf);
+    return turn ? std::optional(PositionSpeed::Scale{.stepsPerTurn = *turn}) : std::nullopt;
 }
 
 std::optional<PositionScale> scaleAfter(const DeviceDescription &device, const ParameterValues &written,
@@ -148,6 +171,8 @@ std::int64_t jumpAtWrap(const PositionScale &scale)
 std::optional<ForetoldPosition> foretellPosition(const PositionScale &now, std::int64_t position,
                                                  const PositionScale &then)
 {
+    if (differInOffsetsOnly(now, then) && then.total() > 0)
+        return ForetoldPosition{then.shown(position + offsetsOf(then) - offsetsOf(now)), true};
     const bool tellsThePlace = now.zeroOffset && then.zeroOffset && now.physicalStepsPerTurn > 0 &&
                                now.turns == now.physicalTurns && now.total() > 0 && then.total() > 0;
     if (!tellsThePlace)

@@ -38,7 +38,8 @@ bool countsClockwise(const DeviceDescription &device, const ParameterValue &dire
 
 using ValueOf = std::function<std::optional<std::int64_t>(Parameter)>;
 
-// Empty if steps or revolutions, or the direction of an encoder that has one, are not known.
+// Empty if steps or revolutions, the direction of an encoder that has one, or whether it scales its position,
+// are not known.
 std::optional<PositionScale> scaleOf(const DeviceDescription &device, const ValueOf &valueOf);
 
 // What it takes to derive the speed of an encoder on a shaft from its positions; empty if the steps per turn

@@ -24,34 +24,46 @@ void noteWhatIsSetAlong(const DeviceDescription &device, const ParameterValues &
     }
 }
 
-constexpr std::array scalingParameters{Parameter::steps, Parameter::revolutions, Parameter::measuringRange,
-                                       Parameter::scalingFactor};
-
-bool rescales(const ParameterValues &written)
+bool changesScale(const ParameterValue &value)
 {
-    return std::ranges::any_of(scalingParameters,
-                               [&](Parameter parameter) { return valueOf(written, parameter).has_value(); });
+    return isOfScaling(value.parameter) || value.parameter == Parameter::scaling;
 }
 
-// Where the position jumps does not depend on the direction, so that need not be known.
-ParameterValues withAnyDirection(const DeviceDescription &device, ParameterValues known)
+// Where the position jumps does not depend on the direction, so that need not be known. Steps are written to
+// act, so the encoder is taken to scale its position unless it is known not to.
+ParameterValues withAssumed(const DeviceDescription &device, ParameterValues known)
 {
-    for (const Parameter parameter : {Parameter::direction, Parameter::coding})
+    const auto assume = [&](Parameter parameter, std::int64_t ParameterDescription::*value) {
         if (const ParameterDescription *found = device.find(parameter); found && !valueOf(known, parameter))
-            known.push_back({parameter, found->minimum});
+            known.push_back({parameter, found->*value});
+    };
+    assume(Parameter::direction, &ParameterDescription::minimum);
+    assume(Parameter::coding, &ParameterDescription::minimum);
+    assume(Parameter::scaling, &ParameterDescription::maximum);
     return known;
 }
 
-// For an encoder on a serial line with scaling off, the position has all its steps whatever is written.
+ScalingState scalingAfter(const DeviceDescription &device, const ParameterValues &written,
+                          const ParameterValues &known)
+{
+    return scalingState(device, protocolOf(device).valueAfter(Parameter::scaling, written, known));
+}
+
+bool staysUnscaled(const DeviceDescription &device, const ParameterValues &written,
+                   const ParameterValues &known)
+{
+    return scalingAfter(device, {}, known) == ScalingState::off &&
+           scalingAfter(device, written, known) == ScalingState::off;
+}
+
+// With scaling off, the position has all its steps whatever is written.
 std::optional<ValueNote> jumpAfter(const DeviceDescription &device, const ParameterValues &written,
                                    const ParameterValues &known)
 {
-    ParameterValues then = known;
-    for (const ParameterValue &value : written)
-        replaceValue(then, value);
-    if (!rescales(written) || valueOf(then, Parameter::scaling) == 0)
+    if (std::ranges::none_of(written, changesScale) ||
+        scalingAfter(device, written, known) == ScalingState::off)
         return std::nullopt;
-    if (const auto scale = scaleAfter(device, written, withAnyDirection(device, known)))
+    if (const auto scale = scaleAfter(device, written, withAssumed(device, known)))
         return jumpNote(device, *scale);
     const ParameterDescription *range = device.find(Parameter::measuringRange);
     const auto turns = valueOf(written, Parameter::measuringRange);
@@ -67,9 +79,9 @@ bool needsPreset(const DeviceDescription &device, const ParameterValues &written
 {
     const auto offset = protocolOf(device).presetOffset();
     return device.capabilities.presets && offset && valueOf(known, *offset) != 0 &&
-           std::ranges::any_of(scalingParameters, [&](Parameter parameter) {
-               const auto value = valueOf(written, parameter);
-               return value && value != valueOf(known, parameter);
+           !staysUnscaled(device, written, known) &&
+           std::ranges::any_of(written, [&](const ParameterValue &value) {
+               return changesScale(value) && valueOf(known, value.parameter) != value.value;
            });
 }
 
@@ -118,6 +130,26 @@ QString pattern(const ValueNote &note)
         return QCoreApplication::translate("ValueNotes",
                                            "With another scaling the position tells another place: set it to "
                                            "the preset again afterwards.");
+    case ValueNote::Id::scalingOff:
+        return QCoreApplication::translate("ValueNotes",
+                                           "Scaling is off: the encoder keeps the values that scale its "
+                                           "position, but counts its own steps until scaling is on.");
+    case ValueNote::Id::scalingUnknown:
+        return QCoreApplication::translate("ValueNotes",
+                                           "It is not known whether scaling is on: while it is off, the "
+                                           "encoder keeps the values that scale its position, but counts its "
+                                           "own steps.");
+    case ValueNote::Id::offsetLeftOut:
+        return QCoreApplication::translate("ValueNotes",
+                                           "Setting the position makes a new zero offset: the wanted one, "
+                                           "%1, is left out.");
+    case ValueNote::Id::positionShifts:
+        return isUntold
+                   ? QCoreApplication::translate("ValueNotes",
+                                                 "This shifts the position, by how much is not known.")
+                   : QCoreApplication::translate("ValueNotes", "This shifts the position: now %1, then %2.");
+    case ValueNote::Id::positionShiftsAbout:
+        return QCoreApplication::translate("ValueNotes", "This shifts the position: now %1, then about %2.");
     }
     return jumpPattern(note.id);
 }
@@ -130,6 +162,23 @@ ParameterValues valuesOf(const std::vector<Known> &known)
     for (const Known &one : known)
         values.push_back({one.parameter, one.value});
     return values;
+}
+
+bool isOfScaling(Parameter parameter)
+{
+    static constexpr std::array scaling{Parameter::steps, Parameter::revolutions, Parameter::measuringRange,
+                                        Parameter::scalingFactor};
+    return std::ranges::find(scaling, parameter) != scaling.end();
+}
+
+std::optional<ValueNote> scalingNote(const DeviceDescription &device, const ParameterValues &written,
+                                     const ParameterValues &known)
+{
+    const ScalingState state = scalingAfter(device, written, known);
+    if (state == ScalingState::on || std::ranges::none_of(written, isOfScaling, &ParameterValue::parameter))
+        return std::nullopt;
+    return ValueNote{state == ScalingState::off ? ValueNote::Id::scalingOff : ValueNote::Id::scalingUnknown,
+                     {}};
 }
 
 std::optional<ValueNote> jumpNote(const DeviceDescription &device, const PositionScale &scale)
@@ -152,6 +201,8 @@ std::vector<ValueNote> valueNotes(const DeviceDescription &device, const Paramet
                                   const ParameterValues &known, PositionIsSet set)
 {
     std::vector<ValueNote> notes;
+    if (const auto unscaled = scalingNote(device, written, known))
+        notes.push_back(*unscaled);
     noteWhatIsSetAlong(device, written, known, notes);
     if (const auto jump = jumpAfter(device, written, known))
         notes.push_back(*jump);
@@ -178,6 +229,16 @@ QString noteKey(ValueNote::Id id)
         return QStringLiteral("fractionJumps");
     case ValueNote::Id::presetNeeded:
         return QStringLiteral("presetNeeded");
+    case ValueNote::Id::scalingOff:
+        return QStringLiteral("scalingOff");
+    case ValueNote::Id::scalingUnknown:
+        return QStringLiteral("scalingUnknown");
+    case ValueNote::Id::offsetLeftOut:
+        return QStringLiteral("offsetLeftOut");
+    case ValueNote::Id::positionShifts:
+        return QStringLiteral("positionShifts");
+    case ValueNote::Id::positionShiftsAbout:
+        return QStringLiteral("positionShiftsAbout");
     }
     return {};
 }

@@ -18,8 +18,13 @@ struct ValueNote
         revolutionsSetAlong, // revolutions from then on, now (empty: not known)
         rangeJumps,          // measuring range in turns, physical turns, steps (empty: not known)
         revolutionsJump,     // revolutions of a serial encoder, physical turns, steps
-        fractionJumps, // steps, revolutions, turns, physical turns, steps of the jump (0: less than one)
-        presetNeeded,  //
+        fractionJumps,  // steps, revolutions, turns, physical turns, steps of the jump (0: less than one)
+        presetNeeded,   //
+        scalingOff,     // what scales the position is kept, but does not act
+        scalingUnknown, // likewise, perhaps
+        offsetLeftOut,  // the wanted zero offset, which setting the position replaces
+        positionShifts, // position now, position then (both empty: not known)
+        positionShiftsAbout, // likewise, with a step or so more or less
     };
 
     Id id = Id::revolutionsSetAlong;
@@ -36,6 +41,13 @@ enum class PositionIsSet : std::uint8_t { no, yes };
 // For writing `written` to an encoder that is known to have `known`; afterwards its position may be set.
 std::vector<ValueNote> valueNotes(const DeviceDescription &device, const ParameterValues &written,
                                   const ParameterValues &known, PositionIsSet set = PositionIsSet::no);
+
+// Whether `parameter` scales the position, so that it acts only while the encoder scales it.
+bool isOfScaling(Parameter parameter);
+// That values of `written` do not act, or may not: the encoder keeps them, but does not scale its position,
+// as far as `known` tells. Empty if they do, or none of them would scale it.
+std::optional<ValueNote> scalingNote(const DeviceDescription &device, const ParameterValues &written,
+                                     const ParameterValues &known);
 
 // Where, and how far, the position jumps with this scale (docs/protocols/k3.md, arithmetic); empty if it goes
 // on.

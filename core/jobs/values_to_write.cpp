@@ -73,9 +73,21 @@ std::vector<KnownCams> allKnownCams(const EncoderSession &encoder)
 
 } // namespace
 
+std::optional<ParameterValue> offsetLeftOut(const DeviceDescription &device, const WriteWish &wish)
+{
+    const auto offset = protocolOf(device).presetOffset();
+    const bool isReplaced = wish.initialisePreset || wish.setPositionTo;
+    if (!isReplaced || !offset || !canBeGiven(device, *offset))
+        return std::nullopt;
+    const auto value = valueOf(wish.wanted, *offset);
+    return value ? std::optional(ParameterValue{*offset, *value}) : std::nullopt;
+}
+
 ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish)
 {
     ParameterValues values = wish.wanted;
+    if (const auto leftOut = offsetLeftOut(device, wish))
+        std::erase(values, *leftOut);
     if (!wish.inOrderGiven)
         std::ranges::stable_sort(values, {}, [&](const ParameterValue &value) {
             return std::ranges::find(device.parameters, value.parameter, &ParameterDescription::parameter) -

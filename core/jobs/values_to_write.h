@@ -15,7 +15,11 @@ struct WriteWish
     bool inOrderGiven = false; // otherwise in that of the description
 };
 
-// What is wanted, in the order in which it is written; what the device does not have comes last.
+// A wanted offset that setting the position replaces: it would be written for nothing.
+std::optional<ParameterValue> offsetLeftOut(const DeviceDescription &device, const WriteWish &wish);
+
+// What is wanted, in the order in which it is written, without the offset that is left out; what the device
+// does not have comes last.
 ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish);
 
 // Whether the encoder is known to have the value, so that it need not be written. A value that was only told

@@ -54,6 +54,54 @@ std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &pla
     return rows;
 }
 
+std::optional<ForetoldPosition> positionThen(const EncoderSession &encoder, const ParameterValues &written,
+                                             const ParameterValues &known)
+{
+    const DeviceDescription &device = encoder.device();
+    const bool isOffsetMissing =
+        valueOf(written, Parameter::offset) && !valueOf(known, Parameter::offset); // counts as 0 in a scale
+    if (isOffsetMissing || !encoder.showsPosition() || encoder.freshness().isOld())
+        return std::nullopt;
+    const auto now = scaleOf(device, [&](Parameter its) { return valueOf(known, its); });
+    const auto then = scaleAfter(device, written, known);
+    return now && then ? foretellPosition(*now, *encoder.latest().position, *then) : std::nullopt;
+}
+
+// That another scaling moves the position is a note of its own.
+std::optional<ValueNote> shiftNote(const EncoderSession &encoder, const ParameterValues &written)
+{
+    const ParameterValues known = valuesOf(allKnown(encoder));
+    const auto changes = [&](Parameter its) {
+        const auto value = valueOf(written, its);
+        return value && value != valueOf(known, its);
+    };
+    const bool movesZero = changes(Parameter::zeroOffset) || changes(Parameter::offset);
+    if (!movesZero && !changes(Parameter::direction) && !changes(Parameter::coding))
+        return std::nullopt;
+    const auto then = positionThen(encoder, written, known);
+    if (!then)
+        return movesZero ? std::optional(ValueNote{ValueNote::Id::positionShifts, {QString(), QString()}})
+                         : std::nullopt;
+    const std::int64_t now = *encoder.latest().position;
+    if (then->exact && then->position == now)
+        return std::nullopt;
+    return ValueNote{then->exact ? ValueNote::Id::positionShifts : ValueNote::Id::positionShiftsAbout,
+                     {now, then->position}};
+}
+
+void addNotes(const EncoderSession &encoder, const WriteWish &wish, WritePlan &plan)
+{
+    const bool setsPosition = wish.initialisePreset || wish.setPositionTo;
+    plan.notes = valueNotes(encoder.device(), plan.job.values, valuesOf(allKnown(encoder)),
+                            setsPosition ? PositionIsSet::yes : PositionIsSet::no);
+    if (const auto leftOut = offsetLeftOut(encoder.device(), wish))
+        plan.notes.push_back({ValueNote::Id::offsetLeftOut, {argumentOf(leftOut->value)}});
+    if (setsPosition)
+        return;
+    if (const auto shift = shiftNote(encoder, plan.job.values))
+        plan.notes.push_back(*shift);
+}
+
 } // namespace
 
 QString parameterNames(const std::vector<Parameter> &parameters)
@@ -98,9 +146,7 @@ WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish)
         plan.refusal = steps.error();
     plan.rows = rowsOf(encoder, plan, inTurn(device, wish));
     plan.lostAndNotWritten = lostAndNotAmong(encoder, plan.job.values);
-    const bool setsPosition = wish.initialisePreset || wish.setPositionTo;
-    plan.notes = valueNotes(device, plan.job.values, valuesOf(allKnown(encoder)),
-                            setsPosition ? PositionIsSet::yes : PositionIsSet::no);
+    addNotes(encoder, wish, plan);
     return plan;
 }
 

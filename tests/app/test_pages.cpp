@@ -5,6 +5,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/kinds/esc/line/esc_line_settings_form.h"
 #include "widgets/look/page.h"
+#include "widgets/parameters/parameter_table.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 #include "widgets/transfer/replace_page.h"
@@ -23,6 +24,7 @@
 namespace codewheel {
 namespace {
 
+using test::baumer;
 using test::fraba;
 
 class PagesTest : public test::WindowTest
@@ -226,6 +228,41 @@ TEST_F(PagesTest, TheWizardAsksBeforeItTakesBackWhatWasSet)
     EXPECT_EQ(page(), &monitors());
     EXPECT_EQ(wizard.page(), ParameterWizard::device);
     EXPECT_EQ(shown->project().device(fraba).wanted, before.wanted);
+}
+
+// In the whole window: what is read, set and drawn beside the wizard is of the same encoder.
+TEST_F(PagesTest, AnEncoderChosenInTheWizardIsChosenInTheStructureToo)
+{
+    choose(fraba);
+    actions().wizard->trigger();
+    auto &wizard = *window().findChild<ParameterWizard *>();
+    const auto &structure = *window().findChild<StructureView *>();
+    press(Qt::Key_Down);
+    ASSERT_EQ(wizard.encoder()->place(), baumer);
+    EXPECT_EQ(structure.current(), baumer);
+    const auto &parameters = *window().findChild<ParameterTable *>()->model();
+    EXPECT_EQ(parameters.match(parameters.index(0, 0), Qt::DisplayRole, QStringLiteral("Coding")).size(), 1)
+        << "the panel beside it shows that of a Baumer encoder";
+    EXPECT_TRUE(find<QWidget>("encoders").hasFocus()) << "keys go on there";
+    QTest::mouseClick(&find<QPushButton>("wizardNext"), Qt::LeftButton);
+    clickClose();
+    EXPECT_EQ(structure.current(), baumer);
+    actions().wizard->trigger();
+    EXPECT_EQ(wizard.encoder()->place(), baumer);
+}
+
+TEST_F(PagesTest, TheWizardBeginsWithTheEncoderThatIsChosenThen)
+{
+    choose(fraba);
+    actions().wizard->trigger();
+    auto &wizard = *window().findChild<ParameterWizard *>();
+    QTest::mouseClick(&find<QPushButton>("wizardNext"), Qt::LeftButton);
+    choose(baumer);
+    EXPECT_EQ(wizard.encoder()->place(), fraba) << "it stays with its encoder";
+    clickClose();
+    actions().wizard->trigger();
+    EXPECT_EQ(wizard.page(), ParameterWizard::device);
+    EXPECT_EQ(wizard.encoder()->place(), baumer);
 }
 
 TEST_F(PagesTest, AReplacementThatHasBegunIsAskedAbout)

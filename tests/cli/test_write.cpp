@@ -133,6 +133,18 @@ TEST(CliWrite, WritesInTheOrderGiven)
     EXPECT_THAT(keysOf(json, u"written"), ElementsAre("preset", "direction", "steps"));
 }
 
+TEST(CliWrite, AnOffsetThatShiftsThePositionIsToldBefore)
+{
+    SharedBus shared;
+    const QString write = QStringLiteral("write 1.0 zero-offset=30 --dry-run");
+    EXPECT_THAT(shared.runLine(write).out,
+                HasSubstr("This shifts the position, by how much is not known.\n"));
+    shared.runLine(QStringLiteral("read 1.0"));
+    EXPECT_THAT(shared.runLine(write).out, HasSubstr("This shifts the position: now 12345, then 12375.\n"));
+    const QJsonObject json = shared.runLine(write + QStringLiteral(" --json")).json();
+    EXPECT_EQ(json[u"notes"].toArray()[0][u"key"], QStringLiteral("positionShifts"));
+}
+
 TEST(CliWrite, WhereTheModeIsNotKnownTheRawWordIsTold)
 {
     SharedBus shared;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/total_range.h"
 #include "jobs/position_scale.h"
+#include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>
 
@@ -66,11 +68,63 @@ TEST(PositionScaleTest, ForetellsNothingItCannotKnow)
     EXPECT_FALSE(foretellPosition(scaled(200, 1, 5), 1, scaled(255, 1))); // in which of the many 5 turns?
 }
 
+TEST(PositionScaleTest, AnotherOffsetShiftsThePositionWhateverTheRange)
+{
+    PositionScale now = scaled(200, 1, 5); // 0..999
+    PositionScale then = now;
+    now.zeroOffset = 990;
+    then.zeroOffset = 30;
+    EXPECT_EQ(foretellPosition(now, 5, then), (ForetoldPosition{45, true}));
+    EXPECT_EQ(foretellPosition(then, 5, now), (ForetoldPosition{965, true}));
+    now.zeroOffset.reset();
+    EXPECT_FALSE(foretellPosition(now, 5, then)) << "by how much is not known";
+    then.zeroOffset.reset(); // it stays
+    then.offset = 7;
+    EXPECT_EQ(foretellPosition(now, 5, then), (ForetoldPosition{12, true}));
+}
+
 TEST(PositionScaleTest, TurnsInThought)
 {
     EXPECT_EQ(positionAfterTurns(scaled(255, 1), 0, 1), 255);
     EXPECT_EQ(positionAfterTurns(scaled(255, 1), 0, -1), 4095 * 255);
     EXPECT_EQ(positionAfterTurns(scaled(200, 1, 5), 900, 0.5), 0);
+}
+
+// Of 500 steps per turn that it keeps, a serial encoder counts none while its scaling is off.
+TEST(PositionScaleTest, ASerialEncoderCountsItsOwnStepsWhileScalingIsOff)
+{
+    const DeviceDescription &device = describe(u"kuebler-esc-rs485");
+    ParameterValues known{{Parameter::steps, 500},
+                          {Parameter::revolutions, 4096},
+                          {Parameter::measuringRange, 2'048'000},
+                          {Parameter::direction, 0}};
+    const auto its = [&](Parameter parameter) { return valueOf(known, parameter); };
+    EXPECT_FALSE(scaleOf(device, its)) << "not known whether it is off";
+    EXPECT_FALSE(speedScaleOf(device, its));
+    EXPECT_FALSE(totalRange(device, known));
+
+    known.push_back({Parameter::scaling, 0});
+    ASSERT_TRUE(scaleOf(device, its));
+    EXPECT_EQ(scaleOf(device, its)->resolution(), 8192);
+    EXPECT_EQ(scaleOf(device, its)->total(), 33'554'432);
+    EXPECT_EQ(speedScaleOf(device, its)->stepsPerTurn, 8192);
+    EXPECT_EQ(totalRange(device, known), 33'554'432);
+    EXPECT_EQ(scaleAfter(device, {{Parameter::scaling, 1}}, known)->resolution(), 500);
+
+    known.back().value = 1;
+    EXPECT_EQ(scaleOf(device, its)->resolution(), 500);
+    EXPECT_EQ(totalRange(device, known), 2'048'000);
+}
+
+// Its steps are per turn, whatever its revolutions.
+TEST(PositionScaleTest, TheSpeedOfASerialEncoderNeedsNoDirection)
+{
+    const ParameterValues known{
+        {Parameter::steps, 500}, {Parameter::revolutions, 16}, {Parameter::scaling, 1}};
+    const auto scale = speedScaleOf(describe(u"kuebler-esc-rs485"),
+                                    [&](Parameter parameter) { return valueOf(known, parameter); });
+    ASSERT_TRUE(scale);
+    EXPECT_EQ(scale->stepsPerTurn, 500);
 }
 
 } // namespace

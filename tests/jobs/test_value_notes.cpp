@@ -63,24 +63,56 @@ TEST(ValueNotes, RevolutionsOfASerialEncoderThatDoNotDivideItsTurnsJump)
 {
     const QStringView device = u"kuebler-esc-rs485";
     const ParameterValues written{{Parameter::steps, 1000}, {Parameter::revolutions, 100}};
-    EXPECT_THAT(textsOf(device, written),
+    const ParameterValues on{{Parameter::scaling, 1}};
+    const ParameterValues off{{Parameter::scaling, 0}};
+    EXPECT_THAT(textsOf(device, written, on),
                 ElementsAre("The 100 revolutions do not divide the 4096 turns of the encoder: the position "
                             "jumps by 4000 steps after turn 4096."));
-    EXPECT_THAT(textsOf(device, written, {{Parameter::scaling, 0}}), IsEmpty()) << "nothing is scaled";
-    EXPECT_THAT(textsOf(device, {{Parameter::steps, 1000}, {Parameter::revolutions, 128}}), IsEmpty());
+    EXPECT_THAT(idsOf(device, written, off), ElementsAre(Id::scalingOff)) << "nothing is scaled";
+    EXPECT_THAT(idsOf(device, written, {}, PositionIsSet::yes),
+                ElementsAre(Id::scalingUnknown, Id::revolutionsJump))
+        << "nothing, perhaps";
+    EXPECT_THAT(textsOf(device, {{Parameter::steps, 1000}, {Parameter::revolutions, 128}}, on), IsEmpty());
+    const ParameterValues kept{
+        {Parameter::scaling, 0}, {Parameter::revolutions, 100}, {Parameter::measuringRange, 100'000}};
+    EXPECT_THAT(idsOf(device, on, kept, PositionIsSet::yes), ElementsAre(Id::revolutionsJump))
+        << "once it is switched on";
+}
+
+// Manual, GS: "Scaling enabled 1 = enabled 0 = disabled".
+TEST(ValueNotes, StepsOfASerialEncoderDoNotActWhileScalingIsOff)
+{
+    const QStringView device = u"kuebler-esc-rs485";
+    const ParameterValues off{{Parameter::revolutions, 4096}, {Parameter::scaling, 0}};
+    EXPECT_THAT(textsOf(device, {{Parameter::steps, 1000}}, off, PositionIsSet::no),
+                ElementsAre("Scaling is off: the encoder keeps the values that scale its position, but "
+                            "counts its own steps until scaling is on."))
+        << "and the position stays what it is";
+    EXPECT_THAT(textsOf(device, {{Parameter::steps, 1000}}, {{Parameter::revolutions, 4096}}),
+                ElementsAre("It is not known whether scaling is on: while it is off, the encoder keeps the "
+                            "values that scale its position, but counts its own steps."));
+    for (const Parameter parameter : {Parameter::measuringRange, Parameter::scalingFactor})
+        EXPECT_THAT(idsOf(device, {{parameter, 16'384}}, off), ElementsAre(Id::scalingOff));
+    EXPECT_THAT(idsOf(device, {{Parameter::steps, 1000}, {Parameter::scaling, 1}}, off),
+                ElementsAre(Id::presetNeeded))
+        << "it is switched on along with them";
+    EXPECT_THAT(idsOf(device, {{Parameter::scaling, 1}}, off), ElementsAre(Id::presetNeeded))
+        << "what it keeps acts from then on";
+    EXPECT_THAT(idsOf(device, {{Parameter::direction, 1}}, off), IsEmpty());
 }
 
 // Manual, GR: "Number of revolutions is 4096".
 TEST(ValueNotes, StepsOfASerialEncoderSetItsRevolutions)
 {
     const QStringView device = u"kuebler-esc-rs485";
-    EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}, {{Parameter::revolutions, 16}}),
+    const ParameterValue on{Parameter::scaling, 1};
+    EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}, {{Parameter::revolutions, 16}, on}),
                 ElementsAre("With the steps, the encoder sets its revolutions to 4096: now they are 16. To "
                             "keep them, write them along with the steps."));
-    EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}),
+    EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}, {on}),
                 ElementsAre("With the steps, the encoder sets its revolutions to 4096. To have others, write "
                             "them along with the steps."));
-    EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}, {{Parameter::revolutions, 4096}}), IsEmpty());
+    EXPECT_THAT(textsOf(device, {{Parameter::steps, 864}}, {{Parameter::revolutions, 4096}, on}), IsEmpty());
     EXPECT_THAT(textsOf(u"fraba-ocd-ib", {{Parameter::steps, 864}}, {{Parameter::revolutions, 16}}),
                 IsEmpty())
         << "a K3 encoder keeps them";
@@ -90,7 +122,8 @@ TEST(ValueNotes, StepsOfASerialEncoderSetItsRevolutions)
 TEST(ValueNotes, AnotherScalingNeedsThePresetAgain)
 {
     const ParameterValues steps{{Parameter::steps, 4096}};
-    const ParameterValues known{{Parameter::revolutions, 4096}, {Parameter::steps, 8192}};
+    const ParameterValues known{
+        {Parameter::revolutions, 4096}, {Parameter::steps, 8192}, {Parameter::scaling, 1}};
     for (const QStringView device : {u"fraba-ocd-ib", u"kuebler-esc-rs485"}) {
         EXPECT_THAT(idsOf(device, steps, known), ElementsAre(Id::presetNeeded));
         EXPECT_THAT(idsOf(device, steps, known, PositionIsSet::yes), IsEmpty());
@@ -106,6 +139,25 @@ TEST(ValueNotes, EachHasItsKey)
 {
     EXPECT_EQ(noteKey(Id::rangeJumps), QStringLiteral("rangeJumps"));
     EXPECT_EQ(noteKey(Id::presetNeeded), QStringLiteral("presetNeeded"));
+    EXPECT_EQ(noteKey(Id::scalingOff), QStringLiteral("scalingOff"));
+    EXPECT_EQ(noteKey(Id::scalingUnknown), QStringLiteral("scalingUnknown"));
+    EXPECT_EQ(noteKey(Id::offsetLeftOut), QStringLiteral("offsetLeftOut"));
+    EXPECT_EQ(noteKey(Id::positionShifts), QStringLiteral("positionShifts"));
+    EXPECT_EQ(noteKey(Id::positionShiftsAbout), QStringLiteral("positionShiftsAbout"));
+}
+
+TEST(ValueNotes, ThePositionThenIsToldAsFarAsItIsKnown)
+{
+    const auto text = [](Id id, std::vector<RefusalArgument> arguments) {
+        return noteText({id, std::move(arguments)}).toStdString();
+    };
+    const std::int64_t now = 10;
+    const std::int64_t then = 414;
+    EXPECT_EQ(text(Id::positionShifts, {now, then}), "This shifts the position: now 10, then 414.");
+    EXPECT_EQ(text(Id::positionShiftsAbout, {now, then}),
+              "This shifts the position: now 10, then about 414.");
+    EXPECT_EQ(text(Id::positionShifts, {QString(), QString()}),
+              "This shifts the position, by how much is not known.");
 }
 
 } // namespace

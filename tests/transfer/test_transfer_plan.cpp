@@ -98,6 +98,17 @@ TEST_F(TransferPlanning, SaysThatThePositionJumps)
         QStringLiteral("With another scaling the position tells another place")));
 }
 
+TEST_F(TransferPlanning, AZeroOffsetIsLeftOutWhereThePositionIsSet)
+{
+    const ParameterValues values{{Parameter::steps, 4096}, {Parameter::zeroOffset, 30}};
+    const TransferPlan plan = planTransfer(buses, {{.place = baumer, .values = values, .position = 500}});
+    EXPECT_FALSE(valueOf(plan[0].write.job.values, Parameter::zeroOffset));
+    EXPECT_TRUE(transfer_words::notes(plan[0]).join(u'\n').contains(
+        QStringLiteral("the wanted one, 30, is left out")));
+    const TransferPlan without = planTransfer(buses, {{.place = baumer, .values = values}});
+    EXPECT_EQ(valueOf(without[0].write.job.values, Parameter::zeroOffset), 30);
+}
+
 TEST_F(TransferPlanning, ACloneTakesTheValuesButNotTheZeroOffset)
 {
     encoder(fraba).tell(Parameter::steps, 255);

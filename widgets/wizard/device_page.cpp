@@ -29,7 +29,7 @@ DevicePage::DevicePage(Setup &setup, QWidget *parent)
 
     layOutColumn(this, {question, {m_list, 1}, m_description, m_problem}, {.spacing = grid::margin});
     setFocusProxy(m_list);
-    connect(m_list, &QListWidget::currentRowChanged, this, &DevicePage::choose);
+    connect(m_list, &QListWidget::itemSelectionChanged, this, &DevicePage::takeSelected);
 }
 
 void DevicePage::enter()
@@ -51,10 +51,12 @@ void DevicePage::enter()
     describeChosen();
 }
 
-void DevicePage::choose(int row)
+// A list that gets the focus makes its first row the current one, without selecting it.
+void DevicePage::takeSelected()
 {
-    if (row >= 0 && row < static_cast<int>(m_encoders.size()))
-        Q_EMIT encoderChosen(m_encoders[static_cast<std::size_t>(row)]);
+    const QList<QListWidgetItem *> selected = m_list->selectedItems();
+    if (!selected.isEmpty())
+        Q_EMIT encoderChosen(m_encoders.at(static_cast<std::size_t>(m_list->row(selected.front()))));
     describeChosen();
     Q_EMIT changed();
 }

@@ -25,7 +25,7 @@ Q_SIGNALS:
     void encoderChosen(codewheel::EncoderSession *encoder);
 
 private:
-    void choose(int row);
+    void takeSelected();
     void describeChosen();
 
     QListWidget *m_list;

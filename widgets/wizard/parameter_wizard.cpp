@@ -91,7 +91,7 @@ void ParameterWizard::makePages()
         m_pages->addWidget(scroll);
         connect(page, &WizardPage::changed, this, &ParameterWizard::showButtons);
     }
-    connect(m_devicePage, &DevicePage::encoderChosen, this, &ParameterWizard::follow);
+    connect(m_devicePage, &DevicePage::encoderChosen, this, &ParameterWizard::choose);
 }
 
 EncoderSession *ParameterWizard::encoder() const
@@ -101,10 +101,23 @@ EncoderSession *ParameterWizard::encoder() const
 
 void ParameterWizard::setEncoder(EncoderSession *encoder)
 {
-    if (page() != device && m_setup->encoder)
-        return;
-    follow(encoder);
+    m_chosen = encoder;
+    const bool isUnderWay = page() != device && m_setup->encoder;
+    if (!isUnderWay && encoder != m_setup->encoder)
+        beginAnew();
+}
+
+void ParameterWizard::beginAnew()
+{
+    follow(m_chosen);
     showPage(device);
+}
+
+void ParameterWizard::choose(EncoderSession *encoder)
+{
+    m_chosen = encoder;
+    follow(encoder);
+    Q_EMIT encoderChosen(encoder->place());
 }
 
 void ParameterWizard::follow(EncoderSession *encoder)
@@ -113,6 +126,7 @@ void ParameterWizard::follow(EncoderSession *encoder)
         m_setup->encoder->disconnect(this);
     m_setup->encoder = encoder;
     m_setup->wish = {};
+    m_setup->byHand = true;
     m_setup->takeWanted();
     m_setup->keep();
     m_setup->record = {};
@@ -203,7 +217,7 @@ void ParameterWizard::showPage(int page)
 void ParameterWizard::next()
 {
     if (page() == report) {
-        showPage(device);
+        beginAnew();
         Q_EMIT closeRequested();
         return;
     }
@@ -233,7 +247,7 @@ void ParameterWizard::cancel()
         return;
     }
     m_setup->takeBack();
-    showPage(device);
+    beginAnew();
     Q_EMIT closeRequested();
 }
 
@@ -271,7 +285,7 @@ void ParameterWizard::leave()
     if (isBusy())
         return;
     m_setup->takeBack();
-    showPage(device);
+    beginAnew();
 }
 
 void ParameterWizard::showButtons()

@@ -34,7 +34,8 @@ public:
     ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *parent = nullptr);
     ~ParameterWizard() override;
 
-    // Follows the bus structure until the first step; after that it stays with its encoder.
+    // The one chosen in the bus structure. It is followed until the first step; after that the wizard stays
+    // with its encoder until it is closed.
     void setEncoder(codewheel::EncoderSession *encoder);
     EncoderSession *encoder() const;
 
@@ -65,11 +66,16 @@ public:
     QString lostByClosing() const override; // the settings made here; looking at the monitors keeps them
     void leave() override;
 
+Q_SIGNALS:
+    void encoderChosen(codewheel::Place place); // in its list
+
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void makePages();
+    void beginAnew();
+    void choose(EncoderSession *encoder);
     void follow(EncoderSession *encoder);
     void showPage(int page);
     void next();
@@ -82,6 +88,7 @@ private:
     WizardPage *current() const;
 
     std::unique_ptr<Setup> m_setup;
+    QPointer<EncoderSession> m_chosen; // in the bus structure
     StationOf m_stationOf = [](Place) { return QString(); };
     std::vector<WizardPage *> m_all;
     DevicePage *m_devicePage = nullptr;

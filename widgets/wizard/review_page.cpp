@@ -51,7 +51,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     , m_writeAll(new QCheckBox(tr("&Write all, including what is already there"), this))
     , m_writes(wrappedLabel(this, "eepromWrites"))
     , m_gate(new EepromGate(this))
-    , m_note(wrappedLabel(this))
+    , m_note(wrappedLabel(this, "reviewNotes"))
     , m_byHand(new QRadioButton(tr("Step by step, b&y hand"), this))
     , m_byItself(new QRadioButton(tr("&Running by itself"), this))
     , m_problem(named(new InlineMessage(this), "reviewProblem"))
@@ -156,7 +156,7 @@ void ReviewPage::plan()
                "mode the same word sets a cam. Say on the page What is known that it is in "
                "position mode, or do not set the position."));
     }
-    m_note->setText(verificationNote());
+    m_note->setText(notes(plan).join(u'\n'));
     Q_EMIT changed();
 }
 
@@ -177,6 +177,14 @@ void ReviewPage::showPicture()
 bool ReviewPage::mayGoOn() const
 {
     return m_mayGoOn && m_gate->isOpen();
+}
+
+QStringList ReviewPage::notes(const WritePlan &plan) const
+{
+    QStringList notes;
+    for (const ValueNote &note : plan.notes)
+        notes << noteText(note);
+    return notes << verificationNote();
 }
 
 QString ReviewPage::verificationNote() const

@@ -15,6 +15,7 @@ namespace codewheel {
 class EepromGate;
 class InlineMessage;
 class NowAndThen;
+struct WritePlan;
 
 // What is about to be sent: old and new values, the exact words, EEPROM writes.
 class ReviewPage final : public WizardPage
@@ -32,6 +33,7 @@ public:
 private:
     void plan();
     void showPicture();
+    QStringList notes(const WritePlan &plan) const;
     QString verificationNote() const;
 
     ReviewTable m_changes;

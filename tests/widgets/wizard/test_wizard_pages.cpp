@@ -356,6 +356,115 @@ TEST_F(WizardPages, APresetThatIsUsedUpIsProgrammedAgainWhereNoneIsGiven)
     EXPECT_EQ(fraba().latest().position, 1'000);
 }
 
+// Setting the position replaces the zero offset: writing one as well would cost an EEPROM write for nothing.
+TEST_F(WizardPages, TheZeroOffsetIsLeftOutWhereThePositionIsSet)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(3000);
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("steps", "255");
+    type("zero-offset", "30");
+    type("preset", "10");
+    leaveField();
+    const auto leftOut =
+        QStringLiteral("Setting the position makes a new zero offset: the wanted one, 30, is left out.");
+    EXPECT_EQ(sentence("scaleWarning"), leftOut);
+    next();
+    EXPECT_TRUE(text("reviewNotes").contains(leftOut)) << text("reviewNotes").toStdString();
+    const QAbstractItemModel &changes = *find<QTableView>("changes")->model();
+    for (int row = 0; row < changes.rowCount(); ++row)
+        EXPECT_NE(changes.index(row, 0).data(), QStringLiteral("Zero offset"));
+    const int before = fraba().eepromWrites();
+    click("byItself");
+    next();
+    bus.advance(4000);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_TRUE(text("leftIn").startsWith(QStringLiteral("Verified: read back")))
+        << text("leftIn").toStdString();
+    EXPECT_EQ(fraba().latest().position, 10);
+    EXPECT_EQ(fraba().eepromWrites() - before, 3) << "steps, preset, and the zero offset that it makes";
+    EXPECT_EQ(wanted.value("1.0"_ring, Parameter::zeroOffset), 30) << "still wanted";
+}
+
+// A position has no read-out of its own.
+TEST_F(WizardPages, APositionThatWasSetAloneIsNotSaidToBeReadBack)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(3000);
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    click("initialisePreset");
+    next();
+    click("byItself");
+    next();
+    bus.advance(3000);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_TRUE(
+        text("leftIn").startsWith(QStringLiteral("Verified: the encoder shows the position that was set.")))
+        << text("leftIn").toStdString();
+}
+
+TEST_F(WizardPages, AZeroOffsetShiftsThePositionAndTheReviewSaysWhereTo)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(3000);
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("zero-offset", "30");
+    leaveField();
+    const auto shift = QStringLiteral("This shifts the position: now 12345, then 12375.");
+    EXPECT_EQ(sentence("scaleWarning"), shift);
+    next();
+    EXPECT_TRUE(text("reviewNotes").contains(shift)) << text("reviewNotes").toStdString();
+    click("byItself");
+    next();
+    bus.advance(2000);
+    EXPECT_EQ(fraba().latest().position, 12'375);
+}
+
+TEST_F(WizardPages, EachSessionBeginsByHandAndWithoutSettingThePosition)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("preset", "10");
+    next();
+    click("byItself");
+    next();
+    bus.advance(3000);
+    ASSERT_FALSE(wizard.isBusy());
+    next();
+    next(); // closes it
+    ASSERT_EQ(wizard.page(), ParameterWizard::device);
+    next();
+    next();
+    next();
+    EXPECT_EQ(find<QLineEdit>("preset")->text(), QStringLiteral("10")) << "it is still wanted";
+    EXPECT_FALSE(find<QAbstractButton>("initialisePreset")->isChecked());
+    type("steps", "255");
+    next();
+    EXPECT_TRUE(find<QAbstractButton>("byHand")->isChecked());
+    const QAbstractItemModel &words = *find<QTableView>("plannedWords")->model();
+    for (int row = 0; row < words.rowCount(); ++row)
+        EXPECT_NE(words.index(row, 1).data(), QStringLiteral("40000000"));
+}
+
 // The offset of a Baumer encoder can neither be read nor guessed.
 TEST_F(WizardPages, WithoutTheOffsetTheReviewDrawsOnlyNow)
 {

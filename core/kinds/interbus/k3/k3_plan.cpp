@@ -58,8 +58,7 @@ K3Steps K3Plan::plan(const WriteParameters &job) const
     if (job.initialisePreset)
         appendPreset(steps);
     for (const ParameterValue &value : job.values)
-        if (!job.initialisePreset || value.parameter != Parameter::zeroOffset) // changed by the preset
-            appendRead(steps, value.parameter, value.value.number());
+        appendRead(steps, value.parameter, value.value.number());
     return steps;
 }
 
