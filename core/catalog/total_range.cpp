@@ -19,8 +19,27 @@ bool tellsItsRange(const DeviceDescription &device)
     return range != nullptr && range->unit == Unit::steps;
 }
 
+ScalingState scalingState(const DeviceDescription &device, std::optional<std::int64_t> scaling)
+{
+    if (device.find(Parameter::scaling) == nullptr)
+        return ScalingState::on;
+    if (!scaling)
+        return ScalingState::unknown;
+    return *scaling == 0 ? ScalingState::off : ScalingState::on;
+}
+
+std::int64_t physicalRange(const DeviceDescription &device)
+{
+    return std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
+}
+
 std::optional<std::int64_t> totalRange(const DeviceDescription &device, const ParameterValues &values)
 {
+    const ScalingState state = scalingState(device, valueOf(values, Parameter::scaling));
+    if (state == ScalingState::unknown)
+        return std::nullopt;
+    if (state == ScalingState::off)
+        return physicalRange(device) > 0 ? std::optional(physicalRange(device)) : std::nullopt;
     if (tellsItsRange(device))
         return valueOf(values, Parameter::measuringRange);
     const std::int64_t steps = valueOf(values, Parameter::steps).value_or(0);

@@ -125,14 +125,13 @@ std::optional<ShaftScale> shaftScale(const EncoderSession &encoder)
 {
     if (onlyTellsPosition(encoder.device()))
         return physicalScale(encoder);
-    const auto steps = knownNumber(encoder, Parameter::steps);
-    const auto revolutions = knownNumber(encoder, Parameter::revolutions);
-    if (!missingOf(encoder, shaftValues).empty() || !steps || !revolutions)
+    if (!missingOf(encoder, shaftValues).empty())
         return std::nullopt;
-    // An encoder on a serial line gives its steps per turn.
-    const std::int64_t turns = !encoder.device().hasWords() ? 1 : *revolutions;
-    return ShaftScale{.stepsPerTurn = static_cast<double>(*steps) / static_cast<double>(turns),
-                      .clockwise = countsClockwise(encoder)};
+    const auto scale =
+        speedScaleOf(encoder.device(), [&](Parameter parameter) { return knownNumber(encoder, parameter); });
+    return scale ? std::optional(
+                       ShaftScale{.stepsPerTurn = scale->stepsPerTurn, .clockwise = countsClockwise(encoder)})
+                 : std::nullopt;
 }
 
 DialState shaftState(const EncoderSession &encoder, const std::optional<ShaftScale> &scale,

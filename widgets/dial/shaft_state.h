@@ -12,8 +12,8 @@ namespace codewheel {
 class EncoderSession;
 
 // What has to be known of an encoder for its disc to turn.
-inline constexpr std::array shaftValues{Parameter::steps, Parameter::revolutions, Parameter::direction,
-                                        Parameter::coding};
+inline constexpr std::array shaftValues{Parameter::steps, Parameter::revolutions, Parameter::scaling,
+                                        Parameter::direction, Parameter::coding};
 
 // How a position turns the disc.
 struct ShaftScale

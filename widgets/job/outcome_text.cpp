@@ -3,6 +3,9 @@
 
 #include "catalog/device_description.h"
 #include "jobs/job_report.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
+#include "journal/eeprom_cost.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/job/known_text.h"
@@ -21,7 +24,15 @@ struct OutcomeText
     Q_DECLARE_TR_FUNCTIONS(OutcomeText)
 };
 
-QString writtenText(const EncoderSession &encoder, const ParameterValues &written)
+QString namesOfValues(const ParameterValues &values)
+{
+    QStringList names;
+    for (const ParameterValue &value : values)
+        names << parameterName(value.parameter);
+    return names.join(QStringLiteral(", "));
+}
+
+QString activeText(const EncoderSession &encoder, const ParameterValues &written)
 {
     const auto isReadBack = [&](const ParameterValue &value) {
         const auto known = encoder.known(value.parameter);
@@ -30,10 +41,24 @@ QString writtenText(const EncoderSession &encoder, const ParameterValues &writte
     const QString verified = std::ranges::all_of(written, isReadBack)
                                  ? OutcomeText::tr("%1 written, active and read back.", "names of parameters")
                                  : OutcomeText::tr("%1 written, echoed and active.", "names of parameters");
-    QStringList names;
-    for (const ParameterValue &value : written)
-        names << parameterName(value.parameter);
-    return verified.arg(names.join(QStringLiteral(", ")));
+    return verified.arg(namesOfValues(written));
+}
+
+QStringList writtenTexts(const EncoderSession &encoder, const ParameterValues &written)
+{
+    const auto note = scalingNote(encoder.device(), written, valuesOf(allKnown(encoder)));
+    if (!note)
+        return {activeText(encoder, written)};
+    ParameterValues active = written;
+    ParameterValues kept = written;
+    std::erase_if(active, [](const ParameterValue &value) { return isOfScaling(value.parameter); });
+    std::erase_if(kept, [](const ParameterValue &value) { return !isOfScaling(value.parameter); });
+    QStringList texts{
+        OutcomeText::tr("%1 written and read back.", "names of parameters").arg(namesOfValues(kept)),
+        noteText(*note)};
+    if (!active.empty())
+        texts.prepend(activeText(encoder, active));
+    return texts;
 }
 
 QString camsText(const Outcome &outcome)
@@ -54,7 +79,7 @@ QString successText(const EncoderSession &encoder, const Outcome &outcome)
     if (const QString cams = camsText(outcome); !cams.isEmpty())
         sentences << cams;
     if (!outcome.written.empty())
-        sentences << writtenText(encoder, outcome.written);
+        sentences << writtenTexts(encoder, outcome.written);
     for (const ParameterValue &along : outcome.setAlong)
         sentences << OutcomeText::tr("%1: %2, set by the encoder itself with the steps.",
                                      "name of a parameter, value")
@@ -73,6 +98,14 @@ QString successText(const EncoderSession &encoder, const Outcome &outcome)
     if (outcome.onlyZeroSinceRun)
         sentences << messageText({.id = MessageId::onlyZeroSinceRun});
     return sentences.join(u' ');
+}
+
+QStringList perhapsWritten(const Outcome &outcome)
+{
+    if (outcome.inDoubt.eepromWrites == 0)
+        return {};
+    return {OutcomeText::tr("EEPROM writes: %1.")
+                .arg(eepromWritesText(outcome.eepromWrites, outcome.inDoubt.eepromWrites))};
 }
 
 QString wayBackText(WayBack way)
@@ -102,7 +135,7 @@ JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome)
     const Refusal &why = outcome.result.error();
     return {.role = why.kind == RefusalKind::device ? Role::fault : Role::attention,
             .text = (QStringList{refusalText(why), endText(outcome)} +
-                     doubtSentences(outcome.inDoubt, encoder.device()))
+                     doubtSentences(outcome.inDoubt, encoder.device()) + perhapsWritten(outcome))
                         .join(u' '),
             .wayBack = wayBackText(way)};
 }

@@ -97,13 +97,12 @@ ReviewRow lineOf(const EncoderSession *encoder, const EncoderPlan &plan, const W
                       : row.step  ? sentText(*row.step)
                                   : QString(),
                       row.step ? QStringLiteral("1") : QString()},
-            .tips = tipsOf(
-                encoder, row.known,
-                row.hindrance ? refusalText(*row.hindrance)
-                : row.isThere ? TransferLines::tr("The encoder has it: it is left out.")
-                : row.goesAlong
-                    ? TransferLines::tr("Computed from the other values, which take effect once it is sent")
-                    : TransferLines::tr("What will be sent for it")),
+            .tips = tipsOf(encoder, row.known,
+                           row.hindrance ? refusalText(*row.hindrance)
+                           : row.isThere ? TransferLines::tr("The encoder has it: it is left out.")
+                           : row.goesAlong
+                               ? TransferLines::tr("Computed from the other values, and sent after them")
+                               : TransferLines::tr("What will be sent for it")),
             .place = plan.place,
             .isThere = row.isThere,
             .isHindered = row.hindrance.has_value(),

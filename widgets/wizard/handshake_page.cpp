@@ -297,8 +297,7 @@ void HandshakePage::showEnd()
             m_problem->showMessage(Role::attention, messageText({.id = MessageId::onlyZeroSinceRun}));
         m_state->setState(Role::running, m_work.isRecovery ? tr("Brought back") : tr("Verified"));
         if (!m_work.isRecovery)
-            m_leftIn->setText(tr("Verified: %1. %2")
-                                  .arg(verificationText(record, m_setup.encoder->device()), endText(*last)));
+            m_leftIn->setText(verifiedText(*last));
         return;
     }
     const Refusal &why = last->result.error();
@@ -306,6 +305,16 @@ void HandshakePage::showEnd()
     m_state->setState(byUser ? Role::attention : Role::fault,
                       byUser ? tr("Ended") : tr("Stopped by an error"));
     m_problem->showMessage(byUser ? Role::attention : Role::fault, refusalText(why));
+}
+
+// How, how the encoder was left, and what does not act yet.
+QString HandshakePage::verifiedText(const Outcome &last) const
+{
+    const DeviceDescription &device = m_setup.encoder->device();
+    const QString verified =
+        tr("Verified: %1. %2").arg(verificationText(m_setup.record, device), endText(last));
+    const QString unscaled = unscaledText(m_setup.record, device);
+    return unscaled.isEmpty() ? verified : verified + u' ' + unscaled;
 }
 
 bool HandshakePage::cancel()

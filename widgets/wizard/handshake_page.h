@@ -68,6 +68,7 @@ private:
     void bringBack(bool restore);
     void showWhereItIs(const Progress &progress);
     void showEnd();
+    QString verifiedText(const Outcome &last) const;
     EncoderState stateNow(const Outcome &last) const;
     void showWords();
     CancelSituation situation(const EncoderSession &encoder, const Progress &progress) const;

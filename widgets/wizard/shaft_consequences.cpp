@@ -14,6 +14,17 @@
 #include <QLocale>
 
 namespace codewheel {
+namespace {
+
+// The others are told of the scale.
+bool isWarning(ValueNote::Id id)
+{
+    using Id = ValueNote::Id;
+    return id == Id::revolutionsSetAlong || id == Id::offsetLeftOut || id == Id::positionShifts ||
+           id == Id::positionShiftsAbout || id == Id::scalingOff || id == Id::scalingUnknown;
+}
+
+} // namespace
 
 ShaftConsequences::ShaftConsequences(Setup &setup, QWidget *parent)
     : Consequences(setup, parent)
@@ -77,7 +88,7 @@ QStringList ShaftConsequences::warnings(const std::optional<PositionScale> &scal
     if (const QString about = scale ? warningFor(*scale) : QString(); !about.isEmpty())
         warnings << about;
     for (const ValueNote &note : notes())
-        if (note.id == ValueNote::Id::revolutionsSetAlong)
+        if (isWarning(note.id))
             warnings << noteText(note);
     return warnings;
 }

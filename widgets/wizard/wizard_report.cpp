@@ -5,6 +5,7 @@
 #include "catalog/explain_word.h"
 #include "jobs/job_report.h"
 #include "jobs/step_text.h"
+#include "jobs/value_notes.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -118,6 +119,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
     fact(WizardReport::tr("Ended"), locale.toString(record.ended, QLocale::LongFormat));
     fact(WizardReport::tr("Result"), resultText(record));
     fact(WizardReport::tr("Verified"), verificationText(record, device));
+    if (const QString unscaled = unscaledText(record, device); !unscaled.isEmpty())
+        fact(WizardReport::tr("Not in force"), unscaled);
     const std::optional<Outcome> &last = record.last();
     if (last && last->restored)
         fact(WizardReport::tr("Restored"), restoredText(last->restored));
@@ -151,10 +154,19 @@ QString verificationText(const HandshakeRecord &record, const DeviceDescription 
 {
     if (!record.outcome || !record.outcome->result)
         return WizardReport::tr("no: the handshake did not end well");
+    if (record.job.values.empty())
+        return WizardReport::tr("the encoder shows the position that was set");
     if (device.capabilities.reads)
         return WizardReport::tr("read back from the encoder, and equal");
     return WizardReport::tr(
         "confirmed in the handshake, and run was answered by operation; this encoder cannot be read");
+}
+
+QString unscaledText(const HandshakeRecord &record, const DeviceDescription &device)
+{
+    const bool isDone = record.outcome && record.outcome->result;
+    const auto note = isDone ? scalingNote(device, record.job.values, valuesOf(record.after)) : std::nullopt;
+    return note ? noteText(*note) : QString();
 }
 
 } // namespace codewheel

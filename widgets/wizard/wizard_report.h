@@ -13,5 +13,7 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
 
 // How the new values were verified: read back, or echoed and run.
 QString verificationText(const HandshakeRecord &record, const DeviceDescription &device);
+// That the values of the scaling do not act, or may not; empty: they do.
+QString unscaledText(const HandshakeRecord &record, const DeviceDescription &device);
 
 } // namespace codewheel

@@ -22,8 +22,7 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
         return CommandLine::tr("The encoder has all of it: there is nothing to write.") + u'\n';
     QStringList lines = howItIsWritten(plan);
     if (std::ranges::any_of(plan.rows, &WriteRow::goesAlong))
-        lines << CommandLine::tr(
-            "The scaling factor is computed from them: they take effect once it is sent.");
+        lines << CommandLine::tr("The scaling factor is computed from them, and sent after them.");
     for (const ValueNote &note : plan.notes)
         lines << noteText(note);
     if (const QString how = protocolOf(encoder.device()).howItIsSent(); !how.isEmpty())

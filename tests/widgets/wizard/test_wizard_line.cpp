@@ -66,9 +66,29 @@ TEST_F(WizardLine, ItsEncodersStandBehindThoseOfTheRing)
 
 TEST_F(WizardLine, StepsPerTurnMakeTheRange)
 {
-    toValues({{Parameter::steps, 360}});
+    toValues({{Parameter::steps, 360}, {Parameter::scaling, 1}});
     EXPECT_TRUE(text("scaleText").contains(QStringLiteral("360"))) << text("scaleText").toStdString();
     EXPECT_TRUE(text("scaleText").contains(QLocale().toString(360 * 4096)));
+}
+
+// The simulated encoder has its scaling off, as delivered.
+TEST_F(WizardLine, StepsThatDoNotActMakeNoRangeAndEachPageSaysSo)
+{
+    toValues({{Parameter::steps, 500}});
+    EXPECT_EQ(text("scaleText"), QStringLiteral("Resolution 8192 steps per turn, total range %1 steps over "
+                                                "%2 turns.")
+                                     .arg(QLocale().toString(33'554'432), QLocale().toString(4096)));
+    EXPECT_TRUE(find<InlineMessage>("scaleWarning")->sentence().contains(QStringLiteral("Scaling is off")));
+    next();
+    EXPECT_TRUE(text("reviewNotes").contains(QStringLiteral("Scaling is off")));
+    click("byItself");
+    next();
+    pass(5000);
+    ASSERT_FALSE(wizard.isBusy());
+    EXPECT_EQ(encoder().known(Parameter::steps)->value, 500);
+    EXPECT_TRUE(text("leftIn").contains(QStringLiteral("Scaling is off"))) << text("leftIn").toStdString();
+    next();
+    EXPECT_TRUE(find<QPlainTextEdit>("account")->toPlainText().contains(QStringLiteral("Not in force")));
 }
 
 // Manual, GR: "Number of revolutions is 4096".

@@ -20,9 +20,9 @@ Checked<void> readWhatIsWritten(const Call &call, EncoderSession &encoder, const
     for (const ParameterValue &value : wanted)
         if (const ParameterDescription *its = encoder.device().find(value.parameter); its && its->canBeRead)
             read.parameters.push_back(value.parameter);
-    for (const Parameter range : {Parameter::revolutions, Parameter::measuringRange})
-        if (std::ranges::count(read.parameters, range) == 0)
-            read.parameters.push_back(range);
+    for (const Parameter scale : {Parameter::revolutions, Parameter::measuringRange, Parameter::scaling})
+        if (std::ranges::count(read.parameters, scale) == 0)
+            read.parameters.push_back(scale);
     const FinishedJob job = runToEnd(call, {encoder, std::move(read)});
     if (job.wasCancelled)
         return tl::unexpected(aboutCancelling());

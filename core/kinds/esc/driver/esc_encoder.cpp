@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/driver/esc_encoder.h"
 
+#include "catalog/total_range.h"
 #include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/protocol/esc_bits.h"
 #include "kinds/esc/protocol/esc_reach.h"
@@ -79,7 +80,7 @@ void EscEncoder::updateScale()
     EscPositionGuard::Scale scale{.topSpeed = settings.topSpeed, .stepsPerTurn = device.physicalStepsPerTurn};
     if (values.value(Parameter::scaling) == 1)
         scale.stepsPerTurn = values.value(Parameter::steps).value_or(scale.stepsPerTurn);
-    scale.total = values.value(Parameter::measuringRange);
+    scale.total = totalRange(device, values.values());
     guard.setScale(scale);
     m_speed.setScale(PositionSpeed::Scale{static_cast<double>(scale.stepsPerTurn), scale.total});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/driver/esc_protocol.h"
 
+#include "catalog/total_range.h"
 #include "jobs/planned_by.h"
 #include "jobs/value_notes.h"
 #include "kinds/esc/driver/esc_fate.h"
@@ -95,15 +96,18 @@ int EscProtocol::writtenBesides(const ParameterValues &written) const
     return isBound && !valueOf(written, Parameter::scalingFactor) ? 1 : 0;
 }
 
-// Its measuring range is in steps, over all its revolutions (manual, commands M and U).
+// While it is scaled, its measuring range is in steps, over all its revolutions (manual, commands M and U).
 std::optional<PositionScale> EscProtocol::scaleOf(const DeviceDescription &device,
                                                   const ValueOf &valueOf) const
 {
-    const auto total = valueOf(Parameter::measuringRange);
-    const auto turns = valueOf(Parameter::revolutions);
+    const ScalingState scaling = scalingState(device, valueOf(Parameter::scaling));
+    const bool isScaled = scaling == ScalingState::on;
+    const auto total = isScaled ? valueOf(Parameter::measuringRange) : physicalRange(device);
+    const auto turns = isScaled ? valueOf(Parameter::revolutions) : device.physicalTurns;
     const bool hasDirection = device.find(Parameter::direction) != nullptr;
     const auto direction = hasDirection ? valueOf(Parameter::direction) : std::nullopt;
-    if (!total || !turns || !direction || *total < 1 || *turns < 1)
+    const bool isKnown = scaling != ScalingState::unknown && total && turns && direction;
+    if (!isKnown || *total < 1 || *turns < 1)
         return std::nullopt;
     PositionScale scale;
     scale.steps = *total;

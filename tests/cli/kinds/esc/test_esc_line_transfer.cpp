@@ -98,13 +98,14 @@ TEST_F(CliLineTransfer, ThePlanShowsTheCommandsThatAreSent)
     save();
     const CliRun dry = run("transfer @ 05 --dry-run");
     EXPECT_EQ(dry.exit, 0) << dry.err;
-    EXPECT_EQ(dry.out, "esc:05  Kübler 5882 / 5862 / 9081 RS-485\n"
-                       "  steps           8192 (read)    864        05GR00000360\n"
-                       "  scaling-factor  unknown        03600000h  05GF03600000\n"
-                       "  direction       cw (0) (read)  cw (0)     left out: already there\n"
-                       "  With another scaling the position tells another place: set it to the preset again "
-                       "afterwards.\n"
-                       "  Values and cam programs to write: 2. EEPROM writes: at most 2.\n");
+    EXPECT_EQ(dry.out,
+              "esc:05  Kübler 5882 / 5862 / 9081 RS-485\n"
+              "  steps           8192 (read)    864        05GR00000360\n"
+              "  scaling-factor  unknown        03600000h  05GF03600000\n"
+              "  direction       cw (0) (read)  cw (0)     left out: already there\n"
+              "  Scaling is off: the encoder keeps the values that scale its position, but counts its own "
+              "steps until scaling is on.\n"
+              "  Values and cam programs to write: 2. EEPROM writes: at most 2.\n");
     EXPECT_EQ(line.registers(0x05).stepsPerTurn, 8'192U);
     const QJsonObject plan = run("transfer @ 05 --dry-run --json").json();
     const QJsonValue steps = plan[u"plan"][0][u"values"][0];

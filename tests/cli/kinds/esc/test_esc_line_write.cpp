@@ -55,11 +55,26 @@ TEST(CliLineWrite, StepsSetTheRevolutionsAndPlanAndAccountSaySo)
     EXPECT_EQ(line.registers(0x05).revolutions, 16U) << "it had them, and has them again";
 
     const QJsonObject json = line.runLine(QStringLiteral("write 05 steps=500 --yes --json")).json();
-    EXPECT_EQ(json[u"notes"].toArray()[0][u"key"], QStringLiteral("revolutionsSetAlong"));
+    EXPECT_EQ(json[u"notes"].toArray()[1][u"key"], QStringLiteral("revolutionsSetAlong"));
     EXPECT_EQ(fateOf(json, "revolutions"), "setAlong");
     ASSERT_EQ(line.runLine(QStringLiteral("write 05 revolutions=16 --yes")).exit, 0);
     EXPECT_THAT(line.runLine(QStringLiteral("write 05 steps=600 --yes")).out,
                 HasSubstr("revolutions  = 4096  set by the encoder itself, with the steps\n"));
+}
+
+// Manual, GS. It is read, though nobody wants to write it.
+TEST(CliLineWrite, StepsThatDoNotActAreSaidNotTo)
+{
+    SharedLine line;
+    const QString off =
+        QStringLiteral("Scaling is off: the encoder keeps the values that scale its position");
+    EXPECT_THAT(line.runLine(QStringLiteral("write 05 steps=864 --dry-run")).out,
+                HasSubstr(off.toStdString()));
+    const QJsonObject json = line.runLine(QStringLiteral("write 05 steps=864 --yes --json")).json();
+    EXPECT_EQ(json[u"notes"].toArray()[0][u"key"], QStringLiteral("scalingOff"));
+    EXPECT_FALSE(line.registers(0x05).isScaled) << "nobody asked for it";
+    const CliRun on = line.runLine(QStringLiteral("write 05 steps=500 scaling=on --yes"));
+    EXPECT_THAT(on.out, Not(HasSubstr(off.toStdString())));
 }
 
 // 30 fraction bits: 864 / 8192 is 06C00000h.

@@ -136,10 +136,26 @@ TEST(EscPosition, TheTopSpeedIsSettableAndCountsInStepsOfTheEncoder)
 TEST(EscPosition, GoesOverTheEndOfTheMeasuringRangeItKnows)
 {
     EscBench bench;
+    bench.has["O"] = "2004"; // scaling on
     bench.has["M"] = "00100000";
     bench.has["P"] = "000FFFF0";
     bench.settle();
-    bench.finish(ReadParameters{{Parameter::measuringRange}});
+    bench.finish(ReadParameters{{Parameter::measuringRange, Parameter::scaling}});
+    bench.has["P"] = "00000010";
+    bench.run(100ms);
+    EXPECT_EQ(bench.driver.reading().position, 0x10);
+    EXPECT_EQ(bench.driver.figures().suspect, 0);
+}
+
+// Manual, GS: with scaling disabled its own 8192 steps x 4096 turns count, whatever measuring range it keeps.
+TEST(EscPosition, GoesOverTheEndOfItsCodeDiscWhileScalingIsOff)
+{
+    EscBench bench;
+    bench.has["O"] = "2000";
+    bench.has["M"] = "00100000";
+    bench.has["P"] = "01FFFFF0";
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::measuringRange, Parameter::scaling}});
     bench.has["P"] = "00000010";
     bench.run(100ms);
     EXPECT_EQ(bench.driver.reading().position, 0x10);
