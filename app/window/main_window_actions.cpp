@@ -168,6 +168,8 @@ void MainWindow::showBusState()
     const bool isThere = chosen != nullptr && chosen->state() == BusState::open; // its link is not lost
     const bool isOperating = isOpen && chosen->isOperating();
     const bool isReplay = isOpen && chosen->isReplay();
+    for (const auto &[bus, its] : m_views)
+        its->setRecordingChosen(isReplay);
     m_actions.watch->setEnabled(isOpen && !isReplay);
     m_actions.operate->setEnabled(isThere && !isReplay);
     m_actions.openRecording->setEnabled(isAttached);

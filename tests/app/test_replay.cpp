@@ -2,9 +2,12 @@
 // A recording in the window: opened, played, stepped, shown as what it is, and closed.
 #include "app/window/recording/recordings.h"
 #include "bus/bus_outline.h"
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "tests/app/window_test.h"
 #include "tests/replay/replay_recording.h"
 #include "vocabulary/freshness_text.h"
+#include "widgets/kinds/esc/line/esc_line_terminal.h"
+#include "widgets/kinds/esc/line/request_field.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/monitor/word_field.h"
 #include "widgets/monitor/word_line.h"
@@ -24,6 +27,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
 #include <gmock/gmock.h>
@@ -330,6 +334,26 @@ TEST_F(ReplayInWindow, TheTrendShowsAllOfItAndFollowsTheMoment)
     QCoreApplication::processEvents();
     EXPECT_TRUE(trend.tracks().shown().empty());
     EXPECT_TRUE(shown->plant().histories().archives().empty());
+}
+
+// What it shows is not what a request would go to.
+TEST_F(ReplayInWindow, NothingIsSentFromTheTerminalOfALiveLineWhileItIsChosen)
+{
+    shown->line().openTraining();
+    advance(200);
+    structure().choose(placeOnLine({5}));
+    lineActions().terminal->trigger();
+    advance(50);
+    auto *terminal = window().findChild<EscLineTerminal *>();
+    auto *field = terminal->findChild<RequestField *>();
+    QTest::keyClicks(field, QStringLiteral("05GP00000010"));
+    ASSERT_TRUE(field->isEnabled());
+    openRecording();
+    EXPECT_FALSE(field->isEnabled());
+    EXPECT_TRUE(field->toolTip().contains(QStringLiteral("recording"))) << field->toolTip().toStdString();
+    structure().choose(placeOnLine({5}));
+    advance(33);
+    EXPECT_TRUE(field->isEnabled());
 }
 
 TEST_F(ReplayInWindow, IsNotRecordedAgain)

@@ -289,6 +289,8 @@ void ParameterPanel::connectSession(EncoderSession &session)
         if (session.knownBefore()) // whoever is there now need not be the one that this was said of
             withdraw(Cause::outcome);
     });
+    connect(&session, &EncoderSession::wordAboutToBeSent, this, [this] { withdraw(Cause::outcome); });
+    connect(&session, &EncoderSession::eepromCountChanged, this, &ParameterPanel::followCount);
     connect(&session, &EncoderSession::permissionChanged, this, [this] { withdraw(Cause::refusal); });
     connect(&session, &QObject::destroyed, this, [this] { setEncoder({}); });
 }
@@ -552,6 +554,13 @@ void ParameterPanel::showEnd(const Outcome &outcome)
     m_end = outcome;
     m_endedAt = session()->latest().at;
     showMessage(Cause::outcome, end.role, end.text, end.wayBack);
+}
+
+// It was written to by hand since: the end of the last job no longer says what it has.
+void ParameterPanel::followCount()
+{
+    if (m_end && !session()->runningJob() && isSeenSince(*session(), m_endedAt))
+        withdraw(Cause::outcome);
 }
 
 // Somebody, or a loss of power, has brought an encoder back that was left in another state.

@@ -69,6 +69,7 @@ private:
     void connectSession(EncoderSession &session);
     void showEnd(const Outcome &outcome);
     void followState();
+    void followCount();
     void showWhyEmpty();
     void giveWayToQuestion();
     void showWhatIsPossible();

@@ -41,9 +41,11 @@ bool isOfBothKinds(const ParameterDescription &parameter, const QString &text)
     const auto isInRange = [&](std::int64_t value) {
         return value >= parameter.minimum && value <= parameter.maximum;
     };
-    return plain.size() > 1 && plain.size() <= hexDigitsOf(parameter) &&
+    const unsigned asDecimal = plain.toUInt();
+    const unsigned asHexadecimal = plain.toUInt(nullptr, hexadecimal);
+    return plain.size() > 1 && plain.size() <= hexDigitsOf(parameter) && asDecimal != asHexadecimal &&
            std::ranges::all_of(plain, [](QChar c) { return c.isDigit(); }) &&
-           (isInRange(plain.toUInt()) || isInRange(plain.toUInt(nullptr, hexadecimal)));
+           (isInRange(asDecimal) || isInRange(asHexadecimal));
 }
 
 // As it is typed: mm for a length sent in micrometres, the bits of a scaling factor, otherwise a whole

@@ -20,6 +20,13 @@ bool hangSame(const std::vector<BusBranch::Row> &rows, const std::vector<BusNode
     });
 }
 
+bool isSameNode(const BusBranch::Row &row, const BusBranch::Row &before)
+{
+    return row.node.node == before.node.node && row.node.parent == before.node.parent &&
+           row.node.code == before.node.code && row.node.words == before.node.words &&
+           row.node.deviceCode == before.node.deviceCode;
+}
+
 bool isFlat(const std::vector<BusNode> &nodes)
 {
     return std::ranges::none_of(nodes, [](const BusNode &node) { return node.parent.has_value(); });
@@ -146,18 +153,14 @@ void StructureModel::noteWhere()
     }
 }
 
-// The project supplies only the stations of connected buses. A change of make or station keeps the row, and
-// with it the selection.
+// The project supplies only the stations of connected buses: that one of their devices has moved, they tell
+// themselves. A change of make or station keeps the row, and with it the selection.
 void StructureModel::followProject()
 {
     std::vector<BusBranch> now = branches();
     const bool isSame = std::ranges::equal(now, m_branches, [](const BusBranch &one, const BusBranch &other) {
         return one.bus == other.bus && one.connected == other.connected &&
-               std::ranges::equal(one.rows, other.rows, [](const Row &row, const Row &before) {
-                   return row.node.node == before.node.node && row.node.parent == before.node.parent &&
-                          row.node.code == before.node.code && row.node.words == before.node.words &&
-                          row.node.deviceCode == before.node.deviceCode;
-               });
+               (one.connected != nullptr || std::ranges::equal(one.rows, other.rows, isSameNode));
     });
     if (!isSame) {
         show(std::move(now));
@@ -165,7 +168,9 @@ void StructureModel::followProject()
     }
     for (std::size_t i = 0; i < now.size(); ++i) {
         m_branches[i].planned = now[i].planned;
-        showNames(m_branches[i], m_branches[i].outline().nodes());
+        const std::vector<BusNode> nodes = m_branches[i].outline().nodes();
+        if (hangSame(m_branches[i].rows, nodes))
+            showNames(m_branches[i], nodes);
     }
     showTitles();
 }

@@ -68,6 +68,8 @@ public:
     void setCalled(const QString &called, bool isDoubtful);
     // The device chosen in the window, if it is on this bus.
     virtual void setChosen(std::optional<Place>) {}
+    // What is chosen in the window is of a recording: nothing is sent from the panels of other buses.
+    virtual void setRecordingChosen(bool) {}
     virtual void open() = 0;                       // its row was opened
     virtual void connectBus() { open(); }          // or shows where to do that; sends nothing
     virtual void connectTraining() {}              // to a simulated link

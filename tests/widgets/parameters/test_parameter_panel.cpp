@@ -419,6 +419,19 @@ TEST_F(Parameters, ShowsOldNewAndTheExactWordBeforeItWrites)
     EXPECT_EQ(bus.encoder(fraba)->eepromWrites(), 1);
 }
 
+TEST_F(Parameters, TheReviewSaysWhereAZeroOffsetShiftsThePosition)
+{
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    want(Parameter::zeroOffset, QStringLiteral("30"));
+    click(QStringLiteral("Write…"));
+    const auto labels = panel.findChild<WriteReview *>()->findChildren<QLabel *>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel *label) {
+        return label->isVisible() &&
+               label->text().contains(QStringLiteral("This shifts the position: now 12345, then 12375."));
+    }));
+}
+
 TEST_F(Parameters, AValueIsToldAndTakenAsWanted)
 {
     panel.setEncoder(bus.encoder(baumer));
@@ -604,8 +617,8 @@ TEST(NumberInput, AnAddressOfTwoDigitsSaysWhichNumberItIs)
     NumberInput input(*device->find(Parameter::lineAddress));
     input.setValue(18);
     EXPECT_EQ(input.text(), QStringLiteral("12h"));
-    for (const auto &[text, value] :
-         {std::pair("12h", 18), std::pair("0Ch", 12), std::pair("0x0C", 12), std::pair("9", 9)}) {
+    for (const auto &[text, value] : {std::pair("12h", 18), std::pair("0Ch", 12), std::pair("0x0C", 12),
+                                      std::pair("9", 9), std::pair("07", 7)}) {
         input.setText(QLatin1String(text));
         ASSERT_TRUE(input.value()) << text;
         EXPECT_EQ(*input.value(), value) << text;

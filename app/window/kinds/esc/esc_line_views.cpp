@@ -205,6 +205,11 @@ void EscLineViews::setChosen(std::optional<Place> place)
     showChosen();
 }
 
+void EscLineViews::setRecordingChosen(bool isChosen)
+{
+    m_terminal->setRecordingChosen(isChosen);
+}
+
 void EscLineViews::showFrame()
 {
     m_training->refresh();

@@ -50,6 +50,7 @@ public:
     QWidget *comparison() const override;
     QMenu *menu() const override;
     void setChosen(std::optional<Place> place) override;
+    void setRecordingChosen(bool isChosen) override;
     void open() override;
     bool open(Place place) override; // its terminal, since it has no words
     void connectBus() override { showSettings(); }

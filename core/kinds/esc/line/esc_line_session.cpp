@@ -543,8 +543,25 @@ void EscLineSession::tellEnd(const TypedAnswered &answered)
     const Place addressed = placeOf(request.to.node());
     if (std::ranges::find(writes, addressed, &TypedWrite::place) == writes.end())
         writes.push_back({addressed, request.text()});
-    for (const TypedWrite &write : writes)
-        Q_EMIT typedWriteEnded(write, result.sent > 0 && !wasRefused);
+    const bool mayBeDone = result.sent > 0 && !wasRefused;
+    for (const TypedWrite &write : writes) {
+        if (mayBeDone)
+            tellTyped(write.place, answered);
+        Q_EMIT typedWriteEnded(write, mayBeDone);
+    }
+}
+
+void EscLineSession::tellTyped(Place place, const TypedAnswered &answered)
+{
+    Message message{.at = now(), .place = place, .id = MessageId::typedWritten};
+    message.arguments = {QStringLiteral("%1 (%2)").arg(esc::requestText(answered.request, explainOptions()),
+                                                       QString::fromLatin1(answered.request.text()))};
+    if (!answered.result.answer) {
+        message.severity = Severity::attention;
+        message.id = MessageId::inDoubt;
+        message.arguments.emplace_back(std::int64_t{1});
+    }
+    tell(message);
 }
 
 } // namespace codewheel

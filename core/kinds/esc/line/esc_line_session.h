@@ -122,6 +122,7 @@ private:
     std::unique_ptr<EscEncoderSession> leave(std::size_t index);                      // stops polling it
     std::vector<TypedWrite> writesOf(const esc::Request &request) const;
     void tellEnd(const TypedAnswered &answered);
+    void tellTyped(Place place, const TypedAnswered &answered);
     void post(EscLineCommand command);
     void dispatch(const EscLineEvent &event);
     void linkOpened();

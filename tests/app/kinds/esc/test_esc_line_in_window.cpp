@@ -3,6 +3,7 @@
 #include "jobs/write_plan.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
+#include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -293,6 +294,48 @@ TEST_F(EscLineInWindow, TheReviewSaysWhatCannotBeWrittenAndWhy)
         EXPECT_FALSE(label->text().contains(QStringLiteral("There is nothing to write")));
 }
 
+// The encoder goes on counting 8192 steps per turn (manual, GS).
+TEST_F(EscLineInWindow, StepsThatAreWrittenWithScalingOffAreSaidNotToAct)
+{
+    choose(turning);
+    auto &panel = *window().findChild<ParameterPanel *>();
+    const auto press = [&](const QString &text) {
+        for (auto *button : panel.findChildren<QPushButton *>())
+            if (button->text() == text)
+                QTest::mouseClick(button, Qt::LeftButton);
+    };
+    const auto says = [&](const QString &text) {
+        return std::ranges::any_of(panel.findChildren<QLabel *>(), [&](const QLabel *label) {
+            return label->isVisibleTo(&panel) && label->text().contains(text);
+        });
+    };
+    const auto *dial = window().findChild<CodeDisc *>();
+    const auto rpm = [&] { return dial->state().rpm.value_or(0); };
+    press(QStringLiteral("&Read from encoder"));
+    advance(5000);
+    const double before = rpm();
+    EXPECT_NE(before, 0);
+
+    window().findChild<WantedValues *>()->set(turning, Parameter::steps, 1000);
+    press(QStringLiteral("&Write…"));
+    advance(50);
+    EXPECT_TRUE(says(QStringLiteral("Scaling is off")));
+    std::vector<Message> messages;
+    QObject::connect(&line(), &EscLineSession::messaged, &panel,
+                     [&](const Message &message) { messages.push_back(message); });
+    QTest::mouseClick(panel.findChild<QPushButton *>(QStringLiteral("confirmWrite")), Qt::LeftButton);
+    advance(6000);
+    ASSERT_EQ(encoder(turning).known(Parameter::steps)->value, 1000);
+    EXPECT_TRUE(says(QStringLiteral("Steps, Scaling factor written and read back. Scaling is off")));
+    EXPECT_EQ(std::ranges::count(messages, MessageId::writtenUnscaled, &Message::id), 1);
+    EXPECT_EQ(std::ranges::count(messages, MessageId::parametersWritten, &Message::id), 0);
+    EXPECT_NEAR(rpm(), before, 0.5) << "the shaft turns as before";
+
+    ASSERT_TRUE(encoder(turning).start(WriteParameters{.values = {{Parameter::scaling, 1}}, .previous = {}}));
+    advance(5000);
+    EXPECT_NEAR(rpm(), before, 0.5);
+}
+
 // A factor that the user gives is not replaced by a computed one, even if it is there already.
 TEST_F(EscLineInWindow, AGivenFactorIsInTheReview)
 {
@@ -320,7 +363,7 @@ TEST_F(EscLineInWindow, RevolutionsThatAreWantedGoAlongWithTheSteps)
         encoder(standing), {.wanted = {{Parameter::steps, 1000}, {Parameter::revolutions, known->value}}});
     ASSERT_EQ(plan.rows.size(), 3u);
     EXPECT_EQ(plan.rows[1].wanted, (ParameterValue{Parameter::revolutions, known->value}));
-    EXPECT_TRUE(plan.notes.empty());
+    EXPECT_EQ(std::ranges::count(plan.notes, ValueNote::Id::revolutionsSetAlong, &ValueNote::id), 0);
 }
 
 TEST_F(EscLineInWindow, WatchAndOperateAreEachBussOwn)
@@ -381,6 +424,37 @@ TEST_F(EscLineInWindow, OfAnotherAddressItStaysChosen)
     EXPECT_EQ(window().findChild<StructureView *>()->current(), now);
     EXPECT_FALSE(model().indexOf(standing).isValid());
     EXPECT_EQ(cell(now, StructureModel::stateColumn), QStringLiteral("ok"));
+}
+
+// Its new address is among what is wanted, as in the parameter panel.
+TEST_F(EscLineInWindow, WrittenAsWantedItStaysChosenUnderItsNewAddress)
+{
+    choose(standing);
+    for (const std::uint8_t wanted : {std::uint8_t{7}, std::uint8_t{9}}) {
+        const auto before = window().findChild<StructureView *>()->current();
+        ASSERT_TRUE(before);
+        window().findChild<WantedValues *>()->set(*before, Parameter::lineAddress, wanted);
+        ASSERT_TRUE(encoder(*before).start(
+            WriteParameters{.values = {{Parameter::lineAddress, wanted}}, .previous = {}}));
+        advance(4000);
+        EXPECT_EQ(window().findChild<StructureView *>()->current(), placeOnLine({wanted}));
+    }
+}
+
+TEST_F(EscLineInWindow, WhatAJobHasSetIsNotSaidAnyLongerAfterAWriteByHand)
+{
+    choose(standing);
+    auto &panel = *window().findChild<ParameterPanel *>();
+    const auto *said = panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"));
+    ASSERT_NE(said, nullptr);
+    ASSERT_TRUE(encoder(standing).start(SetPreset{5'000}));
+    advance(4000);
+    EXPECT_TRUE(said->sentence().contains(QStringLiteral("Position: 5000")))
+        << said->sentence().toStdString();
+    line().send({.to = {5}, .command = esc::Command::writePreset, .data = 6'000});
+    advance(1000);
+    EXPECT_EQ(encoder(standing).latest().position, 6'000);
+    EXPECT_TRUE(said->isHidden()) << said->sentence().toStdString();
 }
 
 TEST_F(EscLineInWindow, ItsMessagesStandWithThePlaces)

@@ -419,6 +419,25 @@ TEST_F(EscLineViewsTest, ALineThatIsPlannedWithoutAPortIsTheTrainingLine)
     EXPECT_EQ(link.currentText(), QStringLiteral("Training line"));
 }
 
+// It is no encoder of an unplanned training line: those are in no file in any case.
+TEST_F(EscLineViewsTest, WhatIsWantedForAnEncoderThatItsPlannedLineLacksIsToldWhenSaved)
+{
+    ProjectDevice planned;
+    planned.standAt(placeOnLine({3}));
+    planned.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+    plan({planned});
+    shown->project().setFile(folder.filePath(QStringLiteral("line.codewheel")));
+    shown->project().editDevice(standingEncoder, QStringLiteral("Steps"), [](ProjectDevice &device) {
+        device.wanted = {{Parameter::steps, 100}};
+    });
+    actions().saveProject->trigger();
+    const QString notice = window().findChild<InlineMessage *>(QStringLiteral("notice"))->sentence();
+    EXPECT_TRUE(notice.startsWith(QStringLiteral("What is planned for esc:05 is in no file")))
+        << notice.toStdString();
+    EXPECT_TRUE(notice.contains(QStringLiteral("F9"))) << notice.toStdString();
+    EXPECT_TRUE(window().isWindowModified());
+}
+
 TEST_F(EscLineViewsTest, TheTerminalKeepsAsManyRowsAsTheSettingsSay)
 {
     QSettings(folder.filePath(QStringLiteral("window.ini")), QSettings::IniFormat)

@@ -3,6 +3,7 @@
 #include "catalog/catalog.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "tests/kinds/esc/line/scripted_line.h"
+#include "vocabulary/refusal_text.h"
 
 #include <algorithm>
 #include <atomic>
@@ -186,6 +187,32 @@ TEST_F(EscLineSessionTest, InWatchAnEncoderTakesNoWrite)
     EXPECT_TRUE(line->isOperating());
     EXPECT_TRUE(encoder->start(SetPreset{1}));
     EXPECT_EQ(encoder->start(SetPreset{1}).error().id, RefusalId::jobRunning);
+}
+
+// As the night's messages have to show why a position jumped.
+TEST_F(EscLineSessionTest, SaysWhatWasWrittenByHandAndWhetherItIsKnown)
+{
+    link->answers["\x1B"
+                  "05GP00001770\r\n"] = "\r\n";
+    ASSERT_TRUE(line->open({}, {}, EscLineSession::Start::operating, EscLineSession::Drive::byHand));
+    ASSERT_TRUE(line->add({5}, rs485));
+    line->advance(50ms);
+    const auto send = [this](std::uint32_t position) {
+        messages.clear();
+        line->send({.to = {5}, .command = esc::Command::writePreset, .data = position});
+        line->advance(5s);
+    };
+    send(0x1770);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages.front().place, placeOnLine({5}));
+    const QString told = messageText(messages.front());
+    EXPECT_TRUE(told.startsWith(QStringLiteral("Written by hand: 05: "))) << told.toStdString();
+    EXPECT_TRUE(told.endsWith(QStringLiteral("= 6000 (05GP00001770). EEPROM writes: 1.")))
+        << told.toStdString();
+    send(0x1771); // nobody answers
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages.front().id, MessageId::inDoubt);
+    EXPECT_EQ(messages.front().severity, Severity::attention);
 }
 
 TEST_F(EscLineSessionTest, AnEncoderWithAnotherAddressIsFoundByThatOne)

@@ -70,6 +70,14 @@ void EscLineTerminal::goOn(const Collected &before)
     m_begin = before.begin;
 }
 
+void EscLineTerminal::setRecordingChosen(bool isChosen)
+{
+    if (std::exchange(m_isRecordingChosen, isChosen) == isChosen)
+        return;
+    m_question->withdraw();
+    showWhatIsPossible();
+}
+
 void EscLineTerminal::setMostRows(int rows)
 {
     m_rows->setMost(rows);
@@ -138,6 +146,15 @@ bool EscLineTerminal::isConnected() const
     return m_line && m_line->isOpen() && m_line->latest().connected;
 }
 
+std::optional<Refusal> EscLineTerminal::whyNotSent() const
+{
+    if (m_isRecordingChosen)
+        return Refusal{RefusalKind::notSupported, RefusalId::onlyRecorded, {}};
+    if (!isConnected())
+        return Refusal{RefusalKind::link, RefusalId::lineClosed, {}};
+    return std::nullopt;
+}
+
 bool EscLineTerminal::hasJob() const
 {
     return std::ranges::any_of(m_line->latest().devices, &EscLineSnapshot::Device::hasJob);
@@ -162,8 +179,8 @@ void EscLineTerminal::send()
         m_message->showMessage(Role::attention, request.error());
         return;
     }
-    if (!isConnected())
-        m_message->showMessage(Role::attention, refusalText({RefusalKind::link, RefusalId::lineClosed, {}}));
+    if (const auto why = whyNotSent())
+        m_message->showMessage(Role::attention, refusalText(*why));
     else if (esc::shapeOf(request->command).writes)
         askBeforeWrite(*request);
     else
@@ -314,14 +331,14 @@ void EscLineTerminal::showCounts()
 
 void EscLineTerminal::showWhatIsPossible()
 {
-    const bool connected = isConnected();
-    m_field->setEnabled(connected);
-    m_send->setEnabled(connected);
-    const QString why = refusalText({RefusalKind::link, RefusalId::lineClosed, {}});
-    m_field->setToolTip(connected ? tr("Address and command, as in 05P. Up and Down: what was typed before. "
-                                       "Ctrl+Space: all commands.")
-                                  : why);
-    m_send->setToolTip(connected ? tr("Sends the request (Enter)") : why);
+    const auto whyNot = whyNotSent();
+    const QString why = whyNot ? refusalText(*whyNot) : QString();
+    m_field->setEnabled(!whyNot);
+    m_send->setEnabled(!whyNot);
+    m_field->setToolTip(!whyNot ? tr("Address and command, as in 05P. Up and Down: what was typed before. "
+                                     "Ctrl+Space: all commands.")
+                                : why);
+    m_send->setToolTip(!whyNot ? tr("Sends the request (Enter)") : why);
 }
 
 } // namespace codewheel

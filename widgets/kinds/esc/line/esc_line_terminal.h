@@ -39,7 +39,8 @@ public:
 
     void setLine(codewheel::EscLineSession *line); // null: none
     void setExplainOptions(const esc::ExplainOptions &options);
-    void setMostRows(int rows); // beyond these the oldest are dropped
+    void setRecordingChosen(bool isChosen); // then nothing is sent
+    void setMostRows(int rows);             // beyond these the oldest are dropped
     // The typed requests, oldest first, for the settings.
     QStringList history() const;
     void setHistory(const QStringList &history);
@@ -84,9 +85,11 @@ private:
     void showWhatIsPossible();
     void keepQuestionWhole();
     bool isConnected() const;
+    std::optional<Refusal> whyNotSent() const;
     bool hasJob() const;
 
     QPointer<EscLineSession> m_line;
+    bool m_isRecordingChosen = false;
     esc::ExplainOptions m_options;
     std::optional<esc::Request> m_asked; // that the question is about
     std::optional<esc::Request> m_typed; // sent from the field and not answered yet
