@@ -42,8 +42,7 @@ OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settin
     connect(&page, &OfferPage::offerWanted, this, &OfferViews::begin);
     connect(&page, &OfferPage::endWanted, this, &OfferViews::end);
     connect(&page, &OfferPage::filesWanted, this, &OfferViews::saveFiles);
-    connect(&seats(), &SeatsView::restartWanted, &m_offer, &RingOffer::restart);
-    connect(&seats(), &SeatsView::restartWanted, this, &OfferViews::showSeats); // without the ring before
+    connect(&seats(), &SeatsView::restartWanted, this, &OfferViews::askToRestart);
     connect(&seats(), &SeatsView::choiceChanged, this, &OfferViews::showSeats);
     connect(&seats().panel(), &SeatPanel::acted, this, [this](int unit, Place place, const QString &what) {
         if (m_offer.isOn())
@@ -81,22 +80,47 @@ void OfferViews::end()
         askToEnd();
 }
 
-// Not by exec(): the offer may end, or the window be rebuilt, while it is open.
 void OfferViews::askToEnd()
 {
+    QPushButton *stop =
+        ask({tr("Stop offering"), tr("Stop offering and disconnect all clients?"), m_offer.endsForClients(),
+             tr("&Stop offering"), tr("Disconnects all clients (Alt+S)")});
+    connect(stop, &QPushButton::clicked, &m_offer, &RingOffer::end);
+}
+
+// A seat that nobody has used has nothing to lose.
+void OfferViews::askToRestart(int unit)
+{
+    const auto restart = [this, unit] {
+        m_offer.restart(unit);
+        showSeats(); // without the ring before
+    };
+    const QString lost = m_offer.restartsForClients(unit);
+    if (lost.isEmpty()) {
+        restart();
+        return;
+    }
+    const QPushButton *yes =
+        ask({tr("Start seat afresh"), tr("Give seat %1 a new ring, with factory settings?").arg(unit), lost,
+             tr("&Start afresh"), tr("The ring of this seat begins anew (Alt+S)")});
+    connect(yes, &QPushButton::clicked, this, restart);
+}
+
+// Not by exec(): the offer may end, or the window be rebuilt, while it is open.
+QPushButton *OfferViews::ask(const Question &question)
+{
     withdrawQuestion();
-    m_question = new QMessageBox(QMessageBox::Question, tr("Stop offering"),
-                                 tr("Stop offering and disconnect all clients?"), QMessageBox::NoButton,
+    m_question = new QMessageBox(QMessageBox::Question, question.title, question.text, QMessageBox::NoButton,
                                  m_page.window());
-    m_question->setObjectName(QStringLiteral("endOfferQuestion"));
+    m_question->setObjectName(QStringLiteral("offerQuestion"));
     m_question->setAttribute(Qt::WA_DeleteOnClose);
     setHelpTopic(*m_question, "serving.md#in-the-window");
-    m_question->setInformativeText(m_offer.endsForClients());
-    QPushButton *stop = m_question->addButton(tr("&Stop offering"), QMessageBox::AcceptRole);
-    stop->setToolTip(tr("Disconnects all clients (Alt+S)"));
+    m_question->setInformativeText(question.lost);
+    QPushButton *yes = m_question->addButton(question.yes, QMessageBox::AcceptRole);
+    yes->setToolTip(question.toolTip);
     m_question->setDefaultButton(m_question->addButton(QMessageBox::Cancel));
-    connect(stop, &QPushButton::clicked, &m_offer, &RingOffer::end);
     m_question->open();
+    return yes;
 }
 
 void OfferViews::withdrawQuestion()

@@ -5,6 +5,7 @@
 #include <QPointer>
 
 class QMessageBox;
+class QPushButton;
 
 namespace codewheel {
 
@@ -40,7 +41,17 @@ Q_SIGNALS:
 
 private:
     void begin(const OfferWish &wish);
+    struct Question
+    {
+        QString title;
+        QString text;
+        QString lost; // with "yes"
+        QString yes;
+        QString toolTip;
+    };
     void askToEnd();
+    void askToRestart(int unit);
+    QPushButton *ask(const Question &question); // returns "yes"
     void withdrawQuestion();
     void showPlace();
     void showStatus();
@@ -55,7 +66,7 @@ private:
     WindowSettings &m_settings;
     StatusLine &m_line;
     QPointer<RoleLabel> m_status;
-    QPointer<QMessageBox> m_question; // whether to end it
+    QPointer<QMessageBox> m_question; // whether to end it, or to start a seat afresh
 };
 
 } // namespace codewheel

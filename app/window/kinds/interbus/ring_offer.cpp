@@ -236,6 +236,16 @@ void RingOffer::tellOfSeat(int unit, NodeId node, const QString &what, MessageId
                                 : sentence(tr("Seat %1, %2: %3"), {seat, node.toString(), what})}});
 }
 
+QString RingOffer::restartsForClients(int unit) const
+{
+    const auto all = seats({});
+    const auto its = std::ranges::find(all, unit, &Seat::unit);
+    if (its == all.end() || (its->clients == 0 && !its->written))
+        return {};
+    return sentence(tr("Connected clients: %1."), {QString::number(its->clients)}) + u' ' +
+           tr("What was written to this seat is lost. Whoever is connected sees its ring stand for 2 s.");
+}
+
 void RingOffer::restart(int unit)
 {
     m_seats.replace(static_cast<std::size_t>(unit - 1), m_ring.makeSeat());

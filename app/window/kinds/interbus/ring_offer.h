@@ -51,6 +51,8 @@ public:
     std::vector<Seat> seats(std::optional<NodeId> device) const; // with the words of this device
     std::vector<ServedDevice> devices() const;                   // of one of the rings: they are alike
     void restart(int unit);                                      // the ring of a seat
+    // Whom that concerns, in words; empty: nobody is connected there, or has written to it.
+    QString restartsForClients(int unit) const;
     // What a trainer can do to the ring of a seat; another one after restart(). Null: there is no such seat.
     std::shared_ptr<TrainingControls> controls(int unit) const;
     // What was done to the ring of a seat, for the messages.

@@ -34,6 +34,22 @@ inline constexpr std::uint16_t quality = 1U << 14;
 inline constexpr std::uint16_t sdsi = 1U << 15;
 } // namespace diagnostic
 
+// As a master shows it that has no fault to name, where the link reaches none.
+constexpr std::uint16_t registerOf(MasterState state) noexcept
+{
+    switch (state) {
+    case MasterState::ready:
+        return diagnostic::ready;
+    case MasterState::active:
+        return diagnostic::ready | diagnostic::active;
+    case MasterState::run:
+        return diagnostic::ready | diagnostic::active | diagnostic::run;
+    case MasterState::busFail:
+        return diagnostic::ready | diagnostic::bus;
+    }
+    return 0;
+}
+
 // What the master says about the ring.
 struct MasterStatus
 {

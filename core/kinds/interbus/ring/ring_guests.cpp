@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/ring_guests.h"
 
+#include "kinds/interbus/ring/master_status.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -69,7 +71,9 @@ void RingGuests::carryOut(std::vector<bool> taken, const CarryOut &carryOut)
 void RingGuests::show(const Result<void> &exchanged, const std::function<void(GuestImage &)> &update)
 {
     const std::scoped_lock lock(m_mutex);
+    const auto before = m_image.ring;
     update(m_image);
+    letAnotherStand(m_image.ring && m_image.ring != before);
     m_isShown = true;
     m_shown.notify_all();
     for (Write *write : std::exchange(m_carriedOut, {})) {
@@ -84,6 +88,14 @@ void RingGuests::show(const Result<void> &exchanged, const std::function<void(Gu
         }
         end(*write, std::move(sent));
     }
+}
+
+void RingGuests::letAnotherStand(bool isAnother)
+{
+    if (isAnother)
+        m_standsUntil = std::exchange(m_hasHadRing, true) ? m_image.at + anotherStandsFor : Instant{};
+    if (m_image.at < m_standsUntil)
+        m_image.status = registerOf(MasterState::active);
 }
 
 void RingGuests::leave()

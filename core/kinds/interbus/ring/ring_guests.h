@@ -71,7 +71,10 @@ public:
     // `carryOut` completes the words to whole ones, or says why not.
     using CarryOut = std::function<Result<void>(std::vector<GuestWord> &words)>;
     void carryOut(std::vector<bool> taken, const CarryOut &carryOut);
-    // The cycle is over: what was carried out was on the bus, or why not.
+    // The cycle is over: what was carried out was on the bus, or why not. Where another ring has taken the
+    // place of one, its master seems to stand still at first: guests that watch it notice that its encoders
+    // may be others.
+    static constexpr std::chrono::seconds anotherStandsFor{2};
     void show(const Result<void> &exchanged, const std::function<void(GuestImage &)> &update);
     // The ring is no longer offered.
     void leave();
@@ -85,11 +88,14 @@ private:
         std::condition_variable ended{};
     };
 
+    void letAnotherStand(bool isAnother); // under the lock
     static void end(Write &write, Result<GuestSent> result);
 
     mutable std::mutex m_mutex; // guards everything below
     GuestImage m_image;
     bool m_isShown = false; // or left: there is nothing to wait for
+    bool m_hasHadRing = false;
+    Instant m_standsUntil{};
     mutable std::condition_variable m_shown;
     std::vector<Write *> m_waiting; // oldest first; those who wait for them own them
     std::vector<Write *> m_carriedOut;

@@ -5,26 +5,6 @@
 #include <utility>
 
 namespace codewheel {
-namespace {
-
-// As a master of this kind shows it, where the link reaches none.
-std::uint16_t registerOf(MasterState state)
-{
-    using namespace diagnostic;
-    switch (state) {
-    case MasterState::ready:
-        return ready;
-    case MasterState::active:
-        return ready | active;
-    case MasterState::run:
-        return ready | active | run;
-    case MasterState::busFail:
-        return ready | bus;
-    }
-    return 0;
-}
-
-} // namespace
 
 void RingRunner::Private::carryOut(command::OfferTo &c)
 {

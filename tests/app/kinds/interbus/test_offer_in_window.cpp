@@ -25,7 +25,7 @@ using test::partOf;
 class OfferInWindow : public test::OfferTest
 {
 protected:
-    QMessageBox *question() { return window().findChild<QMessageBox *>(QStringLiteral("endOfferQuestion")); }
+    QMessageBox *question() { return window().findChild<QMessageBox *>(QStringLiteral("offerQuestion")); }
     bool isInTrace(const QString &word)
     {
         const auto *rows = window()
@@ -44,6 +44,9 @@ constexpr int illegalFunction = MODBUS_ENOBASE + 1;
 constexpr int noSuchUnit = MODBUS_ENOBASE + 11;
 constexpr std::uint16_t high = 0x0200;
 constexpr std::uint16_t low = 0x00FF;
+constexpr int statusRegister = 8'192;
+constexpr std::uint16_t ofRunningRing = 0x00E0;
+constexpr std::uint16_t ofStandingRing = 0x00C0;
 
 TEST_F(OfferInWindow, WhatAClientWritesIsOnTheRingAndIsSeen)
 {
@@ -118,8 +121,18 @@ TEST_F(OfferInWindow, EachSeatHasARingOfItsOwn)
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
                       table.visualRect(table.model()->index(1, 1)).center());
     click("restartSeat");
+    ASSERT_NE(question(), nullptr);
+    EXPECT_TRUE(question()->informativeText().contains(QStringLiteral("Connected clients: 1")))
+        << question()->informativeText().toStdString();
+    EXPECT_EQ(second.readHolding(2, 2), (std::vector<std::uint16_t>{0, 7})) << "not yet";
+    for (auto *button : question()->findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("&Start afresh"))
+            QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_TRUE(waitFor([&] { return second.readHolding(0, 4) == std::vector<std::uint16_t>{0, 0, 0, 0}; }));
     EXPECT_EQ(first.readHolding(0, 2), (std::vector<std::uint16_t>{high, low})) << "the others go on";
+    EXPECT_EQ(second.readInput(statusRegister, 1), std::vector{ofStandingRing});
+    EXPECT_EQ(first.readInput(statusRegister, 1), std::vector{ofRunningRing});
+    EXPECT_TRUE(waitFor([&] { return second.readInput(statusRegister, 1) == std::vector{ofRunningRing}; }));
 }
 
 TEST_F(OfferInWindow, ClientsThatMayOnlyReadAreRefused)

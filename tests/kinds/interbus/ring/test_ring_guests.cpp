@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/master_status.h"
 #include "kinds/interbus/ring/ring_guests.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "tests/kinds/interbus/ring/word_by_word_driver.h"
@@ -252,6 +253,23 @@ TEST_F(RingGuestsTest, AWriteForTheRingOfBeforeIsRefused)
     useRing(3);
     cycle();
     EXPECT_EQ(refusalOf(m_guests->write(before, {{0, 7}}, patience)), RefusalId::notInRing);
+}
+
+// Whoever watches it asks then whether the encoders are the same.
+TEST_F(RingGuestsTest, AnotherRingSeemsToStandAtFirst)
+{
+    const auto runs = [this] { return (m_guests->image(patience).status & diagnostic::run) != 0; };
+    EXPECT_TRUE(runs());
+    useRing(3);
+    cycle();
+    EXPECT_FALSE(runs());
+    m_now += RingGuests::anotherStandsFor - 10ms;
+    cycle();
+    EXPECT_FALSE(runs());
+    m_now += 10ms;
+    cycle();
+    EXPECT_TRUE(runs());
+    EXPECT_TRUE(write({{0, 7}}));
 }
 
 TEST_F(RingGuestsTest, WithoutCyclesAWriteIsGivenUpAndNotSentLater)
