@@ -81,6 +81,7 @@ protected:
         QLocale::setDefault(QLocale::c());
     }
 
+    void startFromItsPage();
     void expectSmall(const QString &what)
     {
         advance(50);
@@ -106,6 +107,21 @@ protected:
 private:
     Language language;
 };
+
+void SmallWindow::startFromItsPage()
+{
+    ringActions().disconnectBus->trigger();
+    lineActions().disconnectLine->trigger();
+    advance(50);
+    auto *terminal = window().findChild<QDockWidget *>(QStringLiteral("terminalDock"));
+    terminal->show();
+    terminal->raise();
+    expectSmall(QStringLiteral("start page"));
+    QTest::mouseClick(window().findChild<QPushButton *>(QStringLiteral("startTraining")), Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window().size() == smallest; }))
+        << "it may grow for a moment";
+    expectSmall(QStringLiteral("training bus"));
+}
 
 TEST_P(SmallWindow, HoldsEveryPage)
 {
@@ -280,19 +296,16 @@ TEST_P(SmallWindow, HoldsTheInsertPanelOfTheStructureEditor)
     EXPECT_FALSE(search->visibleRegion().isEmpty()) << "what one opens is in sight";
 }
 
+TEST_P(SmallWindow, StaysAsItWasLeftWhenThePagesGiveWayInTheNextRun)
+{
+    window().saveWindow();
+    open();
+    startFromItsPage();
+}
+
 TEST_P(SmallWindow, StaysAsItIsWhenThePagesGiveWayToAnother)
 {
-    ringActions().disconnectBus->trigger();
-    lineActions().disconnectLine->trigger();
-    advance(50);
-    auto *terminal = window().findChild<QDockWidget *>(QStringLiteral("terminalDock"));
-    terminal->show();
-    terminal->raise();
-    expectSmall(QStringLiteral("start page"));
-    QTest::mouseClick(window().findChild<QPushButton *>(QStringLiteral("startTraining")), Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return window().size() == smallest; }))
-        << "it may grow for a moment";
-    expectSmall(QStringLiteral("training bus"));
+    startFromItsPage();
 }
 
 TEST_P(SmallWindow, HoldsTheQuestionWhetherItIsTheSameEncoder)

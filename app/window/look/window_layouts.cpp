@@ -114,8 +114,11 @@ void WindowLayouts::rememberIfChanged(QSize in)
 // A window also grows to hold a page or panel that asks, for a moment, for more than it needs.
 void WindowLayouts::noteSize(const QResizeEvent &event)
 {
-    if (event.size() != event.oldSize().expandedTo(m_window.minimumSize()))
+    const bool isGrowth = event.size() == event.oldSize().expandedTo(m_window.minimumSize());
+    if (!isGrowth)
         m_asked = event.size();
+    else if (!m_asked.isValid()) // it was asked for before anybody watched
+        m_asked = event.oldSize();
 }
 
 bool WindowLayouts::hasGrown() const
