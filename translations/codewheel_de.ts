@@ -963,14 +963,6 @@
     </message>
 </context>
 <context>
-    <name>GatewayTexts</name>
-    <message>
-        <source>register %1</source>
-        <comment>the first of a device</comment>
-        <translation>Register %1</translation>
-    </message>
-</context>
-<context>
     <name>IdCode</name>
     <message>
         <source>digital output</source>
@@ -2081,6 +2073,30 @@
         <source>It is not known whether the encoder has this: %1. Read it to know.</source>
         <translation>Es ist nicht bekannt, ob der Geber dies hat: %1. Auslesen, um es zu wissen.</translation>
     </message>
+    <message>
+        <source>Written by hand: %1. EEPROM writes: 1.</source>
+        <translation>Von Hand geschrieben: %1. EEPROM-Schreibvorgänge: 1.</translation>
+    </message>
+    <message>
+        <source>Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position acts only while scaling is on.</source>
+        <translation>Geschrieben: %3 (Parameter: %1, EEPROM-Schreibvorgänge: %2). Was die Position skaliert, wirkt nur, solange die Skalierung ein ist.</translation>
+    </message>
+    <message>
+        <source>It is not known whether the encoder has this: %1. It cannot be read: compare the position with the machine, or write it again.</source>
+        <translation>Es ist nicht bekannt, ob der Geber dies hat: %1. Auslesen lässt es sich nicht: Position mit der Maschine vergleichen oder erneut schreiben.</translation>
+    </message>
+    <message>
+        <source>EEPROM writes that this perhaps cost: %1.</source>
+        <translation>EEPROM-Schreibvorgänge, die das vielleicht gekostet hat: %1.</translation>
+    </message>
+    <message>
+        <source>The transfer was cancelled (encoders that have all of it: %1, values written: %2, already there: %3, EEPROM writes: %4).</source>
+        <translation>Übertragung abgebrochen (Geber, die alles haben: %1, geschriebene Werte: %2, schon vorhanden: %3, EEPROM-Schreibvorgänge: %4).</translation>
+    </message>
+    <message>
+        <source>The transfer was cancelled, but the position was set to %5 (encoders that have all of it: %1, values written: %2, already there: %3, EEPROM writes: %4).</source>
+        <translation>Übertragung abgebrochen, die Position wurde aber auf %5 gesetzt (Geber, die alles haben: %1, geschriebene Werte: %2, schon vorhanden: %3, EEPROM-Schreibvorgänge: %4).</translation>
+    </message>
 </context>
 <context>
     <name>OutcomeText</name>
@@ -2142,6 +2158,11 @@
     <message>
         <source>End the service</source>
         <translation>Dienst beenden</translation>
+    </message>
+    <message>
+        <source>%1 written and read back.</source>
+        <comment>names of parameters</comment>
+        <translation>%1 geschrieben und zurückgelesen.</translation>
     </message>
 </context>
 <context>
@@ -3540,6 +3561,30 @@
         <source>With another scaling the position tells another place: set it to the preset again afterwards.</source>
         <translation>Mit einer anderen Skalierung steht derselbe Zahlenwert für einen anderen Ort: Die Position danach wieder auf den Preset setzen.</translation>
     </message>
+    <message>
+        <source>Scaling is off: the encoder keeps the values that scale its position, but counts its own steps until scaling is on.</source>
+        <translation>Die Skalierung ist aus: Der Geber behält die Werte, die seine Position skalieren, zählt aber seine eigenen Schritte, bis die Skalierung ein ist.</translation>
+    </message>
+    <message>
+        <source>It is not known whether scaling is on: while it is off, the encoder keeps the values that scale its position, but counts its own steps.</source>
+        <translation>Ob die Skalierung ein ist, ist nicht bekannt: Solange sie aus ist, behält der Geber die Werte, die seine Position skalieren, zählt aber seine eigenen Schritte.</translation>
+    </message>
+    <message>
+        <source>Setting the position makes a new zero offset: the wanted one, %1, is left out.</source>
+        <translation>Das Setzen der Position ergibt eine neue Nullpunkt-Verschiebung: Die gewünschte, %1, entfällt.</translation>
+    </message>
+    <message>
+        <source>This shifts the position, by how much is not known.</source>
+        <translation>Das verschiebt die Position; um wie viel, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>This shifts the position: now %1, then %2.</source>
+        <translation>Das verschiebt die Position: jetzt %1, danach %2.</translation>
+    </message>
+    <message>
+        <source>This shifts the position: now %1, then about %2.</source>
+        <translation>Das verschiebt die Position: jetzt %1, danach etwa %2.</translation>
+    </message>
 </context>
 <context>
     <name>WizardReport</name>
@@ -3694,6 +3739,14 @@
     <message>
         <source>not answered</source>
         <translation>nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>Not in force</source>
+        <translation>Nicht wirksam</translation>
+    </message>
+    <message>
+        <source>the encoder shows the position that was set</source>
+        <translation>der Geber zeigt die gesetzte Position</translation>
     </message>
 </context>
 <context>
@@ -5718,25 +5771,6 @@ Beschreibungen kommen aus ~/.local/share/codewheel/devices/*.json; --check prüf
         <translation>%1 gibt es schon. Es wurde nichts gelesen. Eine andere Datei angeben oder mit --yes ersetzen.</translation>
     </message>
     <message>
-        <source>read prints the cam programs, and saves them in FILE where one is named; a FILE that is there
-already is replaced with --yes only. compare reads those that are in FILE and tells line by line
-what differs; exit code 1 if anything does. write does the same, shows the words and the EEPROM
-writes, asks, writes what differs, and reads it back. A FILE made for another device is refused.
-
-Without --program, all eight are read, or all that are in the file. The encoder is in cam mode meanwhile.
-Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays in the
-last of the programs. A changed program is saved when it is left, with one EEPROM write.</source>
-        <translation>read gibt die Nockenprogramme aus und speichert sie in FILE, wenn eine Datei genannt ist; eine vorhandene
-wird nur mit --yes ersetzt. compare liest die Programme, die in FILE stehen, aus dem Geber und sagt Zeile
-für Zeile, was abweicht; Rückgabewert 1, wenn etwas abweicht. write tut dasselbe, zeigt die Worte und
-EEPROM-Schreibvorgänge, fragt, schreibt, was abweicht, und liest es zurück. Eine FILE für ein anderes Gerät
-wird abgelehnt.
-
-Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist solange im Nockenbetrieb.
-Danach ist er wieder in der vorigen Betriebsart, wenn sie bekannt ist; sonst, und mit --stay, bleibt er
-im letzten Programm. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
-    </message>
-    <message>
         <source>cam programs as well</source>
         <translation>auch die Nockenprogramme</translation>
     </message>
@@ -6967,10 +7001,6 @@ VALUE ist eine Zahl oder ein Name: 255, 0xFF, FFh, cw.</translation>
         <translation>Um %2 wurde nichts an %1 geschrieben, dessen vorige Werte aufbewahrt sind. Siehe codewheel-cli restore %1 --list.</translation>
     </message>
     <message>
-        <source>The scaling factor is computed from them: they take effect once it is sent.</source>
-        <translation>Der Skalierungsfaktor wird daraus berechnet: Diese Werte wirken, sobald er gesendet ist.</translation>
-    </message>
-    <message>
         <source>No stored message matches.</source>
         <translation>Keine der aufbewahrten Meldungen passt dazu.</translation>
     </message>
@@ -7778,6 +7808,87 @@ ist. Braucht keinen Bus.</translation>
     <message>
         <source>Cancelled: what is under way is ended first.</source>
         <translation>Abgebrochen: Was unterwegs ist, wird noch beendet.</translation>
+    </message>
+    <message>
+        <source>switch the encoder to position mode afterwards, whatever mode it was in</source>
+        <translation>den Geber danach in den Positionsbetrieb schalten, gleich in welcher Betriebsart er war</translation>
+    </message>
+    <message>
+        <source>position mode</source>
+        <translation>Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>velocity mode</source>
+        <translation>Drehzahlbetrieb</translation>
+    </message>
+    <message>
+        <source>cam mode, program %1</source>
+        <translation>Nockenbetrieb, Programm %1</translation>
+    </message>
+    <message>
+        <source>In which mode the encoder is now is not known.</source>
+        <translation>In welcher Betriebsart der Geber jetzt ist, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The encoder is in %1 again, as before.</source>
+        <translation>Der Geber ist wieder in der Betriebsart von vorher: %1.</translation>
+    </message>
+    <message>
+        <source>The encoder is now in %1; before, it was in %2.</source>
+        <translation>Betriebsart des Gebers jetzt: %1; vorher: %2.</translation>
+    </message>
+    <message>
+        <source>The encoder is now in %1; in which mode it was before is not known.</source>
+        <translation>Betriebsart des Gebers jetzt: %1; die vorherige ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>With --to-position it is in position mode afterwards.</source>
+        <translation>Mit --to-position ist er danach im Positionsbetrieb.</translation>
+    </message>
+    <message>
+        <source>--stay and --to-position contradict each other. Leave out one of them.</source>
+        <translation>--stay und --to-position widersprechen sich. Eines davon weglassen.</translation>
+    </message>
+    <message>
+        <source>read prints the cam programs, and saves them in FILE where one is named; a FILE that is there
+already is replaced with --yes only. compare reads those that are in FILE and tells line by line
+what differs; exit code 1 if anything does. write does the same, shows the words and the EEPROM
+writes, asks, writes what differs, and reads it back. A FILE made for another device is refused.
+
+Without --program, all eight are read, or all that are in the file. The encoder is in cam mode meanwhile.
+Afterwards it is again in the mode it was in, where that is known; else, and with --stay, it stays in the
+last of the programs, and with --to-position it is in position mode. In the end it is told in which
+mode it is. A changed program is saved when it is left, with one EEPROM write.</source>
+        <translation>read gibt die Nockenprogramme aus und speichert sie in FILE, wenn eine Datei genannt ist; eine vorhandene
+wird nur mit --yes ersetzt. compare liest die Programme, die in FILE stehen, aus dem Geber und sagt Zeile
+für Zeile, was abweicht; Rückgabewert 1, wenn etwas abweicht. write tut dasselbe, zeigt die Worte und
+EEPROM-Schreibvorgänge, fragt, schreibt, was abweicht, und liest es zurück. Eine FILE für ein anderes Gerät
+wird abgelehnt.
+
+Ohne --program werden alle acht gelesen, oder alle aus der Datei. Der Geber ist solange im Nockenbetrieb.
+Danach ist er wieder in der vorigen Betriebsart, wenn sie bekannt ist; sonst, und mit --stay, bleibt er
+im letzten Programm, und mit --to-position ist er im Positionsbetrieb. Am Ende steht da, in welcher
+Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ein EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>The scaling factor is computed from them, and sent after them.</source>
+        <translation>Der Skalierungsfaktor wird daraus berechnet und danach gesendet.</translation>
+    </message>
+    <message>
+        <source>It is of another scale than the one of the project: with that, it is another position.</source>
+        <translation>Sie hat eine andere Skalierung als die des Projekts: Damit ist sie eine andere Position.</translation>
+    </message>
+    <message>
+        <source>How the encoder was scaled then is not known: it is right if its scale was the same.</source>
+        <translation>Wie der Geber damals skaliert war, ist nicht bekannt: Sie stimmt, wenn seine Skalierung dieselbe war.</translation>
+    </message>
+    <message>
+        <source>How the encoder was scaled then is not known in full: it is right if all of its scale was the same.</source>
+        <translation>Wie der Geber damals skaliert war, ist nicht ganz bekannt: Sie stimmt, wenn seine ganze Skalierung dieselbe war.</translation>
+    </message>
+    <message>
+        <source>%1, kept from before</source>
+        <translation>%1, von früher behalten</translation>
     </message>
 </context>
 <context>
@@ -11865,30 +11976,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::GatewayTexts</name>
     <message>
-        <source>it is incomplete</source>
-        <translation>sie ist unvollständig</translation>
-    </message>
-    <message>
-        <source>another one follows it</source>
-        <translation>ihr folgt noch eine</translation>
-    </message>
-    <message>
-        <source>something on the line does not stop sending</source>
-        <translation>etwas an der Leitung hört nicht auf zu senden</translation>
-    </message>
-    <message>
-        <source>it is of unit %1</source>
-        <translation>sie kommt von Unit %1</translation>
-    </message>
-    <message>
-        <source>it is for transaction %1, not %2</source>
-        <translation>sie gehört zu Transaktion %1, nicht %2</translation>
-    </message>
-    <message>
-        <source>it is not Modbus</source>
-        <translation>sie ist kein Modbus</translation>
-    </message>
-    <message>
         <source>Not tested, because of what failed before.</source>
         <translation>Nicht geprüft, weil etwas davor fehlgeschlagen ist.</translation>
     </message>
@@ -12113,36 +12200,12 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Diesen Code kennt die Norm nicht.</translation>
     </message>
     <message>
-        <source>an exception of the wrong length</source>
-        <translation>eine Exception mit falscher Länge</translation>
-    </message>
-    <message>
-        <source>it is for function %1</source>
-        <translation>sie gehört zu Funktion %1</translation>
-    </message>
-    <message>
-        <source>%1 bytes instead of %2</source>
-        <translation>%1 Bytes statt %2</translation>
-    </message>
-    <message>
-        <source>it names other registers than those to be written</source>
-        <translation>sie nennt andere Register, als geschrieben werden sollten</translation>
-    </message>
-    <message>
-        <source>it counts its own bytes wrong</source>
-        <translation>sie zählt ihre eigenen Bytes falsch</translation>
-    </message>
-    <message>
         <source>Word order</source>
         <translation>Wortreihenfolge</translation>
     </message>
     <message>
         <source>no IN word</source>
         <translation>kein IN-Wort</translation>
-    </message>
-    <message>
-        <source>it is damaged or incomplete</source>
-        <translation>sie ist beschädigt oder unvollständig</translation>
     </message>
     <message>
         <source>bits from 0 to 15, as %1, or %2</source>
@@ -12159,10 +12222,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>They are those of a ring that Codewheel offers; its status register tells whether it runs.</source>
         <translation>Es sind die eines Rings, den Codewheel anbietet; sein Statusregister sagt, ob er läuft.</translation>
-    </message>
-    <message>
-        <source>each is for transaction %1: the gateway does not repeat the number of the request, as Modbus/TCP wants it</source>
-        <translation>jede ist für Transaktion %1: Das Gateway wiederholt nicht die Nummer der Anfrage, wie Modbus/TCP es will</translation>
     </message>
     <message>
         <source>It can with %1 (%2).</source>
@@ -12219,6 +12278,63 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>The register of the place is the status register, %1.</source>
         <translation>Das Register des Ortes ist das Statusregister, %1.</translation>
+    </message>
+    <message>
+        <source>register %1</source>
+        <comment>the first of a device</comment>
+        <translation>Register %1</translation>
+    </message>
+    <message>
+        <source>it is incomplete. Look for newer firmware of the gateway.</source>
+        <translation>sie ist unvollständig. Nach neuerer Firmware des Gateways suchen.</translation>
+    </message>
+    <message>
+        <source>it is damaged or incomplete. Check cable, shield, terminating resistors, baud rate, and format.</source>
+        <translation>sie ist beschädigt oder unvollständig. Kabel, Schirm, Abschlusswiderstände, Baudrate und Format prüfen.</translation>
+    </message>
+    <message>
+        <source>it is not Modbus. Check the port: something else listens there.</source>
+        <translation>sie ist kein Modbus. Den Port prüfen: Dort läuft etwas anderes.</translation>
+    </message>
+    <message>
+        <source>it is of unit %1. Check the unit number, and on a serial line whether two devices have the same.</source>
+        <translation>sie kommt von Unit %1. Die Unit-Nummer prüfen, und an einer seriellen Leitung, ob zwei Geräte dieselbe haben.</translation>
+    </message>
+    <message>
+        <source>it is for transaction %1, not %2. Look for newer firmware of the gateway.</source>
+        <translation>sie gehört zu Transaktion %1, nicht %2. Nach neuerer Firmware des Gateways suchen.</translation>
+    </message>
+    <message>
+        <source>each is for transaction %1: the gateway does not repeat the number of the request, as Modbus/TCP wants it. Use Modbus RTU, if it has that, or look for newer firmware.</source>
+        <translation>jede ist für Transaktion %1: Das Gateway wiederholt nicht die Nummer der Anfrage, wie Modbus/TCP es will. Modbus RTU nehmen, falls vorhanden, oder nach neuerer Firmware suchen.</translation>
+    </message>
+    <message>
+        <source>it is for function %1. Look for newer firmware of the gateway.</source>
+        <translation>sie gehört zu Funktion %1. Nach neuerer Firmware des Gateways suchen.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes instead of %2. Compare the number of registers with the manual of the gateway, or look for newer firmware.</source>
+        <translation>sie hat %1 Bytes statt %2. Die Zahl der Register mit dem Handbuch des Gateways vergleichen oder nach neuerer Firmware suchen.</translation>
+    </message>
+    <message>
+        <source>it names other registers than those to be written. Look for newer firmware of the gateway.</source>
+        <translation>sie nennt andere Register, als geschrieben werden sollten. Nach neuerer Firmware des Gateways suchen.</translation>
+    </message>
+    <message>
+        <source>it counts its own bytes wrong. Look for newer firmware of the gateway.</source>
+        <translation>sie zählt ihre eigenen Bytes falsch. Nach neuerer Firmware des Gateways suchen.</translation>
+    </message>
+    <message>
+        <source>it is an exception of the wrong length. Look for newer firmware of the gateway.</source>
+        <translation>sie ist eine Exception mit falscher Länge. Nach neuerer Firmware des Gateways suchen.</translation>
+    </message>
+    <message>
+        <source>another one follows it. Check whether two devices on the line have the same unit number.</source>
+        <translation>ihr folgt noch eine. Prüfen, ob zwei Geräte an der Leitung dieselbe Unit-Nummer haben.</translation>
+    </message>
+    <message>
+        <source>something on the line does not stop sending. Look for another master, or a faulty device.</source>
+        <translation>etwas an der Leitung hört nicht auf zu senden. Nach einem anderen Master oder einem defekten Gerät suchen.</translation>
     </message>
 </context>
 <context>
@@ -14400,6 +14516,22 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Stop offering and disconnect all clients?</source>
         <translation>Angebot beenden und alle Clients trennen?</translation>
     </message>
+    <message>
+        <source>Start seat afresh</source>
+        <translation>Sitzplatz neu starten</translation>
+    </message>
+    <message>
+        <source>Give seat %1 a new ring, with factory settings?</source>
+        <translation>Sitzplatz %1 einen neuen Ring mit Werkseinstellungen geben?</translation>
+    </message>
+    <message>
+        <source>&amp;Start afresh</source>
+        <translation>Neu &amp;starten</translation>
+    </message>
+    <message>
+        <source>The ring of this seat begins anew (Alt+S)</source>
+        <translation>Der Ring dieses Sitzplatzes beginnt von vorn (Alt+S)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::OfferedView</name>
@@ -15361,10 +15493,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Macht weiter; die Änderungen gehen verloren</translation>
     </message>
     <message>
-        <source>What is planned for %1 is in no file: the project has no device there. Compare with the ring, take it into the project, then save.</source>
-        <translation>Was für %1 vorgesehen ist, steht in keiner Datei: Das Projekt hat dort kein Gerät. Mit dem Ring vergleichen, in das Projekt übernehmen, dann speichern.</translation>
-    </message>
-    <message>
         <source>&amp;Replace</source>
         <translation>&amp;Ersetzen</translation>
     </message>
@@ -15403,6 +15531,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Ends what is offered, and goes on</source>
         <translation>Beendet das Angebot und macht weiter</translation>
+    </message>
+    <message>
+        <source>What is planned for %1 is in no file: the project has no device there. Compare (F9), take it into the project, then save.</source>
+        <translation>Was für %1 geplant ist, steht in keiner Datei: Das Projekt hat dort kein Gerät. Vergleichen (F9), ins Projekt übernehmen, dann speichern.</translation>
     </message>
 </context>
 <context>
@@ -16147,6 +16279,10 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>&amp;Close</source>
         <translation>Schl&amp;ießen</translation>
     </message>
+    <message>
+        <source>The position was set to %1 all the same.</source>
+        <translation>Die Position wurde trotzdem auf %1 gesetzt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplaceDeviceStep</name>
@@ -16383,6 +16519,16 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>Other values are wanted than when the position was chosen: with them it may be another place. Choose it once more.</source>
         <translation>Es sind andere Werte gewünscht als bei der Wahl der Position: Mit ihnen kann sie eine andere Stelle sein. Bitte noch einmal wählen.</translation>
+    </message>
+    <message>
+        <source>%1. How the encoder was scaled then is not known: it is right if its scale was the same.</source>
+        <comment>most of a sentence</comment>
+        <translation>%1. Wie der Geber damals skaliert war, ist nicht bekannt: Sie stimmt, wenn seine Skalierung dieselbe war.</translation>
+    </message>
+    <message>
+        <source>%1. How the encoder was scaled then is not known in full: it is right if all of its scale was the same.</source>
+        <comment>most of a sentence</comment>
+        <translation>%1. Wie der Geber damals skaliert war, ist nicht ganz bekannt: Sie stimmt, wenn seine ganze Skalierung dieselbe war.</translation>
     </message>
 </context>
 <context>
@@ -17811,6 +17957,10 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>The rings of all seats end, with all that was written to them.</source>
         <translation>Die Ringe aller Plätze enden, mit allem, was in sie geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>What was written to this seat is lost. Whoever is connected sees its ring stand for 2 s.</source>
+        <translation>Was an diesem Sitzplatz geschrieben wurde, geht verloren. Wer verbunden ist, sieht den Ring 2 s lang stehen.</translation>
     </message>
 </context>
 <context>
@@ -21001,13 +21151,13 @@ Worte: IN %3, OUT %4</translation>
         <translation>weicht ab</translation>
     </message>
     <message>
-        <source>Computed from the other values, which take effect once it is sent</source>
-        <translation>Aus den anderen Werten berechnet, die wirken, sobald er gesendet ist</translation>
-    </message>
-    <message>
         <source>Not up to date: %1</source>
         <comment>a sentence</comment>
         <translation>Nicht aktuell: %1</translation>
+    </message>
+    <message>
+        <source>Computed from the other values, and sent after them</source>
+        <translation>Aus den anderen Werten berechnet und nach ihnen gesendet</translation>
     </message>
 </context>
 <context>
@@ -21273,6 +21423,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Replacement of an encoder, not completed</source>
         <translation>Ersatz eines Gebers, nicht abgeschlossen</translation>
     </message>
+    <message>
+        <source>Setting the position</source>
+        <translation>Setzen der Position</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferTable</name>
@@ -21423,6 +21577,11 @@ Worte: IN %3, OUT %4</translation>
         <source>%1; OUT may still hold %2</source>
         <comment>a state, words</comment>
         <translation>%1; in OUT kann noch %2 stehen</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <comment>the position</comment>
+        <translation>Gesetzt</translation>
     </message>
 </context>
 <context>
