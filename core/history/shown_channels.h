@@ -27,17 +27,17 @@ public:
     template <class Put>
     void split(const ShownValues &shown, Put put)
     {
-        using Value = std::optional<std::int64_t>;
-        put(Channel::position, Value(shown.position));
-        put(Channel::cams, Value(shown.cams));
-        put(Channel::in, shown.words ? Value(shown.words->in) : Value());
-        put(Channel::out, shown.words ? Value(shown.words->out) : Value());
+        using Shown = std::optional<std::int64_t>;
+        put(Channel::position, Shown(shown.position));
+        put(Channel::cams, Shown(shown.cams));
+        put(Channel::in, shown.words ? Shown(shown.words->in) : Shown());
+        put(Channel::out, shown.words ? Shown(shown.words->out) : Shown());
         if (!shown.stepsPerSecond) {
-            put(Channel::speed, Value());
+            put(Channel::speed, Shown());
             interrupt();
         } else if (m_speedAt == Instant::min() || shown.at >= m_speedAt + betweenSpeeds) {
             m_speedAt = shown.at;
-            put(Channel::speed, Value(std::llround(*shown.stepsPerSecond * speedUnits)));
+            put(Channel::speed, Shown(std::llround(*shown.stepsPerSecond * speedUnits)));
         }
     }
     void interrupt() { m_speedAt = Instant::min(); }

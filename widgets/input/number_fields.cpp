@@ -43,10 +43,10 @@ QString SpinField<SpinBox>::bareText(QString text) const
 }
 
 template <typename SpinBox>
-auto SpinField<SpinBox>::read(const QString &bare) const -> tl::expected<Value, QString>
+auto SpinField<SpinBox>::read(const QString &bare) const -> tl::expected<Number, QString>
 {
     const auto number = [&] {
-        if constexpr (std::is_integral_v<Value>)
+        if constexpr (std::is_integral_v<Number>)
             return readWhole(bare);
         else
             return readDecimal(bare, this->locale());
@@ -57,7 +57,7 @@ auto SpinField<SpinBox>::read(const QString &bare) const -> tl::expected<Value, 
         return tl::unexpected(
             SpinFieldTexts::tr("%1 is outside %2 to %3.")
                 .arg(bare, this->textFromValue(this->minimum()), this->textFromValue(this->maximum())));
-    return static_cast<Value>(*number);
+    return static_cast<Number>(*number);
 }
 
 template <typename SpinBox>
@@ -84,7 +84,7 @@ QValidator::State SpinField<SpinBox>::validate(QString &text, int &) const
 }
 
 template <typename SpinBox>
-auto SpinField<SpinBox>::valueFromText(const QString &text) const -> Value
+auto SpinField<SpinBox>::valueFromText(const QString &text) const -> Number
 {
     return read(bareText(text)).value_or(this->value());
 }

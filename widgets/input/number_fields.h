@@ -18,7 +18,7 @@ template <typename SpinBox>
 class SpinField : public SpinBox, public FormField
 {
 public:
-    using Value = decltype(std::declval<SpinBox>().value());
+    using Number = decltype(std::declval<SpinBox>().value());
 
     explicit SpinField(QWidget *parent = nullptr);
 
@@ -26,12 +26,12 @@ public:
 
 protected:
     // The number as typed, without prefix and suffix.
-    virtual tl::expected<Value, QString> read(const QString &bare) const;
+    virtual tl::expected<Number, QString> read(const QString &bare) const;
     // While typing: a sentence, or empty where it is good.
     virtual void checked(const QString &) {}
 
     QValidator::State validate(QString &text, int &position) const override;
-    Value valueFromText(const QString &text) const override;
+    Number valueFromText(const QString &text) const override;
     void fixup(QString &) const override {} // Qt's own would drop thousands separators
     void keyPressEvent(QKeyEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
