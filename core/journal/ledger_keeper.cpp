@@ -380,6 +380,7 @@ void LedgerKeeper::count(Place place, int writes)
     Watched &watched = m_watched[place];
     if (!watched.encoder || ledger() == nullptr)
         return;
+    watched.doubtful.reset(); // what was in doubt may have been stored along, so that this counts it already
     const int before = watched.encoder->eepromCount().atMost();
     const auto noted = watched.job      ? watched.job
                        : watched.byHand ? std::optional(watched.byHand->id)

@@ -105,6 +105,7 @@ void RingRunner::Private::tryToReopen()
     }
     sentUnheard = false;
     ring.connected = true;
+    ring.linkBackSince = ring.at;
     ring.whyLost.reset();
     ring.operate = false;
     ring.state = MasterState::active;

@@ -325,8 +325,9 @@ void RingSession::showDevice(std::size_t place)
 {
     const auto shown = d->engine.latest();
     const Snapshot::Device &device = shown->devices[place];
+    const bool isSeenAgain = !isRunning() || device.reading.at >= shown->linkBackSince;
     const Freshness::Circumstances circumstances{.isConnected = isOpen(),
-                                                 .isLinkThere = shown->connected,
+                                                 .isLinkThere = shown->connected && isSeenAgain,
                                                  .isRunning = isRunning(),
                                                  .isOnBus = device.inRing || shown->isUnsettled(place),
                                                  .isSettled = !shown->isUnsettled(place),

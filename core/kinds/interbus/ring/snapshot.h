@@ -27,6 +27,7 @@ struct RingState
     bool outputsAreBlocked = false;    // by the gateway, it seems: its watchdog has tripped
     std::optional<ToldRing> told{};    // by a gateway; empty: it does not tell
     Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
+    Instant linkBackSince{};           // it was lost before; 0: never since the bus was opened
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started
     std::chrono::nanoseconds period{}; // of the paced thread; 0 when cycles are driven by hand
     std::uint64_t droppedRows = 0;     // trace rows lost because nobody took them
