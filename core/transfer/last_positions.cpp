@@ -8,6 +8,7 @@
 #include "transfer/project_places.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace codewheel {
@@ -36,14 +37,21 @@ ParameterValues knownScale(const EncoderSession &encoder)
     return scale;
 }
 
-// Without what is set along with the position.
+bool isSetWithThePosition(const ParameterValue &value)
+{
+    return value.parameter == Parameter::preset || value.parameter == Parameter::zeroOffset ||
+           value.parameter == Parameter::offset;
+}
+
 ParameterValues withoutZero(ParameterValues scale)
 {
-    static constexpr Parameter setWithThePosition[] = {Parameter::preset, Parameter::zeroOffset,
-                                                       Parameter::offset};
-    std::erase_if(scale, [](const ParameterValue &value) {
-        return std::ranges::find(setWithThePosition, value.parameter) != std::end(setWithThePosition);
-    });
+    std::erase_if(scale, isSetWithThePosition);
+    return scale;
+}
+
+ParameterValues onlyZero(ParameterValues scale)
+{
+    std::erase_if(scale, std::not_fn(isSetWithThePosition));
     return scale;
 }
 
@@ -128,7 +136,7 @@ std::optional<SeenPosition> LastPositions::at(Place number) const
     const Watched *its = watched(number);
     if (its == nullptr)
         return std::nullopt;
-    return its->before ? withScale(its->before, its->scaleBefore) : withScale(its->last, its->scale);
+    return its->before ? its->replaced() : withScale(its->last, its->scale);
 }
 
 std::optional<SeenPosition> LastPositions::newest(Place number) const
@@ -136,14 +144,17 @@ std::optional<SeenPosition> LastPositions::newest(Place number) const
     const Watched *its = watched(number);
     if (its == nullptr)
         return std::nullopt;
-    return its->last ? withScale(its->last, its->scale) : withScale(its->before, its->scaleBefore);
+    return its->last ? withScale(its->last, its->scale) : its->before;
 }
 
-SeenPosition LastPositions::kept(Place number, const LastPosition &kept) const
+SeenPosition LastPositions::kept(Place number, const LastPosition &kept,
+                                 const ParameterValues &settings) const
 {
     SeenPosition seen{.position = kept.position, .at = kept.at.toLocalTime(), .scale = kept.scale};
-    const auto compare = [&seen](const ParameterValues &later) {
-        if (scalesDiffer(seen.scale, later))
+    const bool getsTheSame = isOfTheSameScale(kept.scale, settings);
+    const ParameterValues compared = getsTheSame ? onlyZero(kept.scale) : kept.scale;
+    const auto compare = [&](const ParameterValues &later) {
+        if (scalesDiffer(compared, later))
             seen.scaled = Scaled::otherwise;
     };
     if (const EncoderSession *encoder = m_buses.encoder(number))
@@ -153,11 +164,22 @@ SeenPosition LastPositions::kept(Place number, const LastPosition &kept) const
         return seen;
     if (its->last && its->last->at >= kept.at)
         compare(its->scale);
-    if (its->before && its->before->at >= kept.at) {
-        compare(its->scaleBefore);
-        seen.scaled = std::max(seen.scaled, its->before->scaled);
-    }
+    for (const auto &before : {its->earlier, its->before})
+        if (before && before->at >= kept.at) {
+            compare(before->scale);
+            // Of what was written its zero may be a part.
+            seen.scaled =
+                std::max(seen.scaled,
+                         getsTheSame ? std::min(before->scaled, Scaled::perhapsOtherwise) : before->scaled);
+        }
     return seen;
+}
+
+// With nothing written since, the encoder that went away again may be the new one.
+const std::optional<SeenPosition> &LastPositions::Watched::replaced() const
+{
+    const bool isEarlier = earlier && earlier->since == Since::gone && earlier->scaled == Scaled::asThen;
+    return isEarlier ? earlier : before;
 }
 
 // A simulated encoder says nothing about a real one at its place, nor the other way round.
@@ -208,8 +230,8 @@ void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, c
     const Reading &reading = encoder.latest();
     if (watched.before && bus.dateTime(reading.at) <= watched.before->at)
         return; // it is that one
-    if (!watched.last && isBack(watched, *reading.position))
-        watched.before.reset();
+    if (!watched.last)
+        comeBack(watched, *reading.position);
     watched.last = SeenPosition{.position = *reading.position, .at = bus.dateTime(reading.at)};
     if (std::exchange(watched.isScaleOld, false))
         watched.scale = knownScale(encoder);
@@ -222,14 +244,22 @@ bool LastPositions::isBack(const Watched &watched, std::int64_t position)
            watched.before->scaled == Scaled::asThen && watched.before->position == position;
 }
 
+// Then it was not away, and the loss before that counts.
+void LastPositions::comeBack(Watched &watched, std::int64_t position)
+{
+    if (isBack(watched, position))
+        watched.before = watched.earlier;
+    watched.earlier.reset();
+}
+
 // An encoder that was seen to be away says more than one that nobody saw.
 void LastPositions::keepBefore(Watched &watched, Since since)
 {
     const bool isGone = since == Since::gone;
     if (watched.last && (isGone || !watched.before || watched.before->since != Since::gone)) {
-        watched.before = watched.last;
+        watched.earlier = isGone ? watched.before : std::nullopt;
+        watched.before = withScale(watched.last, watched.scale);
         watched.before->since = since;
-        watched.scaleBefore = watched.scale;
         watched.last.reset();
     } else if (isGone && watched.before) {
         watched.before->since = since; // it went away while nobody saw it
@@ -257,8 +287,9 @@ void LastPositions::meetAgain(const EncoderBus &bus)
 void LastPositions::isSame(Place place)
 {
     Watched &its = m_watched[place];
-    if (its.before && its.before->since == Since::unwatched)
-        its.before.reset();
+    for (auto *before : {&its.earlier, &its.before})
+        if (*before && (*before)->since == Since::unwatched)
+            before->reset();
 }
 
 void LastPositions::isAnother(Place place)
@@ -298,24 +329,36 @@ void LastPositions::compareScale(const EncoderSession &encoder)
 {
     Watched &watched = m_watched[encoder.place()];
     watched.isScaleOld = true;
-    if (scalesDiffer(watched.scaleBefore, knownScale(encoder)))
-        scaledAnew(encoder.place(), Scaled::otherwise);
+    for (auto *before : {&watched.earlier, &watched.before})
+        if (*before && scalesDiffer((*before)->scale, knownScale(encoder)))
+            (*before)->scaled = Scaled::otherwise;
 }
 
 void LastPositions::scaledAnew(Place place, Scaled how)
 {
-    if (auto &before = m_watched[place].before)
-        before->scaled = std::max(before->scaled, how);
+    Watched &its = m_watched[place];
+    for (auto *before : {&its.earlier, &its.before})
+        if (*before)
+            (*before)->scaled = std::max((*before)->scaled, how);
 }
 
 void LastPositions::scaledAnew(Place place, const ParameterValues &written)
 {
-    scaledAnew(place, scaledBy(written, m_watched[place].scaleBefore));
+    Watched &its = m_watched[place];
+    for (auto *before : {&its.earlier, &its.before})
+        if (*before)
+            (*before)->scaled = std::max((*before)->scaled, scaledBy(written, (*before)->scale));
 }
 
 bool isOfAnotherScale(const ParameterValues &then, const ParameterValues &values)
 {
     return scalesDiffer(withoutZero(then), values);
+}
+
+bool isOfTheSameScale(const ParameterValues &then, const ParameterValues &values)
+{
+    return isScaleKnown(then) && isScaleKnown(then, values) && isScaleKnown(values, then) &&
+           !isOfAnotherScale(then, values);
 }
 
 bool isScaleKnown(const ParameterValues &then)

@@ -38,6 +38,9 @@ struct SeenPosition
 
 // Whether it is another position with these values: what is not known of both is not compared.
 bool isOfAnotherScale(const ParameterValues &then, const ParameterValues &values);
+// Whether it is the same position with these values, apart from its zero: all that is known of one is known
+// of both.
+bool isOfTheSameScale(const ParameterValues &then, const ParameterValues &values);
 // Of the scale a position was seen with: whether anything is known of it, apart from its zero; whether all
 // that these values give is.
 bool isScaleKnown(const ParameterValues &then);
@@ -51,7 +54,7 @@ std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
 // it was seen to be away for a second: in a ring it shows 00000000 without power, or is behind a fault; on a
 // serial line it is silent. Its last position is kept until the next time. While nobody looks nothing is
 // seen: after a pause of the computer, or on a bus that was stopped, an encoder is not gone. One that comes
-// back where it was is the same.
+// back where it was is the same, and was not away: an earlier loss is still the one that counts.
 class LastPositions : public QObject
 {
     Q_OBJECT
@@ -64,26 +67,30 @@ public:
     explicit LastPositions(const Buses &buses, QObject *parent = nullptr);
 
     // The one to give to a new encoder: the position before the encoder went away, if it did; otherwise
-    // before nobody saw it for long; otherwise the newest one.
+    // before nobody saw it for long; otherwise the newest one. While it is away once more, and nothing was
+    // written at its place in between, that before the first time.
     std::optional<SeenPosition> at(Place number) const;
     // The newest one, of whichever encoder is there. It differs from at() if the encoder, or a new one, has
     // shown positions since it came back.
     std::optional<SeenPosition> newest(Place number) const;
-    // One that a project keeps, with what became of it since.
-    SeenPosition kept(Place number, const LastPosition &kept) const;
+    // One that a project keeps, with what became of it since. If the new encoder gets the scale it was seen
+    // with (`settings`), another scale of an encoder seen since does not matter.
+    SeenPosition kept(Place number, const LastPosition &kept, const ParameterValues &settings = {}) const;
 
 private:
     struct Watched
     {
         bool isSimulated = false;
         std::optional<SeenPosition> last{};
-        ParameterValues scale{};              // known of the encoder with it
-        bool isScaleOld = true;               // something else is known of the encoder since
-        std::optional<SeenPosition> before{}; // the encoder went away, or nobody saw it for long
-        ParameterValues scaleBefore{};        // known of the encoder with it
-        QDateTime lookedAt{};                 // invalid: never
-        std::chrono::milliseconds awayFor{};  // as seen
-        bool mayBeScaled = false;             // by the job that runs, apart from values it writes
+        ParameterValues scale{};               // known of the encoder with it
+        bool isScaleOld = true;                // something else is known of the encoder since
+        std::optional<SeenPosition> before{};  // the encoder went away, or nobody saw it for long
+        std::optional<SeenPosition> earlier{}; // the one before that, until it shows whether it is back
+        QDateTime lookedAt{};                  // invalid: never
+        std::chrono::milliseconds awayFor{};   // as seen
+        bool mayBeScaled = false;              // by the job that runs, apart from values it writes
+
+        const std::optional<SeenPosition> &replaced() const; // of the encoder to be replaced
     };
 
     const Watched *watched(Place number) const; // null: nothing was seen of it
@@ -98,6 +105,7 @@ private:
     void scaledAnew(Place place, SeenPosition::Scaled how);
     void scaledAnew(Place place, const ParameterValues &written);
     static bool isBack(const Watched &watched, std::int64_t position);
+    static void comeBack(Watched &watched, std::int64_t position);
     static void keepBefore(Watched &watched, SeenPosition::Since since);
 
     const Buses &m_buses;

@@ -94,6 +94,77 @@ TEST_F(LastPositionsOfTheRing, AnEncoderThatComesBackWhereItWasIsTheSame)
     EXPECT_EQ(positions.at(fraba), positions.newest(fraba));
 }
 
+// The new encoder lost its supply once more: the previous one is still that of the first time.
+TEST_F(LastPositionsOfTheRing, ASecondLossThatEndsWhereItBeganKeepsThePositionBeforeTheFirst)
+{
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    goAndReturn();
+    const auto since = encoder(fraba).latest().position;
+    ASSERT_NE(since, before);
+    const auto both = [&](const char *when) {
+        EXPECT_EQ(positions.at(fraba)->position, before) << when;
+        EXPECT_EQ(positions.at(fraba)->since, Since::gone) << when;
+        EXPECT_EQ(positions.newest(fraba)->position, since) << when;
+    };
+    both("after the first loss");
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
+    pass(3000);
+    both("in the second one");
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
+    pass(500);
+    both("after it");
+}
+
+TEST_F(LastPositionsOfTheRing, AWireBreakAfterTheFirstLossKeepsThePositionBeforeIt)
+{
+    using test::onLoop;
+    pass(100);
+    const auto before = encoder(onLoop).latest().position;
+    training.controls->setFault(TrainingFault::powerOff, onLoop.node, 1);
+    pass(3000);
+    training.controls->turnBy(onLoop.node, 100);
+    training.controls->setFault(TrainingFault::powerOff, onLoop.node, 0);
+    pass(3000);
+    const auto since = encoder(onLoop).latest().position;
+    ASSERT_NE(since, before);
+    training.controls->setFault(TrainingFault::wireBreak, onLoop.node, 1);
+    pass(17'000);
+    training.controls->setFault(TrainingFault::wireBreak, onLoop.node, 0);
+    ASSERT_FALSE(bus.isRunning());
+    EXPECT_EQ(positions.at(onLoop)->position, before);
+    EXPECT_EQ(positions.newest(onLoop)->position, since);
+    bus.setRunning(true);
+    pass(3000);
+    ASSERT_EQ(encoder(onLoop).latest().position, since);
+    EXPECT_EQ(positions.at(onLoop)->position, before);
+    EXPECT_EQ(positions.at(onLoop)->since, Since::gone);
+}
+
+TEST_F(LastPositionsOfTheRing, ASecondLossThatEndsElsewhereIsTheOneThatCounts)
+{
+    pass(100);
+    goAndReturn();
+    const auto since = encoder(fraba).latest().position;
+    goAndReturn();
+    EXPECT_EQ(positions.at(fraba)->position, since);
+    goAndReturn(0);
+    EXPECT_EQ(positions.at(fraba)->position, since);
+}
+
+// What was written to it since makes it the one that works there.
+TEST_F(LastPositionsOfTheRing, ASecondLossAfterThePositionWasSetIsThatOfTheEncoderInUse)
+{
+    pass(100);
+    goAndReturn();
+    carryOutJob(SetPreset{.value = 100});
+    const auto inUse = encoder(fraba).latest().position;
+    training.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
+    pass(3000);
+    EXPECT_EQ(positions.at(fraba)->position, inUse);
+    EXPECT_EQ(positions.at(fraba), positions.newest(fraba));
+}
+
 TEST_F(LastPositionsOfTheRing, APositionThatIsZeroForAMomentIsNoEncoderThatWent)
 {
     pass(100);

@@ -61,11 +61,13 @@ void ReplacePositionStep::enter()
     if (m_since == m_seen)
         m_since.reset();
     const auto &kept = m_replacing.before.lastPosition;
-    m_ofProject = kept ? std::optional(m_positions.kept(m_replacing.place, *kept)) : std::nullopt;
+    m_ofProject =
+        kept ? std::optional(m_positions.kept(m_replacing.place, *kept, newSettings())) : std::nullopt;
     showOffers();
     const bool presets = m_typed->isEnabled();
     if (chosen() == nullptr) {
-        const bool isOfOld = m_seen && m_seen->since == SeenPosition::Since::gone &&
+        const bool isAwayAgain = m_since && m_since->since == SeenPosition::Since::gone;
+        const bool isOfOld = m_seen && !isAwayAgain && m_seen->since == SeenPosition::Since::gone &&
                              m_seen->scaled == SeenPosition::Scaled::asThen &&
                              !isWantedOtherwise(m_seen->scale);
         (presets ? isOfOld ? m_last : m_typed : m_none)->setChecked(true);
