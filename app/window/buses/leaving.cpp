@@ -14,9 +14,28 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace codewheel {
+namespace {
+
+// An answer to the question before is not to hit a button of the one that has taken its place.
+constexpr std::chrono::seconds readingTime{1};
+
+void enableOnceRead(QPushButton &button)
+{
+    const QString tip = button.toolTip();
+    button.setEnabled(false);
+    button.setToolTip(Leaving::tr("The question has just changed: read it first"));
+    QTimer::singleShot(readingTime, &button, [&button, tip] {
+        button.setEnabled(true);
+        button.setToolTip(tip);
+    });
+}
+
+} // namespace
+
 Leaving::Leaving(QWidget &window)
     : QObject(&window)
     , m_window(window)
@@ -101,7 +120,7 @@ void Leaving::goOn()
     };
     if (m_waitsForZero && std::ranges::any_of(devices, stillSends))
         return; // updated() calls this again
-    if (!devices.empty() && !m_outAnswered && !askForOut(devices))
+    if (!devices.empty() && !m_outAnswered && !askForOut(devices, Asked::first))
         return;
     m_waitsForZero = false;
     std::exchange(m_then, nullptr)();
@@ -157,8 +176,15 @@ std::vector<Place> Leaving::devicesToAskFor() const
 bool Leaving::isInParameterization(Place device) const
 {
     const EncoderSession *encoder = m_buses->encoder(device);
-    return encoder != nullptr && encoder->freshness().isLive() &&
+    return encoder != nullptr && (encoder->freshness().isLive() || isLost(device)) &&
            encoder->latest().state == EncoderState::parameterization;
+}
+
+// What its device shows is as it was last seen.
+bool Leaving::isLost(Place device) const
+{
+    const EncoderBus *bus = m_buses->busOf(device);
+    return bus != nullptr && bus->state() == BusState::lost;
 }
 
 std::vector<EncoderBus *> Leaving::buses() const
@@ -177,11 +203,17 @@ EncoderSession *Leaving::busyEncoder() const
     return nullptr;
 }
 
-bool Leaving::canSend() const
+QString Leaving::whyNothingCanBeSent(const std::vector<Place> &devices) const
 {
-    return std::ranges::all_of(buses(), [](const EncoderBus *bus) {
-        return devicesWithOut(*bus).empty() || (bus->isRunning() && bus->isOperating());
-    });
+    if (std::ranges::any_of(devices, [this](Place device) { return isLost(device); }))
+        return tr("Nothing can be sent now: the link is lost");
+    const auto isOperating = [this](Place device) {
+        const EncoderBus *bus = m_buses->busOf(device);
+        return bus->isRunning() && bus->isOperating();
+    };
+    return std::ranges::all_of(devices, isOperating)
+               ? QString()
+               : tr("Nothing can be sent now: the bus is stopped, or in Watch");
 }
 
 bool Leaving::endJob(EncoderSession &encoder)
@@ -242,7 +274,13 @@ QStringList Leaving::statesOf(const std::vector<Place> &devices) const
 // "OUT 1.0 is 020000FF".
 QString Leaving::stateOf(Place device) const
 {
-    const QString out = tr("OUT %1 is %2").arg(device.shown(), hexWord(m_buses->channel(device)->out()));
+    const QString word = hexWord(m_buses->channel(device)->out());
+    if (isLost(device))
+        return (isInParameterization(device)
+                    ? tr("OUT %1 was %2 when last seen, and the encoder was in parameterization")
+                    : tr("OUT %1 was %2 when last seen"))
+            .arg(device.shown(), word);
+    const QString out = tr("OUT %1 is %2").arg(device.shown(), word);
     return isInParameterization(device)
                ? tr("%1. The encoder is in parameterization, and stays there without a position until run is "
                     "sent. %2",
@@ -251,44 +289,60 @@ QString Leaving::stateOf(Place device) const
                : out;
 }
 
+QString Leaving::headline(const std::vector<Place> &devices, bool needsRun) const
+{
+    if (std::ranges::any_of(devices, [this](Place device) { return isLost(device); }))
+        return tr("The link is lost.");
+    return needsRun ? tr("An encoder has been left in parameterization.")
+                    : tr("Not all OUT words are 00000000.");
+}
+
 // True: go on now. False: the user stays, or the zeros are being sent.
-bool Leaving::askForOut(const std::vector<Place> &devices)
+bool Leaving::askForOut(const std::vector<Place> &devices, Asked asked)
 {
     const QStringList states = statesOf(devices);
+    const QString whyNot = whyNothingCanBeSent(devices);
     const bool needsRun =
         std::ranges::any_of(devices, [this](Place device) { return isInParameterization(device); });
-    QMessageBox box(QMessageBox::Question, title(),
-                    needsRun ? tr("An encoder has been left in parameterization.")
-                             : tr("Not all OUT words are 00000000."),
-                    QMessageBox::NoButton, &m_window);
+    const bool hasOut =
+        std::ranges::any_of(devices, [this](Place device) { return m_buses->channel(device)->out() != 0; });
+    QMessageBox box(QMessageBox::Question, title(), headline(devices, needsRun), QMessageBox::NoButton,
+                    &m_window);
     setHelpTopic(box, "README.md#leaving");
-    box.setInformativeText(
-        states.join(u'\n') + QStringLiteral("\n\n") +
-        (needsRun ? tr("What shall be sent first?") : tr("Set them to 00000000 (normal running) first?")));
-    const bool maySend = canSend();
-    const auto add = [&](const QString &text, const QString &tip) {
-        QPushButton *button = box.addButton(text, QMessageBox::AcceptRole);
-        button->setEnabled(maySend);
-        button->setToolTip(maySend ? tip : tr("Nothing can be sent now: the bus is stopped, or in Watch"));
+    const QString question = !whyNot.isEmpty()
+                                 ? tr("%1. Leave them as they are?", "why nothing can be sent").arg(whyNot)
+                             : needsRun ? tr("What shall be sent first?")
+                                        : tr("Set them to 00000000 (normal running) first?");
+    box.setInformativeText(states.join(u'\n') + QStringLiteral("\n\n") + question);
+    const auto add = [&](const QString &text, QMessageBox::ButtonRole role, const QString &tip,
+                         const QString &whyDisabled) {
+        QPushButton *button = box.addButton(text, role);
+        button->setEnabled(whyDisabled.isEmpty());
+        button->setToolTip(whyDisabled.isEmpty() ? tip : whyDisabled);
+        if (asked == Asked::again && button->isEnabled())
+            enableOnceRead(*button);
         return button;
     };
-    QPushButton *run = needsRun
-                           ? add(tr("Send &run, then 00000000"),
-                                 tr("Sends 80000000 to the encoders in parameterization, and 00000000 to "
-                                    "all devices named, then goes on"))
-                           : nullptr;
-    QPushButton *zeros =
-        add(tr("Set to &00000000"), needsRun ? tr("Sends 00000000 to these devices, then goes on. What is in "
-                                                  "parameterization stays there")
-                                             : tr("Sends 00000000 to these devices, then goes on"));
-    QPushButton *leave = box.addButton(tr("&Leave as they are"), QMessageBox::DestructiveRole);
-    leave->setToolTip(tr("Goes on without sending anything"));
+    const QPushButton *run =
+        needsRun ? add(tr("Send &run, then 00000000"), QMessageBox::AcceptRole,
+                       tr("Sends 80000000 to the encoders in parameterization, and 00000000 to "
+                          "all devices named, then goes on"),
+                       whyNot)
+                 : nullptr;
+    QPushButton *zeros = add(tr("Set to &00000000"), QMessageBox::AcceptRole,
+                             needsRun ? tr("Sends 00000000 to these devices, then goes on. What is in "
+                                           "parameterization stays there")
+                                      : tr("Sends 00000000 to these devices, then goes on"),
+                             hasOut ? whyNot : tr("OUT is 00000000 already"));
+    const QPushButton *leave = add(tr("&Leave as they are"), QMessageBox::DestructiveRole,
+                                   tr("Goes on without sending anything"), {});
     QPushButton *cancel = box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(maySend && !needsRun ? zeros : cancel);
+    box.setDefaultButton(whyNot.isEmpty() && !needsRun ? zeros : cancel);
     bool isOld = false;
     const QObject whileOpen;
     connect(m_buses, &Buses::updated, &whileOpen, [&] {
-        isOld = isOld || devicesToAskFor() != devices || statesOf(devices) != states || canSend() != maySend;
+        isOld = isOld || devicesToAskFor() != devices || statesOf(devices) != states ||
+                whyNothingCanBeSent(devices) != whyNot;
         if (isOld)
             box.reject();
     });
@@ -311,7 +365,7 @@ bool Leaving::askForOut(const std::vector<Place> &devices)
 bool Leaving::askForWhatIsLeft()
 {
     if (const std::vector<Place> devices = devicesToAskFor(); !devices.empty())
-        return askForOut(devices);
+        return askForOut(devices, Asked::again);
     stay();
     return false;
 }

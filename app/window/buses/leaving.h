@@ -38,18 +38,22 @@ private:
     bool endJob(EncoderSession &encoder);
     bool goesOnWithoutJob(Place place);
     QString title() const;
-    bool askForOut(const std::vector<Place> &devices);
+    QString headline(const std::vector<Place> &devices, bool needsRun) const;
+    enum class Asked { first, again }; // again: in place of a question that was open
+    bool askForOut(const std::vector<Place> &devices, Asked asked);
     bool askForWhatIsLeft();
     bool askAboutZeros();
     bool waitsForZeros() const;
     void zero(const std::vector<Place> &devices, bool runsFirst);
     std::vector<Place> devicesToAskFor() const;
-    bool isInParameterization(Place device) const;
+    bool isInParameterization(Place device) const; // or was, when the link was lost
+    bool isLost(Place device) const;               // the link to it
     QStringList statesOf(const std::vector<Place> &devices) const;
     QString stateOf(Place device) const;
     EncoderSession *busyEncoder() const;
     std::vector<EncoderBus *> buses() const; // to be left, and still open
-    bool canSend() const;                    // on all of them
+    // To one of them; empty: it can be.
+    QString whyNothingCanBeSent(const std::vector<Place> &devices) const;
     void watch();
     void takeProgress(const EncoderSession &encoder, const Progress &progress);
     void stay();

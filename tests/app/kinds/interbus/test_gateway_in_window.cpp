@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <optional>
 
 namespace codewheel {
 namespace {
@@ -345,6 +346,69 @@ TEST_F(GatewayInWindowTest, ZerosThatHaveNotArrivedAreNotGivenUpUnasked)
     ringActions().disconnectBus->trigger();
     advance(20);
     EXPECT_EQ(bus().state(), BusState::closed);
+}
+
+// A click that was meant for the question before hits nothing, and what was last seen is not said to be so.
+TEST_F(GatewayInWindowTest, AQuestionThatChangesWithTheLinkTakesNoHastyAnswer)
+{
+    connectGateway();
+    bus().setOperate(true);
+    advance(20);
+    setIn(0, 0xC200'00FE);
+    send(fraba, 0x0200'00FE);
+    advance(200);
+    std::optional<test::Question> second;
+    const test::Question first([&](QWidget &) {
+        bank->busyUntil = std::chrono::hours(1);
+        advance(5'000);
+        EXPECT_EQ(bus().state(), BusState::lost);
+        second.emplace([](QWidget &box) {
+            QPushButton &leave = button(box, QStringLiteral("Leave as they are"));
+            const QPushButton &run = button(box, QStringLiteral("Send run, then 00000000"));
+            QTest::mouseClick(&leave, Qt::LeftButton);
+            EXPECT_TRUE(box.isVisible()) << "nobody has read it yet";
+            EXPECT_TRUE(QTest::qWaitFor([&] { return leave.isEnabled(); }));
+            EXPECT_FALSE(run.isEnabled());
+            EXPECT_TRUE(run.toolTip().contains(QStringLiteral("the link is lost")))
+                << run.toolTip().toStdString();
+            EXPECT_FALSE(button(box, QStringLiteral("Set to 00000000")).isEnabled());
+            click(leave);
+        });
+    });
+    ringActions().disconnectBus->trigger();
+    ASSERT_TRUE(second);
+    const QString text = second->text();
+    EXPECT_TRUE(text.startsWith(QStringLiteral("The link is lost."))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("Nothing can be sent now"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QStringLiteral("OUT 1.0 was 020000FE when last seen"))) << text.toStdString();
+    advance(20);
+    EXPECT_EQ(bus().state(), BusState::closed);
+}
+
+TEST_F(GatewayInWindowTest, AfterAlarmStopZerosAreNotOfferedForWhatIsZero)
+{
+    connectGateway();
+    bus().setOperate(true);
+    advance(20);
+    setIn(0, 0xC200'00FE);
+    send(fraba, 0x0200'00FE);
+    advance(200);
+    std::optional<test::Question> second;
+    const test::Question first([&](QWidget &) {
+        actions().alarmStop->trigger();
+        advance(500);
+        second.emplace([](QWidget &box) {
+            const QPushButton &zeros = button(box, QStringLiteral("Set to 00000000"));
+            const QPushButton &leave = button(box, QStringLiteral("Leave as they are"));
+            EXPECT_TRUE(QTest::qWaitFor([&] { return leave.isEnabled(); }));
+            EXPECT_FALSE(zeros.isEnabled());
+            EXPECT_EQ(zeros.toolTip(), QStringLiteral("OUT is 00000000 already"));
+            QTest::keyClick(&box, Qt::Key_Escape);
+        });
+    });
+    ringActions().disconnectBus->trigger();
+    ASSERT_TRUE(second && second->wasAsked());
+    EXPECT_TRUE(bus().isOpen());
 }
 
 TEST_F(GatewayInWindowTest, WhatWasEnteredForTheTrainingRingIsNotSaidOfARealOne)
