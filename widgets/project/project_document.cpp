@@ -176,9 +176,9 @@ void ProjectDocument::pushPlanned(Project after, std::vector<DeviceId> ids, cons
                                   Gesture gesture)
 {
     auto others = m_others;
-    for (const Place number : notPlanned()) {
+    for (const auto &[number, device] : m_others) {
         ProjectDevice *planned = findDevice(after, number);
-        if (!planned)
+        if (!planned || findDevice(m_project, number))
             continue;
         ProjectDevice given = others.extract(number).mapped();
         given.bus = number.bus;
@@ -208,12 +208,15 @@ void ProjectDocument::editDevice(Place number, const QString &what,
     push(m_project, m_ids, std::move(others), what, gesture);
 }
 
-void ProjectDocument::renumber(Place from, Place to, const QString &what)
+void ProjectDocument::renumber(Place from, Place to, const QString &what,
+                               const std::function<void(ProjectDevice &)> &edit)
 {
     Project after = m_project;
     auto ids = m_ids;
     auto others = m_others;
     if (ProjectDevice *moved = findDevice(after, from)) {
+        others.erase(to);
+        edit(*moved);
         moved->standAt(to);
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < after.devices.size(); ++i)
@@ -229,8 +232,10 @@ void ProjectDocument::renumber(Place from, Place to, const QString &what)
         after.devices = std::move(devices);
     } else if (auto given = others.extract(from)) {
         others.erase(to);
+        edit(given.mapped());
         given.key() = to;
-        others.insert(std::move(given));
+        if (given.mapped() != ProjectDevice())
+            others.insert(std::move(given));
     }
     push(std::move(after), std::move(ids), std::move(others), what, noGesture);
 }

@@ -73,8 +73,10 @@ public:
     void editDevice(Place number, const QString &what, const std::function<void(ProjectDevice &)> &edit,
                     Gesture gesture = noGesture);
     // The encoder has a new address: all that is planned and known of it goes along, and replaces anything
-    // planned for `to`.
-    void renumber(Place from, Place to, const QString &what);
+    // planned for `to`. edit: what else changes of it in the same step.
+    void renumber(
+        Place from, Place to, const QString &what,
+        const std::function<void(ProjectDevice &)> &edit = [](ProjectDevice &) {});
     Gesture newGesture() { return ++m_lastGesture; }
 
     static constexpr int mostSteps = 1'000; // to be undone; older ones are dropped

@@ -271,6 +271,22 @@ TEST_F(Document, WhatIsPlannedForAnEncoderBesideTheProjectGoesAlongToo)
     EXPECT_EQ(valueOf(document.device(from).wanted, Parameter::steps), 255);
 }
 
+TEST_F(Document, OfAnotherAddressWhatWasWantedThereIsGone)
+{
+    constexpr Place from = placeOnLine({3});
+    constexpr Place to = placeOnLine({7});
+    const auto want = [](ProjectDevice &device) { device.wanted = {{Parameter::steps, 255}}; };
+    Project planned = document.project();
+    setLinePlan(planned, firstLine, {});
+    planned.devices.emplace_back().standAt(from);
+    document.edit(planned, QStringLiteral("add"));
+    document.editDevice(to, QStringLiteral("want"), want);
+    document.renumber(from, to, QStringLiteral("address"));
+    EXPECT_TRUE(document.device(to).wanted.empty());
+    document.edit(plant(4), QStringLiteral("remove"));
+    EXPECT_TRUE(document.device(to).wanted.empty()) << "not even once the encoder is removed";
+}
+
 TEST_F(Document, RandomEditsAreTakenBackToTheSameProject)
 {
     std::mt19937 random(17);

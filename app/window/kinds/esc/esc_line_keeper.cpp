@@ -3,6 +3,8 @@
 
 #include "app/window/kinds/esc/esc_line_at_work.h"
 #include "kinds/esc/line/esc_line_encoder_session.h"
+#include "kinds/esc/protocol/esc_line_address.h"
+#include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
@@ -123,11 +125,17 @@ void EscLineKeeper::removeEncoder(Place number)
     edit(std::move(after), tr("Remove %1").arg(number.shown()));
 }
 
-// What is planned for a training encoder is in no file, but still moves along.
+// At the training line only if the project's own is not at a port. What is planned for a training encoder is
+// in no file, but still moves along.
 void EscLineKeeper::moveEncoder(Place from, Place to)
 {
-    if (m_line.training() == nullptr || findDevice(m_project.project(), from) == nullptr)
-        m_project.renumber(from, to, tr("Address of %1 to %2").arg(from.shown(), to.shown()));
+    const Project &project = m_project.project();
+    const bool isProjects = m_line.training() == nullptr || plansTraining(project, m_line.id());
+    if (!isProjects && findDevice(project, from) != nullptr)
+        return;
+    const ParameterValue reached{Parameter::lineAddress, EscLineAddress::of(to.node).value};
+    m_project.renumber(from, to, tr("Address of %1 to %2").arg(from.shown(), to.shown()),
+                       [&](ProjectDevice &device) { std::erase(device.wanted, reached); });
 }
 
 } // namespace codewheel

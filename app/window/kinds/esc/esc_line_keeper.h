@@ -34,7 +34,7 @@ public:
     // Encoders already in the project stay as they are.
     void keepEncoders(const std::vector<Place> &numbers);
     void removeEncoder(Place number);
-    // Everything planned and known of the encoder moves along.
+    // Everything planned and known of the encoder moves along; the new address is no longer wanted.
     void moveEncoder(Place from, Place to);
 
 private:

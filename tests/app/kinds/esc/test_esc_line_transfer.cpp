@@ -82,6 +82,8 @@ protected:
 
 TEST_F(TransferOnLine, WhatTheProjectWantsIsWrittenToEncodersOfBoth)
 {
+    ASSERT_TRUE(encoder(at05).start(ReadParameters{.parameters = {Parameter::scaling}}));
+    advance(1000);
     want(baumer, {{Parameter::steps, 4096}});
     want(at05, {{Parameter::steps, 864}});
     actions().transfer->trigger();
@@ -96,6 +98,8 @@ TEST_F(TransferOnLine, WhatTheProjectWantsIsWrittenToEncodersOfBoth)
     EXPECT_EQ(encoder(baumer).known(Parameter::steps)->value, 4096);
     EXPECT_EQ(registers(at05).stepsPerTurn, 864u);
     EXPECT_THAT(account().toStdString(), HasSubstr("2 of 2 have all of it"));
+    EXPECT_EQ(account().count(QStringLiteral("Not in force")), 1) << account().toStdString();
+    EXPECT_THAT(account().toStdString(), HasSubstr("Scaling is off: "));
     EXPECT_EQ(encoder(at05).eepromCount().by, CountedBy::serialNumber);
     EXPECT_EQ(encoder(at05).eepromCount().writes, 2);
 }
@@ -225,6 +229,22 @@ TEST_F(TransferOnLine, TheChosenEncoderIsReplacedAndGetsItsPosition)
               QStringLiteral("Done."));
     EXPECT_TRUE(registers(at05).countsCcw);
     EXPECT_EQ(registers(at05).preset, static_cast<std::uint32_t>(*before));
+}
+
+// Nothing has read it of the new encoder.
+TEST_F(TransferOnLine, WhereStepsMayNotActTheReplacementSaysSo)
+{
+    want(at05, {{Parameter::steps, 864}});
+    choose(at05);
+    actions().replaceEncoder->trigger();
+    press(replacePage(), "replaceNext");
+    replacePage().findChild<QRadioButton *>(QStringLiteral("positionNone"))->click();
+    press(replacePage(), "replaceNext");
+    advance(1000);
+    press(replacePage(), "replaceNext");
+    untilDone();
+    EXPECT_THAT(replacePage().findChild<QLabel *>(QStringLiteral("replaceResult"))->text().toStdString(),
+                HasSubstr("Done. It is not known whether scaling is on: "));
 }
 
 TEST_F(TransferOnLine, TheReportHasWhatEncodersOfTheLineAreKnownToHave)
