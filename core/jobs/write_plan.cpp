@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace codewheel {
 namespace {
@@ -75,13 +76,13 @@ std::optional<ValueNote> shiftNote(const EncoderSession &encoder, const Paramete
         const auto value = valueOf(written, its);
         return value && value != valueOf(known, its);
     };
-    const bool movesZero = changes(Parameter::zeroOffset) || changes(Parameter::offset);
-    if (!movesZero && !changes(Parameter::direction) && !changes(Parameter::coding))
+    static constexpr std::array shifting{Parameter::zeroOffset, Parameter::offset, Parameter::direction,
+                                         Parameter::coding};
+    if (std::ranges::none_of(shifting, changes))
         return std::nullopt;
     const auto then = positionThen(encoder, written, known);
     if (!then)
-        return movesZero ? std::optional(ValueNote{ValueNote::Id::positionShifts, {QString(), QString()}})
-                         : std::nullopt;
+        return ValueNote{ValueNote::Id::positionShifts, {QString(), QString()}};
     const std::int64_t now = *encoder.latest().position;
     if (then->exact && then->position == now)
         return std::nullopt;

@@ -137,6 +137,20 @@ void addPresetThatIsLeft(EncoderAccount &account, const EncoderPlan &plan, const
                                 .became = Became::written});
 }
 
+bool isThere(Became became)
+{
+    return became == Became::written || became == Became::alreadyThere;
+}
+
+std::optional<ValueNote> whatIsNotInForce(const EncoderSession &encoder, const std::vector<AccountRow> &rows)
+{
+    ParameterValues there;
+    for (const AccountRow &row : rows)
+        if (isThere(row.became))
+            there.push_back(row.wanted);
+    return scalingNote(encoder.device(), there, valuesOf(allKnown(encoder)));
+}
+
 EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, const EncoderResult *result)
 {
     const EncoderSession *encoder = buses.encoder(plan.place);
@@ -161,6 +175,8 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
                                 .after = encoder ? encoder->known(parameter) : std::nullopt,
                                 .became = isOpen ? Became::unknown : became});
     }
+    if (encoder)
+        account.notInForce = whatIsNotInForce(*encoder, account.rows);
     for (const TransferCamRow &row : plan.cams)
         account.cams.push_back({row.wanted.number, becameOf(row, outcomes)});
     account.positionSet = wasPositionSet(plan, outcomes) || wasPositionSetBefore(outcomes) ||
@@ -174,11 +190,6 @@ EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, con
 bool wasCancelled(const EncoderAccount &account)
 {
     return account.why && account.why->id == RefusalId::cancelled;
-}
-
-bool isThere(Became became)
-{
-    return became == Became::written || became == Became::alreadyThere;
 }
 
 } // namespace

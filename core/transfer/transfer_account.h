@@ -48,8 +48,9 @@ struct EncoderAccount
     bool positionUnknown = false; // its preset was sent, and nobody knows whether the encoder has it
     std::optional<std::int64_t> positionBefore{};
     std::optional<std::int64_t> positionAfter{};
-    bool isBegun = false;         // something was sent to it
-    std::optional<Refusal> why{}; // why not everything was done
+    bool isBegun = false;                  // something was sent to it
+    std::optional<Refusal> why{};          // why not everything was done
+    std::optional<ValueNote> notInForce{}; // its values that scale the position do not act, or may not
     bool onlyZeroSinceRun = false;
     EncoderState leftIn = EncoderState::notSeen;
     std::vector<Word> outLeft{}; // OUT may still hold one of these: its link was lost

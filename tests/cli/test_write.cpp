@@ -145,6 +145,25 @@ TEST(CliWrite, AnOffsetThatShiftsThePositionIsToldBefore)
     EXPECT_EQ(json[u"notes"].toArray()[0][u"key"], QStringLiteral("positionShifts"));
 }
 
+// Without the zero offset nobody can say where to.
+TEST(CliWrite, AnotherDirectionOrCodingShiftsThePositionAndIsToldBefore)
+{
+    SharedBus shared;
+    const std::string shift = "This shifts the position, by how much is not known.\n";
+    const QString direction = QStringLiteral("write 6.1 direction=ccw --dry-run");
+    EXPECT_THAT(shared.runLine(direction).out, HasSubstr(shift)) << "which direction it has is not known";
+    shared.bus().encoder("6.1"_ring)->tell(Parameter::direction, 3);
+    EXPECT_THAT(shared.runLine(direction).out, HasSubstr(shift));
+    EXPECT_THAT(shared.runLine(QStringLiteral("write 6.1 direction=cw --dry-run")).out,
+                Not(HasSubstr("shifts the position")));
+
+    const QString coding = QStringLiteral("write 2.0 coding=signed-cw --dry-run");
+    EXPECT_THAT(shared.runLine(coding).out, HasSubstr(shift));
+    shared.runLine(QStringLiteral("write 2.0 coding=signed-ccw --yes"));
+    const QJsonObject json = shared.runLine(coding + QStringLiteral(" --json")).json();
+    EXPECT_EQ(json[u"notes"].toArray()[0][u"key"], QStringLiteral("positionShifts"));
+}
+
 TEST(CliWrite, WhereTheModeIsNotKnownTheRawWordIsTold)
 {
     SharedBus shared;

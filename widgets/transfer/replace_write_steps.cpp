@@ -163,6 +163,8 @@ void ReplaceAccountStep::show(const TransferAccount &account)
     if (its.why && its.positionSet && its.positionWanted)
         result += u' ' + tr("The position was set to %1 all the same.")
                              .arg(QLocale().toString(qlonglong{*its.positionWanted}));
+    if (its.notInForce)
+        result += u' ' + noteText(*its.notInForce);
     m_result->setText(result);
     m_account->show(reportOf(account, m_replacing.catalog, QCoreApplication::applicationVersion()),
                     QStringLiteral("replaced-%1-%2")

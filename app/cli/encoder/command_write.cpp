@@ -103,6 +103,13 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
     json.insert(QStringLiteral("onlyZeroSinceRun"), outcome.onlyZeroSinceRun);
 }
 
+// That values just written do not act.
+QString notInForceLine(const EncoderSession &encoder, const ParameterValues &written)
+{
+    const auto note = scalingNote(encoder.device(), written, valuesOf(allKnown(encoder)));
+    return note ? noteText(*note) + u'\n' : QString();
+}
+
 void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &plan, Answer &answer)
 {
     const EncoderSession &encoder = write.encoder();
@@ -118,7 +125,8 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
     answer.text += u'\n';
     addTrace(call, encoder.place(), *job.trace, answer);
     answer.text += account->toText() + accountText(job.outcome, before, after) +
-                   doubtLines(encoder, job.outcome.inDoubt) + bus.whereItIsNow(encoder, plan.job.values);
+                   notInForceLine(encoder, job.outcome.written) + doubtLines(encoder, job.outcome.inDoubt) +
+                   bus.whereItIsNow(encoder, plan.job.values);
     if (job.outcome.onlyZeroSinceRun)
         answer.text += messageText({.id = MessageId::onlyZeroSinceRun}) + u'\n';
     addAccount(answer.json, encoder, job.outcome, before, after);

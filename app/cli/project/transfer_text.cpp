@@ -106,6 +106,13 @@ void addSent(QJsonObject &json, const std::optional<Step> &step)
         json.insert(QStringLiteral("command"), sentText(*step));
 }
 
+QJsonValue noteJson(const std::optional<ValueNote> &note)
+{
+    return note ? QJsonValue(QJsonObject{{QStringLiteral("key"), noteKey(note->id)},
+                                         {QStringLiteral("text"), noteText(*note)}})
+                : QJsonValue();
+}
+
 QString positionLine(const EncoderAccount &encoder)
 {
     if (!encoder.positionWanted)
@@ -181,6 +188,8 @@ QString accountText(const Call &call, const TransferAccount &account)
             table.add({programName(row.program), {}, transfer_words::became(row)});
         text += heading(encoder) + table.toString(2) + positionLine(encoder) + QStringLiteral("  ") +
                 transfer_words::outcome(encoder) + u'\n';
+        if (encoder.notInForce)
+            text += QStringLiteral("  ") + noteText(*encoder.notInForce) + u'\n';
         if (encoder.isBegun)
             text += QStringLiteral("  ") +
                     sentence(CommandLine::tr("EEPROM writes: %1. Afterwards: %2."),
@@ -219,6 +228,7 @@ QJsonArray accountJson(const Call &call, const TransferAccount &account)
                                   {{QStringLiteral("begun"), encoder.isBegun},
                                    {QStringLiteral("why"), refusalJson(encoder.why)},
                                    {QStringLiteral("values"), rows},
+                                   {QStringLiteral("notInForce"), noteJson(encoder.notInForce)},
                                    {QStringLiteral("cams"), cams},
                                    {QStringLiteral("eepromWrites"), encoder.eepromWrites},
                                    {QStringLiteral("eepromWritesPerhaps"), encoder.eepromWritesPerhaps},

@@ -432,6 +432,18 @@ TEST_F(Parameters, TheReviewSaysWhereAZeroOffsetShiftsThePosition)
     }));
 }
 
+TEST_F(Parameters, TheReviewSaysThatAnotherDirectionShiftsThePosition)
+{
+    wanted.set(fraba, Parameter::direction, 4);
+    settle();
+    click(QStringLiteral("Write…"));
+    const auto labels = panel.findChild<WriteReview *>()->findChildren<QLabel *>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel *label) {
+        return label->isVisible() &&
+               label->text().contains(QStringLiteral("This shifts the position, by how much is not known."));
+    }));
+}
+
 TEST_F(Parameters, AValueIsToldAndTakenAsWanted)
 {
     panel.setEncoder(bus.encoder(baumer));

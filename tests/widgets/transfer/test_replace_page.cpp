@@ -195,6 +195,33 @@ TEST_F(ReplacePageTest, WhileItIsWrittenClosingIsAskedAboutAndTheResultWaits)
     EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 1/4")) << "it was seen";
 }
 
+// The new encoder is away once more, or died as well: the technician says which of the two is replaced.
+TEST_F(ReplacePageTest, InASecondLossThePositionBeforeTheFirstIsOfferedAndNoneIsPreselected)
+{
+    const auto before = session.encoder(fraba).latest().position;
+    exchange();
+    const auto since = session.encoder(fraba).latest().position;
+    ASSERT_TRUE(before && since);
+    const auto offers = [this](const char *button, std::int64_t position) {
+        const QString text = find<QRadioButton>(button)->text();
+        EXPECT_TRUE(text.contains(QLocale().toString(qlonglong{position}))) << text.toStdString();
+    };
+    const auto open = [&] {
+        page.replace(fraba);
+        click("replaceNext");
+        offers("positionLast", *before);
+        offers("positionNewest", *since);
+    };
+    session.controls->setFault(TrainingFault::powerOff, fraba.node, 1);
+    pass(3000);
+    open();
+    EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked());
+    session.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
+    pass(500);
+    open();
+    EXPECT_TRUE(find<QRadioButton>("positionLast")->isChecked());
+}
+
 // The technician says which of the two encoders showed it.
 TEST_F(ReplacePageTest, ThePositionSinceThenIsOfferedToo)
 {
@@ -378,6 +405,12 @@ TEST_F(ReplacePageTest, AKeptPositionOfAnotherScaleSaysSo)
     const QString same = textWith({{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
     EXPECT_FALSE(same.contains(QStringLiteral("scale"))) << same.toStdString();
     session.encoder(fraba).tell(Parameter::revolutions, 2);
+    const QString asWritten = textWith({{Parameter::steps, 4096}, {Parameter::revolutions, 1}});
+    EXPECT_EQ(asWritten, same) << "the new encoder gets that scale";
+    session.encoder(fraba).tell(Parameter::zeroOffset, 7);
+    says({{Parameter::steps, 4096}, {Parameter::revolutions, 1}, {Parameter::zeroOffset, 5}},
+         "scaled otherwise then");
+    want(fraba, {{Parameter::steps, 4096}});
     says({{Parameter::steps, 4096}, {Parameter::revolutions, 1}}, "scaled otherwise then");
 }
 

@@ -136,6 +136,32 @@ TEST_F(CliLineTransfer, TransferWritesAndASecondTimeNothing)
     EXPECT_THAT(again.out, HasSubstr("It has everything already: nothing is sent.\n"));
 }
 
+TEST_F(CliLineTransfer, StepsThatDoNotActAreSaidNotToAfterwardsToo)
+{
+    const QString off =
+        QStringLiteral("Scaling is off: the encoder keeps the values that scale its position");
+    at(0x05).wanted = {{Parameter::steps, 864}};
+    save();
+    const QString report = folder.filePath(QStringLiteral("account.txt"));
+    const CliRun written = run(("transfer @ 05 --yes --report " + report.toStdString()).c_str());
+    EXPECT_EQ(QString::fromStdString(written.out).count(off), 2) << "before and afterwards: " << written.out;
+    QFile text(report);
+    ASSERT_TRUE(text.open(QIODevice::ReadOnly));
+    EXPECT_THAT(text.readAll().toStdString(), testing::ContainsRegex("Not in force: +Scaling is off: "));
+
+    at(0x05).wanted = {{Parameter::steps, 500}};
+    save();
+    const QJsonValue kept = run("transfer @ 05 --yes --json").json()[u"encoders"][0];
+    EXPECT_EQ(kept[u"notInForce"][u"key"], QStringLiteral("scalingOff"));
+    EXPECT_TRUE(kept[u"notInForce"][u"text"].toString().startsWith(off));
+
+    at(0x05).wanted = {{Parameter::steps, 600}, {Parameter::scaling, 1}};
+    save();
+    const QJsonValue acting = run("transfer @ 05 --yes --json").json()[u"encoders"][0];
+    EXPECT_EQ(became(acting, "steps"), "written");
+    EXPECT_TRUE(acting[u"notInForce"].isNull());
+}
+
 TEST_F(CliLineTransfer, OneThatDoesNotAnswerKeepsNoOtherFromItsValues)
 {
     at(0x05).wanted = at(0x12).wanted = {{Parameter::direction, 1}};

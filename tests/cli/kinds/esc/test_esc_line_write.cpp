@@ -73,8 +73,18 @@ TEST(CliLineWrite, StepsThatDoNotActAreSaidNotTo)
     const QJsonObject json = line.runLine(QStringLiteral("write 05 steps=864 --yes --json")).json();
     EXPECT_EQ(json[u"notes"].toArray()[0][u"key"], QStringLiteral("scalingOff"));
     EXPECT_FALSE(line.registers(0x05).isScaled) << "nobody asked for it";
-    const CliRun on = line.runLine(QStringLiteral("write 05 steps=500 scaling=on --yes"));
+    const CliRun off500 = line.runLine(QStringLiteral("write 05 steps=500 --yes"));
+    EXPECT_EQ(QString::fromStdString(off500.out).count(off), 2) << "before and afterwards";
+    const CliRun on = line.runLine(QStringLiteral("write 05 steps=600 scaling=on --yes"));
     EXPECT_THAT(on.out, Not(HasSubstr(off.toStdString())));
+}
+
+TEST(CliLineWrite, AnotherDirectionShiftsThePositionAndIsToldBefore)
+{
+    SharedLine line;
+    const std::string shift = "This shifts the position, by how much is not known.\n";
+    EXPECT_THAT(line.runLine(QStringLiteral("write 05 direction=ccw --dry-run")).out, HasSubstr(shift));
+    EXPECT_THAT(line.runLine(QStringLiteral("write 05 steps=864 --dry-run")).out, Not(HasSubstr(shift)));
 }
 
 // 30 fraction bits: 864 / 8192 is 06C00000h.
