@@ -13300,6 +13300,35 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Nothing says that the zeros of the ALARM STOP have arrived.</source>
         <translation>Nichts sagt, dass die Nullen des ALARM-STOPPs angekommen sind.</translation>
     </message>
+    <message>
+        <source>The question has just changed: read it first</source>
+        <translation>Die Frage hat sich gerade geändert: erst lesen</translation>
+    </message>
+    <message>
+        <source>Nothing can be sent now: the link is lost</source>
+        <translation>Jetzt lässt sich nichts senden: Die Verbindung ist unterbrochen</translation>
+    </message>
+    <message>
+        <source>OUT %1 was %2 when last seen, and the encoder was in parameterization</source>
+        <translation>OUT %1 war %2, als es zuletzt gesehen wurde, und der Geber war in der Parametrierung</translation>
+    </message>
+    <message>
+        <source>OUT %1 was %2 when last seen</source>
+        <translation>OUT %1 war %2, als es zuletzt gesehen wurde</translation>
+    </message>
+    <message>
+        <source>The link is lost.</source>
+        <translation>Die Verbindung ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>%1. Leave them as they are?</source>
+        <comment>why nothing can be sent</comment>
+        <translation>%1. Unverändert lassen?</translation>
+    </message>
+    <message>
+        <source>OUT is 00000000 already</source>
+        <translation>OUT ist schon 00000000</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LedRow</name>
@@ -21426,6 +21455,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Setting the position</source>
         <translation>Setzen der Position</translation>
+    </message>
+    <message>
+        <source>Not in force</source>
+        <translation>Nicht wirksam</translation>
     </message>
 </context>
 <context>
