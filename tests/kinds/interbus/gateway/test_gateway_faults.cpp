@@ -148,6 +148,8 @@ private:
         const std::vector<Word> &out = m_session.gateway->out();
         for (std::size_t i = 0; i < out.size(); ++i) {
             const Word before = std::exchange(m_out[i], out[i]);
+            if (out[i] != before)
+                m_outChangedAt[i] = bus().now();
             for (const Word acts : {k3::run, k3::initialisePreset})
                 if (out[i] == acts && before != acts)
                     ++m_edges[i][acts];
@@ -195,14 +197,15 @@ private:
             EXPECT_TRUE(!mustBeTold || device.leftOut) << "encoder " << i << ": OUT is " << std::hex << out;
         }
     }
-    // The mode, and the program in use, as soon as nothing is under way.
+    // The mode, and the program in use, as soon as nothing is under way. What was shown before OUT changed
+    // says what was then.
     void expectThatItsModeIsTrue(std::size_t i)
     {
         const EncoderSession &encoder = m_session.encoder(bus().places()[i]);
         const FrabaCams &has = m_encoders[i]->cams();
         const Reading &shown = encoder.latest();
         if (encoder.runningJob() || !shown.mode || !encoder.freshness().isLive() ||
-            m_session.gateway->out()[i] != 0)
+            m_session.gateway->out()[i] != 0 || shown.at <= m_outChangedAt[i])
             return;
         EXPECT_EQ(shown.camProgram.value_or(0), has.program()) << "encoder " << i;
         const auto known = shown.camProgram ? encoder.cams(*shown.camProgram) : std::nullopt;
@@ -368,6 +371,7 @@ private:
     int m_camsWritten = 0;
     int m_camsInDoubt = 0;
     std::array<Word, faultyEncoders> m_out{};
+    std::array<Instant, faultyEncoders> m_outChangedAt{};
     std::array<std::map<Word, int>, faultyEncoders> m_edges;
     std::array<int, faultyEncoders> m_counted{};
     std::array<int, faultyEncoders> m_perhaps{};      // written, of what is in doubt
