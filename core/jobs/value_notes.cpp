@@ -3,6 +3,7 @@
 
 #include "catalog/total_range.h"
 #include "jobs/protocol.h"
+#include "jobs/values_to_write.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -179,6 +180,11 @@ std::optional<ValueNote> scalingNote(const DeviceDescription &device, const Para
         return std::nullopt;
     return ValueNote{state == ScalingState::off ? ValueNote::Id::scalingOff : ValueNote::Id::scalingUnknown,
                      {}};
+}
+
+std::optional<ValueNote> scalingNote(const EncoderSession &encoder, const ParameterValues &written)
+{
+    return scalingNote(encoder.device(), written, valuesOf(allKnown(encoder)));
 }
 
 std::optional<ValueNote> jumpNote(const DeviceDescription &device, const PositionScale &scale)

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "jobs/position_scale.h"
+#include "vocabulary/encoder_session.h"
 #include "vocabulary/known.h"
 #include "vocabulary/refusal.h"
 
@@ -48,6 +49,8 @@ bool isOfScaling(Parameter parameter);
 // as far as `known` tells. Empty if they do, or none of them would scale it.
 std::optional<ValueNote> scalingNote(const DeviceDescription &device, const ParameterValues &written,
                                      const ParameterValues &known);
+// As far as the encoder is known now.
+std::optional<ValueNote> scalingNote(const EncoderSession &encoder, const ParameterValues &written);
 
 // Where, and how far, the position jumps with this scale (docs/protocols/k3.md, arithmetic); empty if it goes
 // on.

@@ -148,7 +148,7 @@ std::optional<ValueNote> whatIsNotInForce(const EncoderSession &encoder, const s
     for (const AccountRow &row : rows)
         if (isThere(row.became))
             there.push_back(row.wanted);
-    return scalingNote(encoder.device(), there, valuesOf(allKnown(encoder)));
+    return scalingNote(encoder, there);
 }
 
 EncoderAccount accountOfEncoder(const Buses &buses, const EncoderPlan &plan, const EncoderResult *result)

@@ -46,7 +46,7 @@ QString activeText(const EncoderSession &encoder, const ParameterValues &written
 
 QStringList writtenTexts(const EncoderSession &encoder, const ParameterValues &written)
 {
-    const auto note = scalingNote(encoder.device(), written, valuesOf(allKnown(encoder)));
+    const auto note = scalingNote(encoder, written);
     if (!note)
         return {activeText(encoder, written)};
     ParameterValues active = written;

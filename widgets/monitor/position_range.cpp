@@ -28,7 +28,7 @@ std::optional<PositionRange> positionRange(const EncoderSession &encoder)
         return length ? std::optional(PositionRange{0, *length}) : std::nullopt;
     }
     if (onlyTellsPosition(device)) {
-        const std::int64_t positions = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
+        const std::int64_t positions = physicalRange(device);
         return positions < 2 ? std::nullopt : std::optional(rangeOf(positions, device.coding));
     }
     const auto total = totalRange(device, valuesOf(allKnown(encoder)));

@@ -106,7 +106,7 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
 // That values just written do not act.
 QString notInForceLine(const EncoderSession &encoder, const ParameterValues &written)
 {
-    const auto note = scalingNote(encoder.device(), written, valuesOf(allKnown(encoder)));
+    const auto note = scalingNote(encoder, written);
     return note ? noteText(*note) + u'\n' : QString();
 }
 

@@ -108,7 +108,7 @@ SendingEncoder senderOf(const DeviceDescription &device, const ParameterValues &
 {
     if (const auto range = totalRange(device, known))
         return {device, range};
-    const std::int64_t physical = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
+    const std::int64_t physical = physicalRange(device);
     return {device, physical > 0 ? std::optional(physical) : std::nullopt};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/meaning/position_format.h"
 
+#include "catalog/total_range.h"
 #include "kinds/interbus/words/profiles.h"
 
 #include <algorithm>
@@ -22,8 +23,7 @@ PositionWord positionFormat(const DeviceDescription &device)
     format.coding = device.coding;
     format.hasStatusBits = device.profile == profile::k4;
     format.hasOut = device.profile == profile::k4;
-    const auto range = static_cast<std::uint64_t>(device.physicalStepsPerTurn) *
-                       static_cast<std::uint64_t>(device.physicalTurns);
+    const auto range = static_cast<std::uint64_t>(physicalRange(device));
     if (range > 0 && !format.hasStatusBits)
         format.positionBits = std::clamp(static_cast<int>(std::bit_width(range - 1)), 1, bits);
     return format;

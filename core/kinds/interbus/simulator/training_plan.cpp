@@ -3,6 +3,7 @@
 
 #include "catalog/protocol_rules.h"
 #include "catalog/strict_json.h"
+#include "catalog/total_range.h"
 #include "kinds/interbus/simulator/parameter_set.h"
 #include "kinds/interbus/simulator/training_controls.h"
 #include "kinds/interbus/words/k3_explain.h"
@@ -117,7 +118,7 @@ void TrainingPlanReader::readShaft(const JsonObject &row, TrainingParticipant &p
     refuseKeys(row, {"rodMillimetres", "millimetres", "millimetresPerSecond"},
                tr("Only a linear encoder has a rod."));
     const DeviceDescription &device = *participant.device;
-    const std::int64_t range = std::int64_t{device.physicalStepsPerTurn} * device.physicalTurns;
+    const std::int64_t range = physicalRange(device);
     participant.position = row.optionalNumber("position", 0, range - 1).value_or(0);
     participant.revolutionsPerMinute =
         row.optionalNumber("revolutionsPerMinute", -fastestShaft, fastestShaft).value_or(0);
