@@ -53,6 +53,16 @@ protected:
         send(fraba, 0x0200'00FF);
         bank->tripped = watchdogRegister;
     }
+    // In Operate, with a confirmed parameter word in OUT.
+    void beginParameterization()
+    {
+        connectGateway();
+        bus().setOperate(true);
+        advance(20);
+        setIn(0, 0xC200'00FE);
+        send(fraba, 0x0200'00FE);
+        advance(200);
+    }
 };
 using test::RegisterBankPort;
 
@@ -351,12 +361,7 @@ TEST_F(GatewayInWindowTest, ZerosThatHaveNotArrivedAreNotGivenUpUnasked)
 // A click that was meant for the question before hits nothing, and what was last seen is not said to be so.
 TEST_F(GatewayInWindowTest, AQuestionThatChangesWithTheLinkTakesNoHastyAnswer)
 {
-    connectGateway();
-    bus().setOperate(true);
-    advance(20);
-    setIn(0, 0xC200'00FE);
-    send(fraba, 0x0200'00FE);
-    advance(200);
+    beginParameterization();
     std::optional<test::Question> second;
     const test::Question first([&](QWidget &) {
         bank->busyUntil = std::chrono::hours(1);
@@ -387,12 +392,7 @@ TEST_F(GatewayInWindowTest, AQuestionThatChangesWithTheLinkTakesNoHastyAnswer)
 
 TEST_F(GatewayInWindowTest, AfterAlarmStopZerosAreNotOfferedForWhatIsZero)
 {
-    connectGateway();
-    bus().setOperate(true);
-    advance(20);
-    setIn(0, 0xC200'00FE);
-    send(fraba, 0x0200'00FE);
-    advance(200);
+    beginParameterization();
     std::optional<test::Question> second;
     const test::Question first([&](QWidget &) {
         actions().alarmStop->trigger();
