@@ -4,11 +4,19 @@
 #include "history/history.h"
 #include "history/mark.h"
 #include "history/shown_channels.h"
+#include "vocabulary/parameter.h"
 #include "vocabulary/place.h"
 
 #include <QObject>
 
 namespace codewheel {
+
+// What was known of an encoder since a moment.
+struct ValuesSince
+{
+    Instant from{};
+    ParameterValues values{};
+};
 
 // Histories from another time, such as those of a recording, under places that no other encoder has.
 class Archive : public QObject
@@ -22,6 +30,8 @@ public:
     virtual const History *of(Place place, Channel channel) const = 0; // null: it has none of these
     virtual std::optional<TimeSpan> span() const = 0;                  // of all
     virtual std::vector<Mark> marks() const = 0;                       // oldest first
+    // Oldest first, as recorded.
+    virtual std::vector<ValuesSince> known(Place /*place*/) const { return {}; }
     // How much later than they were all its times are told, so that they lie beside those of others.
     Instant shift() const { return m_shift; }
     void setShift(Instant shift)

@@ -59,20 +59,39 @@ void Histories::watch(Place place, EncoderSession &encoder)
         Q_EMIT moved(before, place);
         return;
     }
-    m_watched[place].encoder = &encoder;
+    Watched &its = m_watched[place];
+    its.encoder = &encoder;
+    if (const auto before = its.history.span())
+        its.scales.beginAnew(before->to);
     connect(&encoder, &EncoderSession::shown, this,
             [this, &encoder](const ShownSeries &shown) { add(encoder, shown); });
+    connect(&encoder, &EncoderSession::knownChanged, this, [this, &encoder] { takeScale(encoder); });
+    takeScale(encoder);
+}
+
+Histories::Watched *Histories::watched(const EncoderSession &encoder)
+{
+    const auto found = m_watched.find(encoder.place());
+    return found == m_watched.end() || found->second.encoder != &encoder ? nullptr : &found->second;
+}
+
+void Histories::takeScale(const EncoderSession &encoder)
+{
+    const EncoderBus *bus = m_buses.open(encoder.place().bus);
+    Watched *its = watched(encoder);
+    if (bus != nullptr && its != nullptr)
+        its->scales.take(encoder, [bus](Instant at) { return bus->sinceEpoch(at); });
 }
 
 void Histories::add(const EncoderSession &encoder, const ShownSeries &shown)
 {
     const EncoderBus *bus = m_buses.open(encoder.place().bus);
-    const auto found = m_watched.find(encoder.place());
-    if (bus == nullptr || found == m_watched.end() || found->second.encoder != &encoder)
+    Watched *its = watched(encoder);
+    if (bus == nullptr || its == nullptr)
         return;
     for (ShownValues values : shown) {
         values.at = bus->sinceEpoch(values.at);
-        found->second.history.add(values);
+        its->history.add(values);
     }
 }
 
@@ -201,6 +220,24 @@ const History *Histories::of(Place place, Channel channel) const
         return &history->of(channel);
     const Archive *archive = archiveOf(place);
     return archive == nullptr ? nullptr : archive->of(place, channel);
+}
+
+std::vector<ScaleSince> Histories::scales(Place place) const
+{
+    if (const auto found = m_watched.find(place); found != m_watched.end())
+        return found->second.scales.all();
+    const Archive *archive = archiveOf(place);
+    const EncoderSession *encoder = m_buses.encoder(place);
+    if (archive == nullptr || encoder == nullptr)
+        return {};
+    std::vector<ScaleSince> scales;
+    for (const ValuesSince &since : archive->known(place)) {
+        const StepScale scale = stepScale(
+            encoder->device(), [&since](Parameter parameter) { return valueOf(since.values, parameter); });
+        if (scale.isKnown() && (scales.empty() || scales.back().scale != scale))
+            scales.push_back({since.from + archive->shift(), scale});
+    }
+    return scales;
 }
 
 std::optional<TimeSpan> Histories::span() const

@@ -5,6 +5,7 @@
 #include "history/archive.h"
 #include "history/encoder_history.h"
 #include "history/mark.h"
+#include "history/step_scale.h"
 
 #include <QPointer>
 
@@ -29,6 +30,8 @@ public:
     // Null: nothing was ever shown there. What is kept stays when its bus is closed.
     const EncoderHistory *of(Place place) const; // here
     const History *of(Place place, Channel channel) const;
+    // What its steps were, with the shift of an archive. Empty: not known.
+    std::vector<ScaleSince> scales(Place place) const;
     std::optional<TimeSpan> span() const; // of all that are here
     // Oldest first, with those of the archives.
     const std::deque<Mark> &marks() const { return m_archives.empty() ? m_ownMarks : m_mixedMarks; }
@@ -64,11 +67,14 @@ private:
     {
         QPointer<EncoderSession> encoder;
         EncoderHistory history;
+        ScaleHistory scales;
     };
 
     void watchAll();
     void watch(Place place, EncoderSession &encoder);
+    Watched *watched(const EncoderSession &encoder);
     void add(const EncoderSession &encoder, const ShownSeries &shown);
+    void takeScale(const EncoderSession &encoder);
     void watch(EncoderBus &bus);
     void addMessage(const codewheel::Message &message);
     void addDropped(std::uint64_t count);

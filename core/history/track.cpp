@@ -2,6 +2,7 @@
 #include "history/track.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -115,6 +116,34 @@ std::optional<Track> Track::parse(QStringView text)
         return Track{*place, *channel, {}};
     const auto bit = bitOf(what.sliced(dot + 1), bitCount(*channel));
     return bit ? std::optional(Track{*place, *channel, bit}) : std::nullopt;
+}
+
+TrackScale TrackScale::at(Instant at) const
+{
+    const auto then = std::ranges::upper_bound(earlier, at, {}, &Earlier::until);
+    return {unit, then == earlier.end() ? perStep : then->perStep};
+}
+
+bool TrackScale::changesIn(const TimeSpan &span) const
+{
+    return std::ranges::any_of(
+        earlier, [&](const Earlier &one) { return one.until > span.from && one.until < span.to; });
+}
+
+std::vector<ScaledSpan> scaledSpans(const TrackScale &scale, const TimeSpan &span)
+{
+    std::vector<ScaledSpan> parts;
+    Instant from = span.from;
+    for (const TrackScale::Earlier &one : scale.earlier)
+        if (one.until > from && one.until < span.to)
+            parts.push_back({{std::exchange(from, one.until), one.until}, scale.at(one.until - Instant(1))});
+    parts.push_back({{from, span.to}, scale.at(from)});
+    return parts;
+}
+
+double TrackScale::factor(Channel channel, Instant then) const
+{
+    return earlier.empty() ? factor(channel) : at(then).factor(channel);
 }
 
 double TrackScale::factor(Channel channel) const

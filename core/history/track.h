@@ -41,16 +41,36 @@ std::optional<TrackUnit> trackUnit(QStringView key);
 // How much of a unit a step is.
 struct TrackScale
 {
+    struct Earlier
+    {
+        Instant until{};
+        double perStep = 1;
+
+        friend bool operator==(const Earlier &, const Earlier &) = default;
+    };
+
     TrackUnit unit = TrackUnit::steps;
     double perStep = 1;
+    std::vector<Earlier> earlier{}; // how much it was before, oldest first
 
+    TrackScale at(Instant at) const; // as it was then
+    bool changesIn(const TimeSpan &span) const;
     // From a sample of this channel to its value in the unit; words, and so bits, are not scaled.
     double factor(Channel channel) const;
+    double factor(Channel channel, Instant then) const;
     // As written with a number in files, in ASCII and the same in every language: "mm", "rpm"; empty for
     // words.
     QLatin1String symbol(Channel channel) const;
 
     friend bool operator==(const TrackScale &, const TrackScale &) = default;
 };
+
+// The parts of a span in which a step is the same, oldest first; at least one.
+struct ScaledSpan
+{
+    TimeSpan span;
+    TrackScale scale;
+};
+std::vector<ScaledSpan> scaledSpans(const TrackScale &scale, const TimeSpan &span);
 
 } // namespace codewheel

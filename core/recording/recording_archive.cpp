@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/recording_archive.h"
 
+#include "recording/recorded_device.h"
+
 namespace codewheel {
 namespace {
 
@@ -49,10 +51,26 @@ Result<RecordingArchive::Contents> RecordingArchive::read() const
         return tl::unexpected(devices ? span.error() : devices.error());
     if (!marks)
         return tl::unexpected(marks.error());
-    Contents contents{.devices = {}, .span = *span, .marks = std::move(*marks)};
-    for (const RecordingReader::Device &device : *devices)
+    Contents contents{.devices = {}, .known = {}, .span = *span, .marks = std::move(*marks)};
+    for (const RecordingReader::Device &device : *devices) {
+        auto known = readKnown(device);
+        if (!known)
+            return tl::unexpected(known.error());
+        contents.known.emplace(placeHere(device.place), std::move(*known));
         contents.devices.emplace(placeHere(device.place), device);
+    }
     return contents;
+}
+
+Result<std::vector<ValuesSince>> RecordingArchive::readKnown(const RecordingReader::Device &device) const
+{
+    const auto descriptions = m_reader.descriptions(device);
+    if (!descriptions)
+        return tl::unexpected(descriptions.error());
+    std::vector<ValuesSince> known;
+    for (const RecordingReader::Description &one : *descriptions)
+        known.push_back({one.since, recordedDeviceFromJson(one.json).known});
+    return known;
 }
 
 // A message without a place is of the program that recorded it.
@@ -122,6 +140,12 @@ std::vector<Mark> RecordingArchive::marks() const
     for (Mark &mark : marks)
         mark.at += shift();
     return marks;
+}
+
+std::vector<ValuesSince> RecordingArchive::known(Place place) const
+{
+    const auto found = m_contents.known.find(place);
+    return found == m_contents.known.end() ? std::vector<ValuesSince>() : found->second;
 }
 
 std::optional<Instant> RecordingArchive::played() const

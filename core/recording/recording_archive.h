@@ -28,6 +28,7 @@ public:
     const History *of(Place place, Channel channel) const override;
     std::optional<TimeSpan> span() const override;
     std::vector<Mark> marks() const override;
+    std::vector<ValuesSince> known(Place place) const override;
     std::optional<Instant> played() const override;
     void setPlayed(std::optional<Instant> at) { m_played = at; } // as recorded
 
@@ -43,6 +44,7 @@ private:
     struct Contents
     {
         std::map<Place, RecordingReader::Device> devices; // by place here
+        std::map<Place, std::vector<ValuesSince>> known;  // by place here
         std::optional<TimeSpan> span;                     // as recorded
         std::vector<Mark> marks;                          // as recorded
     };
@@ -50,6 +52,7 @@ private:
 
     Result<Contents> read() const;
     Result<std::vector<Mark>> readMarks() const;
+    Result<std::vector<ValuesSince>> readKnown(const RecordingReader::Device &device) const;
 
     RecordingReader m_reader;
     BusesHere m_buses;

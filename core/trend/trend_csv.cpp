@@ -12,7 +12,7 @@ TrendCsv::TrendCsv(QIODevice &device, const TrendExtract &extract, HistoryOf his
     , m_rows(extract, std::move(historyOf))
 {
     for (const TrendColumn &column : extract.columns)
-        m_cells.push_back({column.track, CsvNumbers(column.scale.factor(column.track.channel))});
+        m_cells.emplace_back(column);
     appendTitles(extract);
 }
 
@@ -36,7 +36,7 @@ void TrendCsv::appendRow(Instant at, RowMerge::Cells cells)
 {
     m_times.append(m_text, at - m_shift);
     for (std::size_t column = 0; column < cells.size(); ++column) {
-        m_cells[column].show(cells[column], m_style.decimalSign);
+        m_cells[column].show(at, cells[column], m_style.decimalSign);
         m_text += m_style.separator;
         m_text += m_cells[column].text;
     }
@@ -44,15 +44,30 @@ void TrendCsv::appendRow(Instant at, RowMerge::Cells cells)
     ++m_count;
 }
 
-void TrendCsv::Cell::show(const std::optional<std::int64_t> &sample, const std::string &decimalSign)
+TrendCsv::Cell::Cell(const TrendColumn &column)
+    : track(column.track)
+{
+    const auto numbers = [&](double perStep) {
+        return CsvNumbers(TrackScale{column.scale.unit, perStep}.factor(track.channel));
+    };
+    for (const TrackScale::Earlier &earlier : column.scale.earlier)
+        scales.push_back({earlier.until, numbers(earlier.perStep)});
+    scales.push_back({Instant::max(), numbers(column.scale.perStep)});
+}
+
+void TrendCsv::Cell::show(Instant at, const std::optional<std::int64_t> &sample,
+                          const std::string &decimalSign)
 {
     const auto shown = sample ? std::optional(track.of(*sample)) : std::nullopt;
-    if (shown == value)
+    const std::size_t before = scale;
+    while (scales[scale].until <= at && scale + 1 < scales.size())
+        ++scale;
+    if (shown == value && scale == before)
         return;
     value = shown;
     text.clear();
     if (shown)
-        numbers.append(text, *shown, decimalSign);
+        scales[scale].numbers.append(text, *shown, decimalSign);
 }
 
 bool TrendCsv::put()

@@ -25,12 +25,20 @@ private:
     // While a value stands, so does its text.
     struct Cell
     {
+        struct Until
+        {
+            Instant until;
+            CsvNumbers numbers;
+        };
+
+        explicit Cell(const TrendColumn &column);
+        void show(Instant at, const std::optional<std::int64_t> &sample, const std::string &decimalSign);
+
         Track track;
-        CsvNumbers numbers;
+        std::vector<Until> scales; // oldest first
+        std::size_t scale = 0;
         std::optional<std::int64_t> value{};
         std::string text{};
-
-        void show(const std::optional<std::int64_t> &sample, const std::string &decimalSign);
     };
 
     void appendTitles(const TrendExtract &extract);

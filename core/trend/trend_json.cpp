@@ -99,10 +99,21 @@ void addKnownTimes(QJsonObject &json, const KnownTimes &known, Instant shift)
 }
 
 // Of a speed: of one step per second.
-double perStepOf(const TrendColumn &column)
+double perStepOf(Channel channel, const TrackScale &scale)
 {
-    const double unitsOfSample = column.track.channel == Channel::speed ? speedUnits : 1;
-    return column.scale.factor(column.track.channel) * unitsOfSample;
+    return scale.factor(channel) * (channel == Channel::speed ? speedUnits : 1);
+}
+
+// What a step was before, within the span; the times are those of the table.
+QJsonArray earlierJson(const TrendExtract &extract, const TrendColumn &column)
+{
+    QJsonArray all;
+    for (const TrackScale::Earlier &earlier : column.scale.earlier)
+        if (earlier.until > extract.span.from)
+            all.append(QJsonObject{{QStringLiteral("until"), isoText(earlier.until - extract.commonShift())},
+                                   {QStringLiteral("perStep"),
+                                    perStepOf(column.track.channel, {column.scale.unit, earlier.perStep})}});
+    return all;
 }
 
 double secondsOf(Instant duration)
@@ -121,7 +132,9 @@ QJsonObject columnJson(const TrendExtract &extract, const TrendColumn &column)
         {QStringLiteral("channel"), channelKey(track.channel)},
         {QStringLiteral("bit"), track.bit ? QJsonValue(static_cast<int>(*track.bit)) : QJsonValue()},
         {QStringLiteral("unit"), textOrNull(unit)},
-        {QStringLiteral("perStep"), unit.isEmpty() ? QJsonValue() : QJsonValue(perStepOf(column))}};
+        {QStringLiteral("perStep"),
+         unit.isEmpty() ? QJsonValue() : QJsonValue(perStepOf(track.channel, column.scale))},
+        {QStringLiteral("earlierScales"), unit.isEmpty() ? QJsonArray() : earlierJson(extract, column)}};
     addPlace(json, track.place);
     return json;
 }

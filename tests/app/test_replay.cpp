@@ -336,6 +336,37 @@ TEST_F(ReplayInWindow, TheTrendShowsAllOfItAndFollowsTheMoment)
     EXPECT_TRUE(shown->plant().histories().archives().empty());
 }
 
+TEST_F(ReplayInWindow, TheTrendScalesEachPartByWhatWasKnownThen)
+{
+    const test::RecordingFile file;
+    {
+        auto writer = file.begin();
+        const auto known = [](std::int64_t steps) {
+            return test::frabaWith({{Parameter::steps, steps}, {Parameter::revolutions, 1}});
+        };
+        writer->add(RecordedBus{firstRing, QStringLiteral("Crane")});
+        writer->add(RecordedClock{noon, noon});
+        writer->add(RecordedDescription{hoist, noon, known(3'600)});
+        writer->add(test::turning(hoist, noon, 200, 1'000));
+        writer->add(RecordedInterruption{hoist, noon + 2s});
+        writer->add(RecordedDescription{hoist, noon + 5s, known(7'200)});
+        writer->add(test::turning(hoist, noon + 6s, 400, 2'000));
+        writer->end();
+    }
+    ASSERT_TRUE(window().openRecording(file.path));
+    actions().trend->trigger();
+    auto &trend = *window().findChild<TrendPage *>();
+    trend.showTrack({recordedHoist, Channel::position, {}});
+    trend.tracks().setUnit(0, TrackUnit::degrees);
+    for (const Instant played : {noon, noon + 9s}) {
+        playback().jumpTo(played);
+        advance(1'000);
+        const TrendCurve &curve = trend.view().scene().lanes.at(0).curves.at(0);
+        EXPECT_DOUBLE_EQ(curve.valueOf(*curve.history->at(noon)), 100) << played.count();
+        EXPECT_DOUBLE_EQ(curve.valueOf(*curve.history->at(noon + 6s)), 100) << played.count();
+    }
+}
+
 // What it shows is not what a request would go to.
 TEST_F(ReplayInWindow, NothingIsSentFromTheTerminalOfALiveLineWhileItIsChosen)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/recorded_device.h"
 #include "recording/recording_writer.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/places.h"
@@ -115,6 +116,30 @@ TEST_F(CliExport, ChosenTracksInAUnitForAPartOfTheTime)
                             "--to +0.01"));
     EXPECT_EQ(again.exit, 0) << again.err;
     EXPECT_EQ(lines().front().trimmed(), "time [s],4.0 position [mm]");
+}
+
+TEST_F(CliExport, WhatWasRecordedBeforeTheScaleChangedKeepsItsScale)
+{
+    const auto recording = writer();
+    const auto describe = [&](Instant at, std::int64_t steps) {
+        const RecordedDevice device{.key = QStringLiteral("fraba-ocd-ib"),
+                                    .known = {{Parameter::steps, steps}, {Parameter::revolutions, 1}}};
+        recording->add(RecordedDescription{"1.0"_ring, at, toJson(device)});
+    };
+    describe(noon, 360);
+    addSeconds(*recording, 0, 5);
+    describe(noon + 5s, 720);
+    addSeconds(*recording, 5, 10);
+    recording->flush();
+    const CliRun run = save(QStringLiteral("--tracks 1.0/position --unit degrees"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    ASSERT_EQ(lines().size(), 11);
+    EXPECT_EQ(lines()[5].trimmed().split(',')[1].toDouble(), 4);
+    EXPECT_EQ(lines()[6].trimmed().split(',')[1].toDouble(), 2.5);
+    const QJsonObject json = QJsonDocument::fromJson(contents(description)).object();
+    const QJsonObject column = json[u"columns"].toArray().at(0).toObject();
+    EXPECT_EQ(column[u"perStep"].toDouble(), 0.5);
+    EXPECT_EQ(column[u"earlierScales"].toArray().size(), 1);
 }
 
 TEST_F(CliExport, NothingIsReplacedUnlessAsked)

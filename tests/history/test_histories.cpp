@@ -135,6 +135,35 @@ TEST_F(HistoriesTest, AnOrderedJumpIsMarkedAndIsNoSpeed)
     EXPECT_EQ(*speeds, (Extent{0, 0}));
 }
 
+TEST_F(HistoriesTest, WhatAStepWasIsKeptWithTheTimeOfItsChange)
+{
+    advance(1s);
+    ASSERT_EQ(histories.scales(standing).size(), 1U);
+    EXPECT_EQ(histories.scales(standing)[0].scale.stepsPerTurn, 8'192);
+    const Instant before = histories.span()->to;
+    ASSERT_TRUE(ring.encoder(standing)->start(
+        WriteParameters{.values = {{Parameter::steps, 4'096}}, .previous = {}}));
+    advance(5s);
+    const std::vector<ScaleSince> scales = histories.scales(standing);
+    ASSERT_EQ(scales.size(), 2U);
+    EXPECT_EQ(scales[0].scale.stepsPerTurn, 8'192);
+    EXPECT_EQ(scales[1].scale.stepsPerTurn, 4'096);
+    EXPECT_GT(scales[1].from, before);
+    const auto gaps = position(standing).gaps({before, histories.span()->to});
+    ASSERT_FALSE(gaps.empty());
+    EXPECT_LE(scales[1].from, gaps.back().to) << "what it shows after the change is scaled anew";
+    EXPECT_GE(scales[1].from, gaps.front().from) << "what it showed before is not";
+}
+
+TEST_F(HistoriesTest, WhatWasToldAndIsToldOtherwiseWasNeverSo)
+{
+    advance(1s);
+    ring.encoder(standing)->tell(Parameter::steps, 4'096);
+    advance(1s);
+    ASSERT_EQ(histories.scales(standing).size(), 1U);
+    EXPECT_EQ(histories.scales(standing)[0].scale.stepsPerTurn, 4'096);
+}
+
 TEST_F(HistoriesTest, WordsAreKeptOfAnEncoderThatHasThem)
 {
     advance(1s);

@@ -104,5 +104,26 @@ TEST(TrackScale, LeavesWordsAsTheyAre)
     }
 }
 
+TEST(TrackScale, EachPartOfTheTimeHasItsOwnScale)
+{
+    using namespace std::chrono_literals;
+    const TrackScale scale{TrackUnit::degrees, 4, {{10s, 1}, {20s, 2}}};
+    EXPECT_EQ(scale.factor(Channel::position), 4);
+    EXPECT_EQ(scale.factor(Channel::position, 9s), 1);
+    EXPECT_EQ(scale.factor(Channel::position, 10s), 2);
+    EXPECT_EQ(scale.factor(Channel::position, 20s), 4);
+    EXPECT_EQ(scale.factor(Channel::in, 9s), 1) << "a word has none";
+    EXPECT_TRUE(scale.changesIn({9s, 11s}));
+    EXPECT_FALSE(scale.changesIn({10s, 20s}));
+    const std::vector<ScaledSpan> parts = scaledSpans(scale, {5s, 30s});
+    ASSERT_EQ(parts.size(), 3U);
+    EXPECT_EQ(parts[0].span, (TimeSpan{5s, 10s}));
+    EXPECT_EQ(parts[1].span, (TimeSpan{10s, 20s}));
+    EXPECT_EQ(parts[2].span, (TimeSpan{20s, 30s}));
+    EXPECT_EQ(parts[0].scale.perStep, 1);
+    EXPECT_EQ(parts[1].scale.perStep, 2);
+    EXPECT_EQ(parts[2].scale.perStep, 4);
+}
+
 } // namespace
 } // namespace codewheel

@@ -276,5 +276,15 @@ TEST(TrendCsv, StopsWhereNothingCanBeWritten)
     EXPECT_FALSE(full.errorString().isEmpty());
 }
 
+TEST(TrendCsv, EachValueIsScaledAsItsStepWasThen)
+{
+    SampledTracks tracks;
+    for (const auto time : {0, 1, 2})
+        tracks[ringPosition].append({at(time), 100});
+    TrendExtract extract = extractOf({ringPosition}, at(0), at(2));
+    extract.columns[0].scale = {TrackUnit::degrees, 0.5, {{at(1), 2}}};
+    EXPECT_EQ(tracks.rows(extract), (QStringList{QStringLiteral("0,200"), QStringLiteral("2,50.0")}));
+}
+
 } // namespace
 } // namespace codewheel

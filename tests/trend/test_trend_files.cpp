@@ -110,6 +110,19 @@ TEST_F(TrendFilesTest, OfRecordingsOnTopOfEachOtherTheShiftIsNamed)
     EXPECT_EQ(description()[u"shownLaterSeconds"], 0);
 }
 
+TEST_F(TrendFilesTest, EarlierScalesAreDescribed)
+{
+    extract.columns[0].scale.earlier = {{at(9'000), 3}, {at(20'000), 360. / 8'192}};
+    ASSERT_TRUE(save());
+    const QJsonArray columns = description()[u"columns"].toArray();
+    EXPECT_DOUBLE_EQ(columns[0][u"perStep"].toDouble(), 360. / 4'096);
+    const QJsonArray earlier = columns[0][u"earlierScales"].toArray();
+    ASSERT_EQ(earlier.size(), 1) << "the other one ended before the span";
+    EXPECT_EQ(earlier[0][u"until"], QStringLiteral("2026-03-01T13:02:20.000000Z"));
+    EXPECT_DOUBLE_EQ(earlier[0][u"perStep"].toDouble(), 360. / 8'192);
+    EXPECT_TRUE(columns[1][u"earlierScales"].toArray().isEmpty());
+}
+
 TEST_F(TrendFilesTest, TheDescriptionStandsBesideTheTable)
 {
     EXPECT_EQ(TrendFiles::descriptionPath(QStringLiteral("/a/hoist.csv")), QStringLiteral("/a/hoist.json"));
@@ -156,6 +169,7 @@ TEST_F(TrendFilesTest, TheDescriptionTellsOfEachColumnWhatItIsAndHowMuchIsMissin
                            {QStringLiteral("bit"), QJsonValue()},
                            {QStringLiteral("unit"), QStringLiteral("deg")},
                            {QStringLiteral("perStep"), 360. / 4'096},
+                           {QStringLiteral("earlierScales"), QJsonArray()},
                            {QStringLiteral("knownFrom"), QStringLiteral("2026-03-01T13:02:10.000000Z")},
                            {QStringLiteral("knownTo"), QStringLiteral("2026-03-01T13:02:21.000000Z")},
                            {QStringLiteral("gaps"), 1},

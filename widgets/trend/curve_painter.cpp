@@ -95,6 +95,30 @@ double CurvePainter::x(std::size_t column) const
            m_area.width() * (static_cast<double>(column) + 0.5) / static_cast<double>(m_columns);
 }
 
+Instant CurvePainter::edge(std::size_t column) const
+{
+    return m_span.from + (m_span.to - m_span.from) * static_cast<std::int64_t>(column) /
+                             static_cast<std::int64_t>(m_columns);
+}
+
+// Which of the scales the extremes of a column had that lies across a change is not known: it is drawn from
+// its first to its last sample.
+CurvePainter::Heights CurvePainter::heights(const TrendCurve &curve, std::size_t index,
+                                            const History::Column &column, const Height &y) const
+{
+    const TimeSpan span{edge(index), edge(index + 1)};
+    const Instant end = span.to - Instant(1);
+    const double first = y({span.from, column.first});
+    const double last = y({end, column.last});
+    if (curve.scale.changesIn(span)) {
+        const auto [top, bottom] = std::minmax({first, last});
+        return {first, top, bottom, last};
+    }
+    const auto [top, bottom] =
+        std::minmax({y({end, column.summary.extent.least}), y({end, column.summary.extent.greatest})});
+    return {first, top, bottom, last};
+}
+
 std::optional<Sample> CurvePainter::before(const TrendCurve &curve) const
 {
     return curve.history->at(m_span.from - Instant(1));
@@ -110,7 +134,7 @@ void CurvePainter::draw(const TrendCurve &curve, double low, double high)
     if (curve.history == nullptr || high <= low)
         return;
     const double scale = m_area.height() / (high - low);
-    const auto y = [&](std::int64_t sample) {
+    const auto y = [&](const Sample &sample) {
         return std::clamp(m_area.bottom() - (curve.valueOf(sample) - low) * scale, -reach, reach);
     };
     if (curve.history->count(m_span) > m_columns)
@@ -127,21 +151,22 @@ void CurvePainter::drawLine(const TrendCurve &curve, const Height &y)
     m_painter.setPen(QPen(curve.color, thickness));
     Strokes strokes(m_painter);
     if (const auto sample = before(curve))
-        strokes.to(x(sample->at), y(sample->value));
+        strokes.to(x(sample->at), y(*sample));
     std::size_t index = 0;
     for (const auto &column : curve.history->columns(m_span, m_columns)) {
-        const double at = x(index++);
+        const std::size_t its = index++;
         if (!column)
             continue;
         if (column->hasGap)
             strokes.end();
-        strokes.to(at, y(column->first));
-        strokes.to(at, y(column->summary.extent.least));
-        strokes.to(at, y(column->summary.extent.greatest));
-        strokes.to(at, y(column->last));
+        const Heights height = heights(curve, its, *column, y);
+        strokes.to(x(its), height.first);
+        strokes.to(x(its), height.bottom);
+        strokes.to(x(its), height.top);
+        strokes.to(x(its), height.last);
     }
     if (const auto sample = after(curve))
-        strokes.to(x(sample->at), y(sample->value));
+        strokes.to(x(sample->at), y(*sample));
     strokes.end();
 }
 
@@ -155,26 +180,26 @@ void CurvePainter::drawDense(const TrendCurve &curve, const Height &y)
     Bars bars(m_painter, curve.color);
     std::optional<QPointF> end;
     if (const auto sample = before(curve))
-        end = {x(sample->at), y(sample->value)};
+        end = {x(sample->at), y(*sample)};
     std::size_t index = 0;
     for (const auto &column : curve.history->columns(m_span, m_columns)) {
-        const double at = x(index++);
+        const std::size_t its = index++;
         if (!column)
             continue;
-        auto [top, bottom] =
-            std::minmax({y(column->summary.extent.least), y(column->summary.extent.greatest)});
+        const double at = x(its);
+        auto [first, top, bottom, last] = heights(curve, its, *column, y);
         if (end && !column->hasGap) {
             if (end->x() < at - 1.5 * width)
-                m_painter.drawLine(*end, QPointF(at, y(column->first)));
+                m_painter.drawLine(*end, QPointF(at, first));
             else
                 std::tie(top, bottom) = std::minmax({top, bottom, end->y()});
         }
         bars.add({at - width / 2, top - 0.5, width, bottom - top + 1});
-        end = {at, y(column->last)};
+        end = {at, last};
     }
     bars.end();
     if (const auto sample = after(curve); sample && end)
-        m_painter.drawLine(*end, QPointF(x(sample->at), y(sample->value)));
+        m_painter.drawLine(*end, QPointF(x(sample->at), y(*sample)));
 }
 
 // As a logic analyser does: two levels, and an upright line where it changed, however often.

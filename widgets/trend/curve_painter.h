@@ -23,7 +23,15 @@ public:
     void drawBit(const TrendCurve &curve);
 
 private:
-    using Height = std::function<double(std::int64_t)>; // where a sample is
+    using Height = std::function<double(const Sample &)>; // where it is
+    // What is drawn of a column.
+    struct Heights
+    {
+        double first = 0;
+        double top = 0;
+        double bottom = 0;
+        double last = 0;
+    };
     struct Level
     {
         double since = 0; // where it begins and ends
@@ -33,9 +41,12 @@ private:
 
     void drawLine(const TrendCurve &curve, const Height &y);
     void drawDense(const TrendCurve &curve, const Height &y); // with more samples than columns
+    Heights heights(const TrendCurve &curve, std::size_t index, const History::Column &column,
+                    const Height &y) const;
     void drawLevel(const Level &level, const QColor &color);
     double x(Instant at) const;
     double x(std::size_t column) const;
+    Instant edge(std::size_t column) const; // where it begins
     // The samples beside the area: the curve goes on to them. Nothing: there is a gap.
     std::optional<Sample> before(const TrendCurve &curve) const;
     std::optional<Sample> after(const TrendCurve &curve) const;

@@ -43,9 +43,9 @@ QString CurveValues::averageText(double value) const
     return valueText(value, resolution() / 10, m_locale);
 }
 
-QString CurveValues::text(const std::optional<Sample> &sample) const
+QString CurveValues::text(const std::optional<Sample> &sample, Instant then) const
 {
-    return sample ? text(m_curve.valueOf(sample->value)) : QString(QChar(0x2013));
+    return sample ? text(m_curve.valueOf(sample->value, then)) : QString(QChar(0x2013));
 }
 
 double CurveValues::resolution() const
@@ -56,51 +56,52 @@ double CurveValues::resolution() const
 
 QString CurveValues::now() const
 {
-    return text(m_curve.history == nullptr ? std::nullopt : m_curve.history->newest());
+    return text(m_curve.history == nullptr ? std::nullopt : m_curve.history->newest(), Instant::max());
 }
 
 QString CurveValues::at(Instant at) const
 {
-    return text(m_curve.history == nullptr ? std::nullopt : m_curve.history->at(at));
+    return text(m_curve.history == nullptr ? std::nullopt : m_curve.history->at(at), at);
 }
 
-std::optional<double> CurveValues::steps(const TimeSpan &span) const
+// Each end by what a step was then.
+std::optional<double> CurveValues::way(const TimeSpan &span, const TrackScale &scale) const
 {
-    if (m_curve.history == nullptr || bitCount(m_curve.track.channel) > 0)
+    const Channel channel = m_curve.track.channel;
+    if (m_curve.history == nullptr || bitCount(channel) > 0)
         return {};
     const auto from = m_curve.history->at(span.from);
     const auto to = m_curve.history->at(span.to);
-    return from && to ? std::optional(static_cast<double>(to->value - from->value)) : std::nullopt;
+    if (!from || !to)
+        return {};
+    return static_cast<double>(to->value) * scale.factor(channel, span.to) -
+           static_cast<double>(from->value) * scale.factor(channel, span.from);
 }
 
 QString CurveValues::difference(const TimeSpan &span) const
 {
-    const auto its = steps(span);
-    if (!its)
-        return {};
-    const double value = *its * m_curve.scale.factor(m_curve.track.channel);
-    return signedText(text(value), value);
+    const auto its = way(span, m_curve.scale);
+    return its ? signedText(text(*its), *its) : QString();
 }
 
 QString CurveValues::differenceInDegrees(const TimeSpan &span) const
 {
-    const auto its = steps(span);
-    if (!its || !m_stepsPerTurn || m_curve.track.channel != Channel::position)
+    const auto turns =
+        m_turns && m_curve.track.channel == Channel::position ? way(span, *m_turns) : std::nullopt;
+    if (!turns)
         return {};
-    const double degrees = *its / *m_stepsPerTurn * degreesPerTurn;
+    const double degrees = *turns * degreesPerTurn;
     return signedText(valueText(degrees, degreeResolution, m_locale), degrees) + QChar(0xB0);
 }
 
 QString CurveValues::rate(const TimeSpan &span) const
 {
-    const auto its = steps(span);
     const double seconds = secondsOf(span);
+    const auto its = way(span, m_turns.value_or(m_curve.scale));
     if (!its || seconds == 0 || m_curve.track.channel != Channel::position)
         return {};
-    const bool hasTurns = m_stepsPerTurn.has_value();
-    const double rate = hasTurns ? *its / *m_stepsPerTurn * secondsPerMinute / seconds
-                                 : *its * m_curve.scale.factor(Channel::position) / seconds;
-    const TrackScale scale{hasTurns ? TrackUnit::turns : m_curve.scale.unit, 1};
+    const double rate = *its / seconds * (m_turns ? secondsPerMinute : 1);
+    const TrackScale scale{m_turns ? TrackUnit::turns : m_curve.scale.unit, 1};
     return QStringLiteral("%1 %2").arg(signedText(valueText(rate, rateResolution, m_locale), rate),
                                        unitSymbol(scale, Channel::speed));
 }

@@ -11,10 +11,10 @@ namespace codewheel {
 class CurveValues
 {
 public:
-    // `stepsPerTurn`: of the encoder, where it is known.
-    CurveValues(const TrendCurve &curve, std::optional<double> stepsPerTurn, const QLocale &locale)
+    // `turns`: how much of a turn a step is, where that is known.
+    CurveValues(const TrendCurve &curve, std::optional<TrackScale> turns, const QLocale &locale)
         : m_curve(curve)
-        , m_stepsPerTurn(stepsPerTurn)
+        , m_turns(std::move(turns))
         , m_locale(locale)
     {}
 
@@ -26,16 +26,16 @@ public:
 
     // In its unit.
     QString text(double value) const;
-    QString text(const std::optional<Sample> &sample) const;
+    QString text(const std::optional<Sample> &sample, Instant then) const;
     // Of numbers, not of words and bits: with one digit more than single values have.
     QString averageText(double value) const;
 
 private:
-    std::optional<double> steps(const TimeSpan &span) const;
+    std::optional<double> way(const TimeSpan &span, const TrackScale &scale) const;
     double resolution() const; // in its unit: of a step, or of one per second
 
     const TrendCurve &m_curve;
-    std::optional<double> m_stepsPerTurn;
+    std::optional<TrackScale> m_turns;
     const QLocale &m_locale;
 };
 

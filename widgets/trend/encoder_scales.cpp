@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/trend/encoder_scales.h"
 
-#include "catalog/device_description.h"
-#include "catalog/protocol_rules.h"
-#include "jobs/position_scale.h"
-#include "vocabulary/rod_scale.h"
-
 namespace codewheel {
 
 // What is not known any more, as in parameterization, stays as it was.
@@ -16,18 +11,13 @@ bool EncoderScales::look()
         const EncoderSession *encoder = m_buses.encoder(place);
         if (encoder == nullptr)
             continue;
-        Known &known = m_known[place];
-        known.isRod = codewheel::isRod(encoder->device());
-        if (known.isRod) {
-            if (const auto scale = rodScale(*encoder))
-                known.millimetresPerStep = scale->millimetres(1'000'000) / 1e6;
-            continue;
-        }
-        const auto scale = speedScaleOf(
-            encoder->device(), [encoder](Parameter parameter) { return knownNumber(*encoder, parameter); });
-        if (scale)
-            known.stepsPerTurn = scale->stepsPerTurn;
+        StepScale &now = m_known[place].now;
+        const StepScale scale = stepScale(*encoder);
+        if (scale.isKnown() || scale.isRod != now.isRod)
+            now = scale;
     }
+    for (auto &[place, known] : m_known)
+        known.since = m_histories.scales(place);
     return m_known != before;
 }
 
@@ -40,17 +30,21 @@ const EncoderScales::Known &EncoderScales::known(Place place) const
 
 bool EncoderScales::asksForTravel(Place place) const
 {
-    return !known(place).isRod && known(place).stepsPerTurn.has_value();
+    return !isRod(place) && stepsPerTurn(place).has_value();
 }
 
 std::optional<double> EncoderScales::stepsPerTurn(Place place) const
 {
-    return known(place).stepsPerTurn;
+    return known(place).newest().stepsPerTurn;
 }
 
 std::optional<double> EncoderScales::perStep(Place place, TrackUnit unit) const
 {
-    const Known &its = known(place);
+    return perStep(place, unit, known(place).newest());
+}
+
+std::optional<double> EncoderScales::perStep(Place place, TrackUnit unit, const StepScale &its) const
+{
     const auto ofTurn = [&](std::optional<double> turn) {
         return turn && its.stepsPerTurn ? std::optional(*turn / *its.stepsPerTurn) : std::nullopt;
     };
@@ -67,11 +61,32 @@ std::optional<double> EncoderScales::perStep(Place place, TrackUnit unit) const
     return {};
 }
 
+// What had no such unit then is shown as if it had been as it was next.
+std::vector<TrackScale::Earlier> EncoderScales::earlier(Place place, TrackUnit unit) const
+{
+    std::vector<TrackScale::Earlier> all;
+    const std::vector<ScaleSince> &since = known(place).since;
+    for (std::size_t i = 0; i + 1 < since.size(); ++i) {
+        const auto then = perStep(place, unit, since[i].scale);
+        if (then && then != perStep(place, unit, since[i + 1].scale))
+            all.push_back({since[i + 1].from, *then});
+    }
+    return all;
+}
+
 TrackScale EncoderScales::of(const TrendTracks::Shown &shown) const
 {
-    if (const auto scale = perStep(shown.track.place, shown.unit))
-        return {shown.unit, *scale};
+    const Place place = shown.track.place;
+    if (const auto scale = perStep(place, shown.unit))
+        return {shown.unit, *scale, earlier(place, shown.unit)};
     return {};
+}
+
+std::optional<TrackScale> EncoderScales::turns(Place place) const
+{
+    if (!has(place, TrackUnit::turns))
+        return {};
+    return of({.track = {place, Channel::position, {}}, .unit = TrackUnit::turns});
 }
 
 } // namespace codewheel

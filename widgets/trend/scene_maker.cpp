@@ -6,6 +6,7 @@
 #include "widgets/trend/track_text.h"
 
 #include <cmath>
+#include <limits>
 
 namespace codewheel {
 namespace {
@@ -18,20 +19,33 @@ bool isWord(const TrendLane &lane)
     return bitCount(lane.curves.front().track.channel) > 0;
 }
 
-// What the curve has in the span, and on both sides of it.
-std::optional<Extent> extentOf(const TrendCurve &curve, const TimeSpan &span)
+// Between which values a curve lies.
+struct ValueRange
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+
+    bool isEmpty() const { return low > high; }
+    void include(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+// With what the curve has in the span, and on both sides of it.
+void include(ValueRange &range, const TrendCurve &curve, const TimeSpan &span)
 {
     if (curve.history == nullptr)
-        return {};
-    auto extent = curve.history->extent(span);
+        return;
+    for (const ScaledSpan &part : scaledSpans(curve.scale, span))
+        if (const auto extent = curve.history->extent(part.span))
+            for (const std::int64_t sample : {extent->least, extent->greatest})
+                range.include(curve.valueOf(sample, part.span.from));
     for (const auto &beside :
-         {curve.history->at(span.from - Instant(1)), curve.history->after(span.to - Instant(1))}) {
-        if (!beside)
-            continue;
-        extent = extent.value_or(Extent{beside->value, beside->value});
-        extent->include({beside->value, beside->value});
-    }
-    return extent;
+         {curve.history->at(span.from - Instant(1)), curve.history->after(span.to - Instant(1))})
+        if (beside)
+            range.include(curve.valueOf(*beside));
 }
 
 } // namespace
@@ -98,20 +112,15 @@ void SceneMaker::fitAxis(TrendLane &lane, const TimeSpan &span) const
         std::tie(lane.low, lane.high) = fixed->second;
         return;
     }
-    std::optional<std::pair<double, double>> range;
+    ValueRange range;
     double least = 0; // how much of the unit a step is
     for (const TrendCurve &curve : lane.curves) {
         const double unit =
             curve.track.channel == Channel::speed ? speedUnits : 1; // a step, or one per second
         least = std::max(least, unit * std::abs(curve.scale.factor(curve.track.channel)));
-        const auto extent = extentOf(curve, span);
-        if (!extent)
-            continue;
-        const auto [low, high] = std::minmax({curve.valueOf(extent->least), curve.valueOf(extent->greatest)});
-        range = range ? std::pair(std::min(range->first, low), std::max(range->second, high))
-                      : std::pair(low, high);
+        include(range, curve, span);
     }
-    const auto [low, high] = range.value_or(std::pair(0.0, 1.0));
+    const auto [low, high] = range.isEmpty() ? ValueRange{0, 1} : range;
     const double spread = std::max(high - low, 10 * least);
     const double middle = (low + high) / 2;
     const double step = isWord(lane) ? hexStep(spread, stepsOfAxis) : tickStep(spread, stepsOfAxis);

@@ -64,7 +64,7 @@ TrendPage::TrendPage(Buses &buses, Histories &histories, std::function<QString(P
     , m_buses(buses)
     , m_histories(histories)
     , m_station(std::move(station))
-    , m_scales(buses, m_tracks)
+    , m_scales(buses, histories, m_tracks)
     , m_pages(new QStackedWidget(this))
     , m_empty(
           new EmptyState(Icon::trend, tr("No curve is shown"),

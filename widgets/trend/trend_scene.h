@@ -19,10 +19,11 @@ struct TrendCurve
     QString name;
     QColor color{};
 
-    double valueOf(std::int64_t sample) const
+    double valueOf(std::int64_t sample, Instant then) const
     {
-        return static_cast<double>(track.of(sample)) * scale.factor(track.channel);
+        return static_cast<double>(track.of(sample)) * scale.factor(track.channel, then);
     }
+    double valueOf(const Sample &sample) const { return valueOf(sample.value, sample.at); }
 };
 
 // Curves that share an axis; a single bit has a narrow lane of its own.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/trend/trend_values_model.h"
 
+#include "history/moments.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/trend/curve_values.h"
@@ -8,7 +9,10 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <QPalette>
 #include <QPixmap>
+
+#include <limits>
 
 namespace codewheel {
 namespace {
@@ -22,6 +26,38 @@ QPixmap sampleOf(const QColor &color)
     QPainter painter(&sample);
     painter.fillRect(0, grid::smallIcon / 2 - 1, grid::smallIcon, 3, color);
     return sample;
+}
+
+// In the unit of a curve.
+struct ScaledStatistics
+{
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -least;
+    Moments moments{};
+
+    double mean() const { return moments.stood() == Instant(0) ? least : moments.mean(); }
+    void add(const History::Statistics &its, double factor)
+    {
+        for (const std::int64_t sample : {its.extent.least, its.extent.greatest}) {
+            least = std::min(least, static_cast<double>(sample) * factor);
+            greatest = std::max(greatest, static_cast<double>(sample) * factor);
+        }
+        const auto stood = static_cast<double>(its.known.count());
+        const double deviation = its.deviation * factor;
+        moments.add({its.mean * factor, stood, 0, deviation * deviation * stood});
+    }
+};
+
+std::optional<ScaledStatistics> statisticsOf(const TrendCurve &curve, const TimeSpan &span)
+{
+    std::optional<ScaledStatistics> all;
+    for (const ScaledSpan &part : scaledSpans(curve.scale, span))
+        if (const auto its = curve.history->statistics(part.span)) {
+            if (!all)
+                all.emplace();
+            all->add(*its, part.scale.factor(curve.track.channel));
+        }
+    return all;
 }
 
 std::optional<TimeSpan> betweenCursors(const TrendScene &scene)
@@ -38,7 +74,7 @@ void TrendValuesModel::show(const TrendScene &scene, const EncoderScales &scales
     const auto between = betweenCursors(scene);
     for (const TrendLane &lane : scene.lanes)
         for (const TrendCurve &curve : lane.curves) {
-            TrendRow &row = fresh.emplace_back(rowOf(curve, scene, scales.stepsPerTurn(curve.track.place)));
+            TrendRow &row = fresh.emplace_back(rowOf(curve, scene, scales.turns(curve.track.place)));
             if (withStatistics && between)
                 addStatistics(row, curve,
                               {std::min(between->from, between->to), std::max(between->from, between->to)});
@@ -73,9 +109,9 @@ void TrendValuesModel::update(std::vector<TrendRow> fresh)
 }
 
 TrendRow TrendValuesModel::rowOf(const TrendCurve &curve, const TrendScene &scene,
-                                 std::optional<double> stepsPerTurn) const
+                                 const std::optional<TrackScale> &turns) const
 {
-    const CurveValues values(curve, stepsPerTurn, m_locale);
+    const CurveValues values(curve, turns, m_locale);
     TrendRow row{.name = curve.name, .color = curve.color, .now = values.now()};
     for (std::size_t cursor = 0; cursor < row.atCursors.size(); ++cursor)
         if (scene.cursors[cursor])
@@ -93,15 +129,14 @@ void TrendValuesModel::addStatistics(TrendRow &row, const TrendCurve &curve, con
 {
     if (curve.history == nullptr || bitCount(curve.track.channel) > 0)
         return;
-    const auto statistics = curve.history->statistics(span);
+    const auto statistics = statisticsOf(curve, span);
     if (!statistics)
         return;
     const CurveValues values(curve, {}, m_locale);
-    const double factor = curve.scale.factor(curve.track.channel);
-    row.least = values.text(static_cast<double>(statistics->extent.least) * factor);
-    row.greatest = values.text(static_cast<double>(statistics->extent.greatest) * factor);
-    row.mean = values.averageText(statistics->mean * factor);
-    row.deviation = values.averageText(statistics->deviation * std::abs(factor));
+    row.least = values.text(statistics->least);
+    row.greatest = values.text(statistics->greatest);
+    row.mean = values.averageText(statistics->mean());
+    row.deviation = values.averageText(statistics->moments.deviation());
 }
 
 QVariant TrendValuesModel::headerCell(int column, int role) const

@@ -63,7 +63,7 @@ private:
     QVariant headerCell(int column, int role) const override;
     QVariant cell(const TrendRow &row, int column, int role) const override;
     TrendRow rowOf(const TrendCurve &curve, const TrendScene &scene,
-                   std::optional<double> stepsPerTurn) const;
+                   const std::optional<TrackScale> &turns) const;
     void addStatistics(TrendRow &row, const TrendCurve &curve, const TimeSpan &span) const;
     void update(std::vector<TrendRow> rows);
 

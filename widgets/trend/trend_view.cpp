@@ -52,7 +52,10 @@ TrendView::TrendView(const Histories &histories, const TrendTracks &tracks, Enco
         showAnew();
     });
     connect(&histories, &Histories::marksChanged, this, &TrendView::showAnew);
-    connect(&histories, &Histories::archivesChanged, this, [this] { update([] {}); });
+    connect(&histories, &Histories::archivesChanged, this, [this] {
+        m_scales.look();
+        update([] {});
+    });
 }
 
 // Of what is watched now, unless all curves are of recordings.

@@ -98,6 +98,21 @@ std::optional<double> perStep(const Call &call, const RecordedDevice &device, Tr
     return 1;
 }
 
+// What does not follow from what was known then is scaled as what was known next.
+std::vector<TrackScale::Earlier> earlierScales(const Call &call, const RecordingFacts::Encoder &encoder,
+                                               TrackUnit unit, std::optional<double> millimetresPerTurn)
+{
+    std::vector<TrackScale::Earlier> earlier;
+    std::optional<double> before;
+    for (const auto &[since, device] : encoder.described) {
+        const auto now = perStep(call, device, unit, millimetresPerTurn);
+        if (before && now && *before != *now)
+            earlier.push_back({since, *before});
+        before = now ? now : before;
+    }
+    return earlier;
+}
+
 Checked<std::optional<double>> millimetresPerTurnMeant(const Arguments &arguments)
 {
     const auto text = arguments.value("--mm-per-turn");
@@ -168,10 +183,11 @@ Checked<TrendExtract> extractMeant(const Call &call, const RecordingFacts &facts
     for (const Track &track : *tracks) {
         TrendColumn column{.track = track, .name = stationOf(call, track.place)};
         if (*unit != TrackUnit::steps && isScaled(track.channel)) {
-            const auto scale = perStep(call, encoderIn(facts, track.place)->device, *unit, *perTurn);
+            const RecordingFacts::Encoder &encoder = *encoderIn(facts, track.place);
+            const auto scale = perStep(call, encoder.device, *unit, *perTurn);
             if (!scale)
                 return aboutScale(track.place, *unit);
-            column.scale = {*unit, *scale};
+            column.scale = {*unit, *scale, earlierScales(call, encoder, *unit, *perTurn)};
         }
         extract.columns.push_back(std::move(column));
     }

@@ -40,8 +40,10 @@ Result<std::optional<RecordingFacts::Encoder>> encoderOf(const RecordingReader &
     if (!descriptions)
         return tl::unexpected(descriptions.error());
     RecordingFacts::Encoder encoder{.place = device.place, .device = {}, .span = {Instant::max(), {}}};
-    if (!descriptions->empty())
-        encoder.device = recordedDeviceFromJson(descriptions->back().json);
+    for (const RecordingReader::Description &one : *descriptions)
+        encoder.described.emplace_back(one.since, recordedDeviceFromJson(one.json));
+    if (!encoder.described.empty())
+        encoder.device = encoder.described.back().second;
     for (const Channel channel : device.channels) {
         const auto recorded = reader.channel(device, channel);
         if (!recorded)

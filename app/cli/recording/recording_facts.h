@@ -14,7 +14,8 @@ struct RecordingFacts
     struct Encoder
     {
         Place place;
-        RecordedDevice device; // as known last
+        RecordedDevice device;                                       // as known last
+        std::vector<std::pair<Instant, RecordedDevice>> described{}; // since when, oldest first
         std::vector<Channel> channels{};
         TimeSpan span;
     };

@@ -131,7 +131,7 @@ RecordingSubjects RecordingInWindow::subjects(RecordingEstimate &estimate) const
 std::vector<RecordableEncoder> RecordingInWindow::encoders() const
 {
     Plant &plant = m_parts.plant;
-    EncoderScales scales(plant.buses(), m_parts.trend.tracks());
+    EncoderScales scales(plant.buses(), plant.histories(), m_parts.trend.tracks());
     scales.look();
     std::set<Place> places;
     for (const EncoderBus *bus : plant.buses().connected())

@@ -123,6 +123,23 @@ TEST_F(CurvePainterTest, ScaledValuesAreDrawnInTheirUnit)
     EXPECT_TRUE(isDrawn(200, 50) || isDrawn(200, 49));
 }
 
+TEST_F(CurvePainterTest, WhatIsBeforeAChangeOfTheScaleIsDrawnInItsOwn)
+{
+    curve.track.channel = Channel::position;
+    curve.scale = {TrackUnit::degrees, 360.0 / 8'192, {{2s, 360.0 / 4'096}}};
+    for (const int samples : {40, 4'000}) { // fewer and more than columns
+        history = {};
+        const Instant step = Instant(4s) / samples;
+        for (int index = 0; index < samples; ++index)
+            history.append({step * index, (index < samples / 2 ? 2'048 : 4'096) + index % 2});
+        draw({0s, 4s}, 0, 360);
+        for (const int x : {50, 150, 250, 350})
+            EXPECT_TRUE(isDrawn(x, 50) || isDrawn(x, 49)) << samples << ", " << x;
+        EXPECT_FALSE(hasInRow(25)) << samples;
+        EXPECT_FALSE(hasInRow(75)) << samples;
+    }
+}
+
 TEST_F(CurvePainterTest, ABitHasTwoLevelsAndAnUprightLineWhereItChanges)
 {
     fill(0s, 4'000, [](int index) { return std::int64_t{index < 2'000 ? 0x0000'0001 : 0x8000'0001}; });

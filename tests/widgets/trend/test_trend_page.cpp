@@ -213,6 +213,32 @@ TEST_F(TrendPageTest, UnitsAreThoseThatAreKnown)
     EXPECT_DOUBLE_EQ(lane(1).curves.front().scale.perStep, 360.0 / 8'192);
 }
 
+// The shaft goes on turning at 60 rpm.
+TEST_F(TrendPageTest, WhatCameBeforeAnotherNumberOfStepsPerTurnKeepsItsScale)
+{
+    page.showTrack({baumer, Channel::speed, {}});
+    page.showTrack({baumer, Channel::position, {}});
+    advance(5s);
+    ASSERT_TRUE(
+        ring.encoder(baumer).start(WriteParameters{.values = {{Parameter::steps, 4'096}}, .previous = {}}));
+    advance(20s);
+    ASSERT_FALSE(ring.encoder(baumer).runningJob());
+    page.bringUpToDate();
+    ASSERT_EQ(lane(0).curves.front().scale.earlier.size(), 1U);
+    EXPECT_NEAR(number(cell(0, TrendValuesModel::now)), 60, 1);
+    const TimeSpan all = *view().timeOfCurves();
+    view().setCursor(0, all.from + 4s);
+    view().setCursor(1, all.to - 1s);
+    page.bringUpToDate();
+    EXPECT_NEAR(number(cell(0, TrendValuesModel::cursorA)), 60, 1)
+        << cell(0, TrendValuesModel::cursorA).toStdString();
+    EXPECT_NEAR(number(cell(0, TrendValuesModel::cursorB)), 60, 1);
+    EXPECT_NEAR(number(cell(0, TrendValuesModel::least)), 60, 5);
+    EXPECT_NEAR(number(cell(0, TrendValuesModel::greatest)), 60, 5);
+    EXPECT_NEAR(number(cell(0, TrendValuesModel::mean)), 60, 1);
+    EXPECT_LT(lane(0).high, 100) << "the axis fits";
+}
+
 TEST_F(TrendPageTest, MillimetresNeedTheTravelPerTurn)
 {
     page.showTrack({baumer, Channel::position, {}});
