@@ -4,6 +4,7 @@
 #include "catalog/protocol_rules.h"
 #include "catalog/value_text.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
 
 #include <QStringList>
 
@@ -135,9 +136,10 @@ Result<void> checkRange(const ParameterDescription &parameter, const Value &valu
 {
     const auto number = value.asNumber();
     if (!number)
-        return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
-                      {parameter.parameter, value.toString(),
-                       QStringLiteral("%1..%2").arg(parameter.minimum).arg(parameter.maximum)});
+        return refuse(
+            RefusalKind::badInput, RefusalId::valueNotAllowed,
+            {parameter.parameter, value.toString(),
+             QStringLiteral("%1..%2").arg(numberText(parameter.minimum), numberText(parameter.maximum))});
     if (*number >= parameter.minimum && *number <= parameter.maximum)
         return {};
     const auto asTyped = [&](std::int64_t typed) {

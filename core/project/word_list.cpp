@@ -2,6 +2,7 @@
 #include "project/word_list.h"
 
 #include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -49,7 +50,7 @@ Parsed<std::vector<Word>> parseColumn(const QString &text)
     if (words.size() > WordList::mostWords)
         return tl::unexpected(
             QCoreApplication::translate("Sequence", "Nothing was pasted: a sequence has at most %1 words.")
-                .arg(WordList::mostWords));
+                .arg(numberText(std::int64_t{WordList::mostWords})));
     return words;
 }
 

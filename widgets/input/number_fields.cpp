@@ -53,10 +53,15 @@ auto SpinField<SpinBox>::read(const QString &bare) const -> tl::expected<Number,
     }();
     if (!number)
         return tl::unexpected(number.error());
+    const auto end = [this](Number its) {
+        if constexpr (std::is_integral_v<Number>)
+            return this->locale().toString(its);
+        else
+            return this->locale().toString(its, 'f', this->decimals());
+    };
     if (*number < this->minimum() || *number > this->maximum())
-        return tl::unexpected(
-            SpinFieldTexts::tr("%1 is outside %2 to %3.")
-                .arg(bare, this->textFromValue(this->minimum()), this->textFromValue(this->maximum())));
+        return tl::unexpected(SpinFieldTexts::tr("%1 is outside %2 to %3.")
+                                  .arg(bare, end(this->minimum()), end(this->maximum())));
     return static_cast<Number>(*number);
 }
 

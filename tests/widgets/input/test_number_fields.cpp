@@ -133,6 +133,27 @@ TEST_F(NumberFieldsTest, WhatIsRefusedIsSaidAtTheFieldAndNotTaken)
     EXPECT_EQ(whole.value(), 7);
 }
 
+TEST_F(NumberFieldsTest, TheRangeIsSaidAsNumbersAreWrittenInTheCountry)
+{
+    const auto complaint = [](QWidget &field) {
+        return field.findChild<QLineEdit *>()->accessibleDescription();
+    };
+    decimal.setDecimals(1);
+    whole.setRange(1, 8'388'608);
+    for (const auto &[locale, range] :
+         {std::pair(QLocale(QLocale::English, QLocale::UnitedStates), QStringLiteral("1 to 8,388,608")),
+          {QLocale(QLocale::German, QLocale::Germany), QStringLiteral("1 to 8.388.608")}}) {
+        whole.setLocale(locale);
+        type(whole, "9000000");
+        EXPECT_TRUE(complaint(whole).contains(QStringLiteral("9000000 is outside ") + range))
+            << complaint(whole).toStdString();
+    }
+    decimal.setLocale(QLocale(QLocale::German, QLocale::Germany));
+    type(decimal, "2000000");
+    EXPECT_TRUE(complaint(decimal).contains(QStringLiteral("0,0 to 1.000.000,0")))
+        << complaint(decimal).toStdString();
+}
+
 TEST_F(NumberFieldsTest, WhatIsRefusedStaysToBeCorrectedAfterReturn)
 {
     type(decimal, "1,000");

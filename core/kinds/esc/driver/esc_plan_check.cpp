@@ -6,7 +6,6 @@
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -41,9 +40,9 @@ Result<void> checkScaling(const ParameterValues &wanted, const ParameterValues &
         return {};
     return refuse(
         RefusalKind::badInput, RefusalId::valueNotAllowed,
-        {Parameter::steps, QString::number(*steps),
+        {Parameter::steps, numberText(*steps),
          sentence(QCoreApplication::translate("EscPlan", "%1, which goes with a measuring range of %2"),
-                  {QLocale().toString(qlonglong{most}), QLocale().toString(qlonglong{*range})})});
+                  {numberText(most), numberText(*range)})});
 }
 
 } // namespace

@@ -35,7 +35,7 @@ std::optional<int> numberIn(const QString &text, Limits ends)
 QString range(Limits ends)
 {
     return sentence(GatewayTexts::tr("a number from %1 to %2"),
-                    {QString::number(ends.least), QString::number(ends.most)});
+                    {numberText(ends.least), numberText(ends.most)});
 }
 
 Setting number(const char *name, int GatewaySettings::*its, Limits ends,

@@ -5,6 +5,7 @@
 #include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_tree.h"
 #include "kinds/interbus/words/device_number.h"
+#include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 
@@ -109,31 +110,24 @@ struct RingRules
 
 QString limitText(const RingFinding &finding, const QString &segment)
 {
-    const int limit = finding.limit;
+    const QString limit = numberText(finding.limit);
+    const QString count = numberText(finding.count);
     switch (finding.rule) {
     case RingRule::devices:
-        return RingRules::tr("A ring has at most %1 devices; these are %2.").arg(limit).arg(finding.count);
+        return RingRules::tr("A ring has at most %1 devices; these are %2.").arg(limit, count);
     case RingRule::remoteDevices:
-        return RingRules::tr("The remote bus has at most %1 devices; these are %2.")
-            .arg(limit)
-            .arg(finding.count);
+        return RingRules::tr("The remote bus has at most %1 devices; these are %2.").arg(limit, count);
     case RingRule::levels:
-        return RingRules::tr("The remote bus has at most %1 levels; these are %2.")
-            .arg(limit)
-            .arg(finding.count);
+        return RingRules::tr("The remote bus has at most %1 levels; these are %2.").arg(limit, count);
     case RingRule::inPoints:
-        return RingRules::tr("A ring has at most %1 inputs; these are %2.").arg(limit).arg(finding.count);
+        return RingRules::tr("A ring has at most %1 inputs; these are %2.").arg(limit, count);
     case RingRule::outPoints:
-        return RingRules::tr("A ring has at most %1 outputs; these are %2.").arg(limit).arg(finding.count);
+        return RingRules::tr("A ring has at most %1 outputs; these are %2.").arg(limit, count);
     case RingRule::pcpDevices:
-        return RingRules::tr("A ring has at most %1 PCP devices; these are %2.")
-            .arg(limit)
-            .arg(finding.count);
+        return RingRules::tr("A ring has at most %1 PCP devices; these are %2.").arg(limit, count);
     default:
         return RingRules::tr("A local bus has at most %1 devices; that of segment %3 has %2.")
-            .arg(limit)
-            .arg(finding.count)
-            .arg(segment);
+            .arg(limit, count, segment);
     }
 }
 

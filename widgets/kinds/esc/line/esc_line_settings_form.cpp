@@ -2,6 +2,7 @@
 #include "widgets/kinds/esc/line/esc_line_settings_form.h"
 
 #include "kinds/esc/plan/esc_line_plan.h"
+#include "vocabulary/sentence.h"
 #include "widgets/connect/port_field.h"
 #include "widgets/connect/setting_row.h"
 #include "widgets/input/number_fields.h"
@@ -270,8 +271,7 @@ QString EscLineSettingsForm::wrong() const
     if (line_limits::baudRate.hold(settings().serial.baudRate))
         return {};
     return tr("The baud rate is a number from %1 to %2.")
-        .arg(line_limits::baudRate.least)
-        .arg(line_limits::baudRate.most);
+        .arg(numberText(line_limits::baudRate.least), numberText(line_limits::baudRate.most));
 }
 
 // A line may be planned before anybody knows its port.
