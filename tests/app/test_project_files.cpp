@@ -14,10 +14,13 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/kinds/interbus/training/fault_plan_bar.h"
 #include "widgets/look/inline_message.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/parameter_table.h"
 #include "widgets/sequence/sequence_view.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -47,6 +50,32 @@ namespace {
 
 using test::fraba;
 using test::Question;
+
+// What Qt's item views complain about meanwhile.
+class ViewWarnings
+{
+public:
+    ViewWarnings()
+    {
+        s_heard.clear();
+        s_before =
+            qInstallMessageHandler([](QtMsgType type, const QMessageLogContext &at, const QString &text) {
+                if (text.startsWith(QStringLiteral("QAbstractItemView::")))
+                    s_heard << text;
+                else
+                    s_before(type, at, text);
+            });
+    }
+    ~ViewWarnings() { qInstallMessageHandler(s_before); }
+    ViewWarnings(const ViewWarnings &) = delete;
+    ViewWarnings &operator=(const ViewWarnings &) = delete;
+
+    static QStringList heard() { return s_heard; }
+
+private:
+    static inline QStringList s_heard;
+    static inline QtMessageHandler s_before = nullptr;
+};
 
 class ProjectFilesTest : public test::WindowTest
 {
@@ -270,6 +299,26 @@ TEST_F(ProjectFilesTest, ValuesOfDevicesThatTheProjectHasNotAreToldWhenItIsSaved
     EXPECT_FALSE(window().isWindowModified());
     EXPECT_EQ(loadProject(path("new.codewheel"))->devices.front().wanted,
               (ParameterValues{{Parameter::steps, 100}}));
+}
+
+TEST_F(ProjectFilesTest, WhatIsBeingTypedIntoACellIsTakenOnceWhenTheWindowIsClosed)
+{
+    window().findChild<StructureView *>()->choose(fraba);
+    auto &table = *window().findChild<ParameterTable *>();
+    const QModelIndex name =
+        table.model()->match(table.model()->index(0, 0), Qt::DisplayRole, QStringLiteral("Steps")).value(0);
+    ASSERT_TRUE(name.isValid());
+    const ViewWarnings warnings;
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                      table.visualRect(name.siblingAtColumn(ParameterModel::wantedColumn)).center());
+    auto *field = qobject_cast<QLineEdit *>(QApplication::focusWidget());
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, QStringLiteral("77"));
+    const Question question = Question::answeredBy(QStringLiteral("Cancel"));
+    window().close();
+    EXPECT_TRUE(question.wasAsked());
+    EXPECT_EQ(document().device(fraba).wanted, (ParameterValues{{Parameter::steps, 77}}));
+    EXPECT_TRUE(ViewWarnings::heard().isEmpty()) << ViewWarnings::heard().join(u'\n').toStdString();
 }
 
 TEST_F(ProjectFilesTest, ClosingAsksWithAlarmStopWithinReach)

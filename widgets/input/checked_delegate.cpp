@@ -88,11 +88,12 @@ bool CheckedDelegate::eventFilter(QObject *object, QEvent *event)
     return QStyledItemDelegate::eventFilter(object, event);
 }
 
-// The focus has come back to its form.
+// The focus has come back to its form. Closing a field that has the focus moves it, and would take it again.
 void CheckedDelegate::takeWaiting(QLineEdit &field)
 {
-    if (!field.isVisible() || !field.hasAcceptableInput())
+    if (m_taken == &field || !field.isVisible() || !field.hasAcceptableInput())
         return;
+    m_taken = &field;
     Q_EMIT commitData(&field);
     Q_EMIT closeEditor(&field);
 }

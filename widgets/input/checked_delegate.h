@@ -41,7 +41,8 @@ private:
     void takeWaiting(QLineEdit &field);
 
     Complaint m_complaint;
-    QPointer<QLineEdit> m_open; // the field that was opened last
+    QPointer<QLineEdit> m_open;  // the field that was opened last
+    QPointer<QLineEdit> m_taken; // until it is gone
 };
 
 } // namespace codewheel
