@@ -49,7 +49,8 @@ public:
     const ProjectDevice &device(Place number) const;
     // The places of planned buses that have values but are not in the project.
     std::vector<Place> notPlanned() const;
-    // For which something is wanted that goes into no file, as they are on the training line.
+    // For which something is wanted that goes into no file, as they are on a training line that is not
+    // planned; that does not make the project unsaved.
     std::vector<Place> notKept() const;
     void forEachDevice(const std::function<void(Place, const ProjectDevice &)> &visit) const;
 

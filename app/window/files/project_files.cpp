@@ -179,20 +179,15 @@ bool ProjectFiles::keep(const QString &path, const std::optional<QByteArray> &ov
 // What the project's file cannot contain; empty: nothing.
 QString ProjectFiles::leftOut() const
 {
-    const auto shown = [](const std::vector<Place> &places) {
-        QStringList texts;
-        for (const Place place : places)
-            texts << place.shown();
-        return texts.join(QStringLiteral(", "));
-    };
-    if (const QString places = shown(m_document.notKept()); !places.isEmpty())
-        return tr("What is wanted for %1 is in no file: nothing of the training line is kept.").arg(places);
-    const QString places = shown(m_document.notPlanned());
+    QStringList places;
+    for (const std::vector<Place> &some : {m_document.notPlanned(), m_document.notKept()})
+        for (const Place place : some)
+            places << place.shown();
     if (places.isEmpty())
         return {};
     return tr("What is planned for %1 is in no file: the project has no device there. Compare (F9), take it "
               "into the project, then save.")
-        .arg(places);
+        .arg(places.join(QStringLiteral(", ")));
 }
 
 bool ProjectFiles::mayClose()

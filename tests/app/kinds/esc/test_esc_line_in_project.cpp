@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wanted of the encoders of the training line, once it is taken into the project, and when they move.
+#include "app/window/window_actions.h"
+#include "project/project_file.h"
 #include "tests/app/planned_encoder.h"
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "widgets/comparison/comparison_page.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -96,6 +99,28 @@ TEST_F(EscLineInProject, AllIntoTheProjectTakesWhatIsWantedAlong)
     shown->project().undoStack().undo();
     EXPECT_EQ(linePlan(project(), firstLine), nullptr);
     EXPECT_EQ(wanted(third), (ParameterValues{{Parameter::steps, 600}}));
+}
+
+TEST_F(EscLineInProject, WhatIsWantedOnATrainingLineIsInNoFileUntilTheLineIsTakenIntoTheProject)
+{
+    const auto notice = [this] {
+        return window().findChild<InlineMessage *>(QStringLiteral("notice"))->sentence();
+    };
+    const QString file = folder.filePath(QStringLiteral("line.codewheel"));
+    shown->project().setFile(file);
+    want(fifth, Parameter::steps, 3000);
+    actions().saveProject->trigger();
+    EXPECT_TRUE(notice().startsWith(QStringLiteral("What is planned for esc:05 is in no file")))
+        << notice().toStdString();
+    EXPECT_TRUE(notice().contains(QStringLiteral("(F9)"))) << notice().toStdString();
+    click(comparison().findChild<QPushButton *>(QStringLiteral("allIntoProject")));
+    actions().saveProject->trigger();
+    EXPECT_EQ(notice(), QString());
+    const auto saved = loadProject(file);
+    ASSERT_TRUE(saved);
+    const ProjectDevice *device = findDevice(*saved, fifth);
+    ASSERT_NE(device, nullptr);
+    EXPECT_EQ(device->wanted, (ParameterValues{{Parameter::steps, 3000}}));
 }
 
 TEST_F(EscLineInProject, TheFirstChosenEncoderTakesWhatIsWantedAlongToo)

@@ -419,7 +419,6 @@ TEST_F(EscLineViewsTest, ALineThatIsPlannedWithoutAPortIsTheTrainingLine)
     EXPECT_EQ(link.currentText(), QStringLiteral("Training line"));
 }
 
-// It is no encoder of an unplanned training line: those are in no file in any case.
 TEST_F(EscLineViewsTest, WhatIsWantedForAnEncoderThatItsPlannedLineLacksIsToldWhenSaved)
 {
     ProjectDevice planned;
