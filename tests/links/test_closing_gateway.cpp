@@ -20,7 +20,7 @@ constexpr int firstOfOut = 100;
 class ClosingRing
 {
 public:
-    enum class Ends { never, behindEachAnswer, inPlaceOfOneAnswerToAWrite };
+    enum class Ends { never, behindEachAnswer, aMomentBehindEachAnswer, inPlaceOfOneAnswerToAWrite };
 
     void end(Ends how)
     {
@@ -72,11 +72,16 @@ private:
             reaction.hangsUp = true;
             reaction.deafFor = 2ms;
         }
+        if (m_ends == Ends::aMomentBehindEachAnswer) {
+            reaction.hangsUp = true;
+            reaction.deafFor = std::chrono::milliseconds(m_moment = (m_moment + 7) % 30);
+        }
         return reaction;
     }
 
     std::mutex m_mutex;
     Ends m_ends = Ends::never;
+    int m_moment = 0;
     std::vector<Word> m_words; // that were in OUT, one after the other
     CrookedPeer m_peer{[this](const SeenRequest &request) { return react(request); }};
 };
@@ -136,6 +141,19 @@ TEST_F(ClosingWhileAsked, ByOneThatHasDoneSoOftenAWriteIsSentAgain)
     ring.end(ClosingRing::Ends::inPlaceOfOneAnswerToAWrite);
     send(100, 105);
     EXPECT_EQ(ring.words(), expected);
+}
+
+TEST_F(ClosingWhileAsked, EachConnectionIsCounted)
+{
+    for (const auto how : {ClosingRing::Ends::behindEachAnswer, ClosingRing::Ends::aMomentBehindEachAnswer}) {
+        ring.end(how);
+        open();
+        send(1, 20);
+        link.close();
+        EXPECT_EQ(link.figures()->connections, static_cast<unsigned>(ring.connections()));
+        EXPECT_TRUE(link.figures()->closesAfterEach);
+        EXPECT_GT(2 * link.figures()->closedAfterEach, link.figures()->connections);
+    }
 }
 
 // By one that never did so before: what was sent may have arrived, and OUT may be another by now.

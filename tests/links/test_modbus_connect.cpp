@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why a port does not open, and how it is interrupted.
+#include "kinds/interbus/gateway/register_texts.h"
 #include "kinds/interbus/links/modbus_port.h"
-#include "kinds/interbus/words/register_texts.h"
 #include "links/resolve_host.h"
 #include "tests/links/crooked_peer.h"
 #include "tests/support/port_holder.h"

@@ -27,6 +27,7 @@ public:
     void claimOut(std::size_t device) override { m_link->claimOut(device); }
     bool writesOut(std::size_t device) const override { return m_link->writesOut(device); }
     Result<ZerosSent> sendZeros(std::span<Word> in) override { return m_link->sendZeros(in); }
+    void hurryToZeros() override { m_link->hurryToZeros(); }
     bool sendZerosUnheard() override { return m_link->sendZerosUnheard(); }
     std::vector<QString> outPlaces() const override { return m_link->outPlaces(); }
     Result<void> acknowledgeWatchdog() override { return m_link->acknowledgeWatchdog(); }

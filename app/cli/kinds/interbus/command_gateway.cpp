@@ -187,10 +187,10 @@ std::optional<Complaint> complaintAboutCheck(const std::vector<GatewayFinding> &
         return std::nullopt;
     if (failed->why)
         return complaintAbout(*failed->why);
-    const bool isOfMap =
-        findings.back().step == GatewayStep::map && findings.back().outcome == CheckOutcome::failed;
+    const auto map = std::ranges::find(findings, GatewayStep::map, &GatewayFinding::step);
+    const bool isOfMap = map != findings.end() && map->outcome == CheckOutcome::failed;
     if (isOfMap)
-        failed = std::prev(findings.end());
+        failed = map;
     return Complaint{ExitCode::refused,
                      isOfMap ? QStringLiteral("mapNotPlausible") : QStringLiteral("wordNotPlausible"),
                      failed->sentence,

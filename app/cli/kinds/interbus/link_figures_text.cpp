@@ -4,7 +4,7 @@
 #include "catalog/hex_code.h"
 #include "cli/bus/answer_time_text.h"
 #include "cli/call/texts.h"
-#include "kinds/interbus/words/register_texts.h"
+#include "kinds/interbus/gateway/register_texts.h"
 #include "vocabulary/sentence.h"
 
 #include <QLocale>
@@ -36,6 +36,16 @@ QString toleratedLine(const LinkFigures &figures)
            u'\n';
 }
 
+QString closingLine(const LinkFigures &figures)
+{
+    if (!figures.closesAfterEach)
+        return {};
+    return sentence(CommandLine::tr("The gateway closes the connection after each answer. Connections that "
+                                    "ended so: %1."),
+                    {countText(figures.closedAfterEach)}) +
+           u'\n';
+}
+
 QJsonObject exceptionsJson(const std::map<int, std::uint64_t> &exceptions)
 {
     QJsonObject json;
@@ -55,7 +65,7 @@ QString figuresText(const LinkFigures &figures)
                   QLocale().toString(figures.exchangesPerSecond, 'f', 1), countText(figures.retries),
                   countText(figures.noAnswers), countText(figures.wrongAnswers),
                   countText(figures.connections), countText(figures.closed), countText(figures.tornWords)}) +
-        u'\n' + toleratedLine(figures) + exceptionLines(figures.exceptions) +
+        u'\n' + toleratedLine(figures) + closingLine(figures) + exceptionLines(figures.exceptions) +
         answerTimeText(figures.roundTrip);
     if (figures.status)
         text += sentence(CommandLine::tr("Status register: %1"), {hexCode(*figures.status, statusDigits)}) +
@@ -74,6 +84,8 @@ QJsonObject figuresJson(const LinkFigures &figures)
             {QStringLiteral("exceptions"), exceptionsJson(figures.exceptions)},
             {QStringLiteral("connections"), countJson(figures.connections)},
             {QStringLiteral("reconnections"), countJson(figures.reconnections)},
+            {QStringLiteral("closesAfterEachAnswer"), figures.closesAfterEach},
+            {QStringLiteral("closedAfterEachAnswer"), countJson(figures.closedAfterEach)},
             {QStringLiteral("strayBytes"), countJson(figures.strayBytes)},
             {QStringLiteral("echoes"), countJson(figures.echoes)},
             {QStringLiteral("connectionsLost"), countJson(figures.closed)},

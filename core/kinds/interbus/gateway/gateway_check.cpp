@@ -21,7 +21,8 @@ namespace {
 
 constexpr int readsForSteady = 4; // of a word, until two in a row agree
 
-constexpr std::array stepKeys{"found", "connected", "answered", "inArea", "outArea", "status", "word", "map"};
+constexpr std::array stepKeys{"found",  "connected", "answered", "inArea", "outArea",
+                              "status", "word",      "map",      "closing"};
 
 RingStructure checkedRing(const std::vector<CheckedDevice> &devices)
 {
@@ -149,12 +150,28 @@ GatewayFinding GatewayCheck::next()
         case GatewayStep::map:
             finding = checkMap();
             break;
+        case GatewayStep::closing:
+            finding = closing();
+            break;
         }
     }
     ++m_next;
+    if (isDone() && tellsClosing())
+        m_steps.push_back({GatewayStep::closing});
     if (isDone())
         m_port.close();
     return finding;
+}
+
+bool GatewayCheck::tellsClosing() const
+{
+    return !m_isOver && m_steps.back().step != GatewayStep::closing && m_port.noticed().keepsNone;
+}
+
+// A habit that costs time only.
+GatewayFinding GatewayCheck::closing() const
+{
+    return passed(closingText(m_port.noticed().renewals + 1));
 }
 
 // A port looks for the place and connects in one call.

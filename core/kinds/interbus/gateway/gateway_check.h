@@ -20,6 +20,7 @@ enum class GatewayStep : std::uint8_t {
     status,    // the status register says that the ring runs
     word,      // what the registers of a device show is a word it can have sent
     map,       // no other register map near this one gives words that fit as well
+    closing,   // only where it closes the connection after each answer
 };
 QString gatewayStepKey(GatewayStep step); // language-neutral: "inArea"
 
@@ -99,6 +100,8 @@ private:
     GatewayFinding judgedStatus(Register status);
     void recognise(GatewayFinding &finding);
     bool isOfCodewheel();
+    bool tellsClosing() const;
+    GatewayFinding closing() const;
     GatewayFinding checkWord(std::size_t device);
     GatewayFinding checkMap();
     Result<std::vector<Register>> readIn(int lower);

@@ -127,6 +127,8 @@ QString gatewayStepText(GatewayStep step, GatewaySettings::Transport transport, 
         return sentence(GatewayTexts::tr("Word of %1"), {place.toString()});
     case GatewayStep::map:
         return GatewayTexts::tr("Register map");
+    case GatewayStep::closing:
+        return GatewayTexts::tr("Connections");
     }
     return {};
 }
@@ -163,6 +165,14 @@ QString mostInReadText(int most)
                          "many in a read. How many it takes in a write is not tested, since the "
                          "test writes nothing."),
         {QString::number(most)});
+}
+
+QString closingText(std::uint64_t connections)
+{
+    return sentence(
+        GatewayTexts::tr("The gateway closes the connection after each answer: this test took %1 of "
+                         "them. Nothing is lost, but each exchange takes longer."),
+        {QLocale().toString(qulonglong{connections})});
 }
 
 QString registerText(Register word)

@@ -14,7 +14,8 @@ QString foundText(const GatewaySettings &settings);
 QString answeredText(int unit, Instant after);
 QString readableText(int function, const RegisterBlock &block);
 QString endsBeforeText(NodeId place, const RegisterBlock &its);
-QString mostInReadText(int most);    // registers in one request
+QString mostInReadText(int most); // registers in one request
+QString closingText(std::uint64_t connections);
 QString registerText(Register word); // "00E0h"
 
 CheckOutcome wordOutcome(const DeviceRegisters &shown, const GatewaySettings &settings);

@@ -35,14 +35,17 @@ void GatewayCounter::transaction(const RegisterPort::Done &done, Instant begun, 
 
 void GatewayCounter::noticed(const RegisterPort::Noticed &by)
 {
+    m_renewals = by.renewals;
     m_figures.reconnections = by.reconnections;
+    m_figures.closedAfterEach = by.closedAfterEach;
+    m_figures.closesAfterEach = by.keepsNone;
     m_figures.strayBytes = by.strayBytes;
     m_figures.echoes = by.echoes;
 }
 
 void GatewayCounter::show(Instant now)
 {
-    m_figures.connections = m_opened + m_figures.reconnections;
+    m_figures.connections = m_opened + m_renewals;
     m_told = std::make_shared<const LinkFigures>(m_figures);
     m_toldAt = now;
 }

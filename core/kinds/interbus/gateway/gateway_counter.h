@@ -29,6 +29,7 @@ private:
 
     LinkFigures m_figures;
     std::uint64_t m_opened = 0;
+    std::uint64_t m_renewals = 0;
     AnswerTimes m_roundTrips;
     std::shared_ptr<const LinkFigures> m_told = std::make_shared<const LinkFigures>();
     Instant m_toldAt{};

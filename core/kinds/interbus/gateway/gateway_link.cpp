@@ -40,6 +40,7 @@ GatewayLink::~GatewayLink() = default;
 Result<RingStructure> GatewayLink::open()
 {
     close();
+    m_hurriesToZeros = false;
     if (m_ring.empty())
         return refuse(RefusalKind::badInput, RefusalId::gatewayHasNoDevices);
     auto map = GatewayMap::of(m_ring, m_settings);
@@ -67,6 +68,7 @@ Result<RingStructure> GatewayLink::open()
 void GatewayLink::close()
 {
     m_port->close();
+    m_counter.noticed(m_port->noticed());
     m_counter.closed(m_port->now());
     m_map.reset();
     m_told.reset();
@@ -101,6 +103,8 @@ Result<void> GatewayLink::exchange(std::span<const Word> out, std::span<Word> in
         done = readIn().and_then([this] { return readDoubtfulAgain(); });
     if (done)
         done = m_readsBack ? checkIsOurs() : checkBlindWriting();
+    if (done && m_hurriesToZeros)
+        done = refuse(RefusalKind::stopped, RefusalId::cancelled);
     if (done)
         done = writeOut(out, Overwrites::ours);
     if (!done)
@@ -140,6 +144,7 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
         return tl::unexpected(usable.error());
     const QScopedValueRollback writing(m_isWriting, true);
     const Instant begun = m_port->now();
+    m_hurriesToZeros = false;
     beginToRead();
     claimAll();
     auto done = writeOut(std::vector<Word>(in.size()), Overwrites::anything);
@@ -169,6 +174,7 @@ bool GatewayLink::sendZerosUnheard()
     bool isSent = false;
     if (!map || !m_port->open())
         return isSent;
+    m_counter.connected();
     for (const RegisterBlock &block : map->outBlocks()) {
         const std::vector<Register> zeros(static_cast<std::size_t>(block.count));
         const auto done = m_port->write(block.first, zeros);

@@ -7,6 +7,7 @@
 #include "kinds/interbus/gateway/word_gate.h"
 #include "kinds/interbus/ring/process_data_link.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -48,6 +49,7 @@ public:
     // Waits until they are read back, as long as a gateway may take to show them (OwnWord::gatewayLag), and
     // sends them once more if they are not.
     Result<ZerosSent> sendZeros(std::span<Word> in) override;
+    void hurryToZeros() override { m_hurriesToZeros = true; }
     bool sendZerosUnheard() override;
     std::vector<QString> outPlaces() const override;
     Result<void> acknowledgeWatchdog() override;
@@ -116,6 +118,7 @@ private:
     Result<ZerosSent> areZerosThere();
 
     // Transactions (gateway_link_words.cpp).
+    RegisterPort::Done readOnce(const std::function<RegisterPort::Done()> &call, bool again);
     RegisterPort::Done transact(const std::function<RegisterPort::Done()> &call, bool again);
     Result<void> ask(int function, const RegisterBlock &block,
                      const std::function<RegisterPort::Done()> &call);
@@ -142,6 +145,7 @@ private:
     Instant m_nextExchange{};
     bool m_hasExchanged = false; // since the last wait()
     Instant m_nextStatus{};
+    std::atomic<bool> m_hurriesToZeros = false;
     bool m_isWriting = false;               // in exchange() or sendZeros()
     std::uint64_t m_connectedAgain = 0;     // by us, to a gateway that does not close each connection
     std::uint64_t m_reconnections = 0;      // that OUT was looked at after

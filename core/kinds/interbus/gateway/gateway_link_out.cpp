@@ -194,7 +194,7 @@ void GatewayLink::showOut(std::size_t device, Word there, Word &out)
 std::uint64_t GatewayLink::reconnections() const
 {
     const auto noticed = m_port->noticed();
-    return m_connectedAgain + (noticed.closesAfterEach ? 0 : noticed.reconnections);
+    return m_connectedAgain + (noticed.closesAfterEach ? 0 : noticed.reconnections + noticed.closedAfterEach);
 }
 
 // Since OUT was last looked at. A gateway may have changed its outputs when it closed the connection.

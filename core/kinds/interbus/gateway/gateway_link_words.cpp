@@ -32,6 +32,13 @@ RegisterPort::Done GatewayLink::transact(const std::function<RegisterPort::Done(
     return done;
 }
 
+RegisterPort::Done GatewayLink::readOnce(const std::function<RegisterPort::Done()> &call, bool again)
+{
+    if (m_hurriesToZeros)
+        return tl::unexpected(RegisterError{RegisterError::Kind::stopped, 0, {}});
+    return transact(call, again);
+}
+
 // A gateway may close a connection just as it is asked: nothing was lost then but a read.
 bool GatewayLink::connectsAgain(RegisterTries &tries)
 {
@@ -51,7 +58,7 @@ Result<void> GatewayLink::ask(int function, const RegisterBlock &block,
     RegisterTries tries(*m_port, m_settings);
     bool mayBeLate = false;
     for (;;) {
-        RegisterPort::Done done = transact(call, tries.sent() > 0);
+        RegisterPort::Done done = readOnce(call, tries.sent() > 0);
         if (done && !mayBeLate)
             return {};
         mayBeLate = !done && !isBusy(done.error());

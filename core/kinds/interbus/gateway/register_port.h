@@ -89,10 +89,13 @@ public:
     // What it has put up with, since it was made.
     struct Noticed
     {
-        std::uint64_t reconnections = 0; // the gateway had closed the connection, and at most a read was lost
-        bool closesAfterEach = false;    // it does that after each answer
-        std::uint64_t strayBytes = 0;    // that belong to no frame
-        std::uint64_t echoes = 0;        // of our own requests
+        std::uint64_t renewals = 0;        // connections made by a request, besides those of open()
+        std::uint64_t reconnections = 0;   // of these: the gateway had closed the one before, now and then
+        std::uint64_t closedAfterEach = 0; // of these: by one that keeps no connection
+        bool keepsNone = false;            // the gateway closes each connection a moment after an answer
+        bool closesAfterEach = false;      // it does so that soon that each is left before the next request
+        std::uint64_t strayBytes = 0;      // that belong to no frame
+        std::uint64_t echoes = 0;          // of our own requests
 
         friend bool operator==(const Noticed &, const Noticed &) = default;
     };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/gateway/modbus_request.h"
-#include "kinds/interbus/words/register_texts.h"
+#include "kinds/interbus/gateway/register_texts.h"
 
 // Requests and answers as they are on every way: function code and data, without address and checksum (the
 // "PDU" of Modbus Application Protocol V1.1b3, 6).

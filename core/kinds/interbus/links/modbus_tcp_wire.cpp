@@ -33,6 +33,7 @@ constexpr Instant shortestConnect = 2s; // a network may take longer than a unit
 constexpr int longestMemory = 1'000;    // transactions
 constexpr int fewAnswers = 16;          // on a connection (assumed)
 constexpr int timesForHabit = 2;        // that a connection ended after few answers (assumed)
+constexpr Instant leastIdle = 1s;       // until a gateway closes a connection as idle, at least (assumed)
 constexpr int timesOfForeign = 2;       // that one number came, until it is always the same (assumed)
 constexpr int timesOfOld = 3;           // the same of one that was ours: an answer may come twice (assumed)
 
@@ -78,6 +79,7 @@ Result<void> ModbusTcpWire::connect(Instant timeOut)
     m_isOutOfStep = false;
     m_before = -1;
     m_answers = 0;
+    m_connectedAt = steady_clock::now();
     return {};
 }
 
@@ -108,7 +110,8 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
     if (!m_socket || m_isOutOfStep || isAnew) {
         if (auto connected = connectAnew(); !connected)
             return failed(connected.error());
-        m_reconnections += isOver ? 1 : 0;
+        if (isAnew)
+            countClosing();
     }
     auto answer = ask(request);
     const bool isCrossed = !answer && answer.error().kind == ErrorKind::closed && m_answers > 0;
@@ -117,15 +120,17 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::exchange(const Pdu &request)
     m_isOpen = true;
     if (auto connected = connectAnew(); !connected)
         return failed(connected.error());
-    ++m_reconnections;
+    countClosing();
     return ask(request);
 }
 
 RegisterPort::Done ModbusTcpWire::connectAnew()
 {
     const auto connected = connect(m_settings.timeOut);
-    if (connected)
+    if (connected) {
+        ++m_renewals;
         return {};
+    }
     const bool isStopped = connected.error().kind == RefusalKind::stopped;
     return tl::unexpected(RegisterError{.kind = isStopped ? ErrorKind::stopped : ErrorKind::closed});
 }
@@ -171,6 +176,28 @@ void ModbusTcpWire::learnFromClosing(bool crossesRequest)
     else if (crossesRequest && m_answers > 0)
         ++m_shortConnections;
     m_closesAfterEach = m_closesAfterEach || m_answers == 1 || m_shortConnections >= timesForHabit;
+    const bool isSoon = m_answers > 0 && steady_clock::now() - m_answeredAt < leastIdle;
+    m_closedSoon = isSoon && !isKept() ? m_closedSoon + 1 : 0;
+    m_keepsNone = m_keepsNone || m_closesAfterEach || m_closedSoon >= timesForHabit;
+}
+
+bool ModbusTcpWire::isKept() const
+{
+    return m_answers > fewAnswers && m_answeredAt - m_connectedAt >= leastIdle;
+}
+
+// One that is left before the gateway closes it counts as closed.
+void ModbusTcpWire::countClosing()
+{
+    ++(m_keepsNone ? m_closedAfterEach : m_reconnections);
+}
+
+void ModbusTcpWire::countAnswer()
+{
+    ++m_answers;
+    m_answeredAt = steady_clock::now();
+    if (isKept())
+        m_keepsNone = false;
 }
 
 RegisterPort::Done ModbusTcpWire::send(const Pdu &request)
@@ -217,7 +244,7 @@ tl::expected<Pdu, RegisterError> ModbusTcpWire::receive(Time until)
             return ofForeignTransaction(answer.transaction);
         if (answer.unit != m_settings.unit)
             return outOfStep(WrongAnswer::unit, {answer.unit});
-        ++m_answers;
+        countAnswer();
         m_comesLate = false;
         return std::move(answer.pdu);
     }

@@ -32,7 +32,11 @@ public:
     void distrust() override { m_isOutOfStep = true; }
     RegisterPort::Noticed noticed() const override
     {
-        return {.reconnections = m_reconnections, .closesAfterEach = m_closesAfterEach};
+        return {.renewals = m_renewals,
+                .reconnections = m_reconnections,
+                .closedAfterEach = m_closedAfterEach,
+                .keepsNone = m_keepsNone,
+                .closesAfterEach = m_closesAfterEach};
     }
     Instant now() const override;
     void wait(Instant until) override;
@@ -59,6 +63,9 @@ private:
     tl::expected<modbus_message::Pdu, RegisterError> ask(const modbus_message::Pdu &request);
     RegisterPort::Done connectAnew();
     bool isGivenUp();
+    bool isKept() const;
+    void countClosing();
+    void countAnswer();
     bool keepsAgain(bool writes);
     void learnFromClosing(bool crossesRequest);
     RegisterPort::Done send(const modbus_message::Pdu &request);
@@ -86,7 +93,13 @@ private:
     bool m_closesAfterEach = false;  // the gateway does
     int m_shortConnections = 0;      // in a row, whose end crossed a request
     unsigned m_untried = 0;          // connections since, that it had not closed yet
+    int m_closedSoon = 0;            // connections in a row, that were not kept
+    Time m_connectedAt{};
+    Time m_answeredAt{};
+    bool m_keepsNone = false;
+    std::uint64_t m_renewals = 0;
     std::uint64_t m_reconnections = 0;
+    std::uint64_t m_closedAfterEach = 0;
     const Time m_begin = std::chrono::steady_clock::now();
 };
 

@@ -20,6 +20,8 @@ struct LinkFigures
     std::map<int, std::uint64_t> exceptions; // by code
     std::uint64_t connections = 0;           // that were made
     std::uint64_t reconnections = 0;         // of these, since the gateway had closed the one before
+    std::uint64_t closedAfterEach = 0;       // of these, since it closes each one after its answer
+    bool closesAfterEach = false;            // it does so now
     std::uint64_t strayBytes = 0;            // on a serial line, that belong to no answer
     std::uint64_t echoes = 0;                // of our own requests
     std::uint64_t closed = 0;                // connections that were lost

@@ -177,6 +177,7 @@ void RingRunner::Private::carryOut(command::AlarmStop)
         runsAgain = false;
     }
     ++alarmStops;
+    zerosAgainAt = {};
     endJobs(RefusalId::alarmStop);
     zeroOut();
     if (!ring.connected || link.boundsWordsToCycles()) // otherwise RingSession::alarmStop() has told

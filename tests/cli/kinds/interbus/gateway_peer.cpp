@@ -81,8 +81,9 @@ RingProject::RingProject(int encoders, const ProjectLink &link)
 CliRun RingProject::run(const QString &line, const QString &link, const Person &person) const
 {
     const QString command = line.section(u' ', 0, 0);
-    const bool writes = command == QStringLiteral("write") || command == QStringLiteral("preset") ||
-                        command == QStringLiteral("cams");
+    const bool writes = QStringList{QStringLiteral("write"), QStringLiteral("preset"), QStringLiteral("cams"),
+                                    QStringLiteral("velocity"), QStringLiteral("reset")}
+                            .contains(command);
     return runLine(
         QStringLiteral("%1 --link %2 --project %3").arg(line, link, file()) +
             (writes ? QStringLiteral(" --ledger ") + path(QStringLiteral("ledger.sqlite")) : QString()),

@@ -216,6 +216,21 @@ async def answer_questions(ring):
             print(" ".join(f"{encoder.out:08X}" for encoder in ring.encoders), flush=True)
 
 
+async def relay_one(reader, writer, port, delay):
+    """One request and its answer; the connection is closed a moment later."""
+    try:
+        theirs, ours = await asyncio.open_connection("127.0.0.1", port)
+        for source, sink in (reader, ours), (theirs, writer):
+            header = await source.readexactly(6)
+            sink.write(header + await source.readexactly(header[4] << 8 | header[5]))
+            await sink.drain()
+        ours.close()
+        await asyncio.sleep(delay)
+    except (asyncio.IncompleteReadError, ConnectionError):
+        pass  # the client has gone
+    writer.close()
+
+
 async def serve(ring):
     if ring.options.rtu:
         ours, theirs = null_modem()
@@ -228,7 +243,13 @@ async def serve(ring):
     server = ModbusTcpServer(context(ring), address=("127.0.0.1", 0))
     serving = asyncio.ensure_future(server.serve_forever())
     await server.serving
-    print(server.server.sockets[0].getsockname()[1], flush=True)
+    port = server.server.sockets[0].getsockname()[1]
+    if ring.options.closes is not None:
+        delay = ring.options.closes / 1000
+        behind = port
+        relay = await asyncio.start_server(lambda r, w: relay_one(r, w, behind, delay), "127.0.0.1", 0)
+        port = relay.sockets[0].getsockname()[1]
+    print(port, flush=True)
     await answer_questions(ring)
     serving.cancel()
 
@@ -245,5 +266,6 @@ parser.add_argument("--no-read-back", action="store_true")
 parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes of a job")
 parser.add_argument("--pending", type=lambda word: int(word, 16), help="the first encoder was left in parameterization")
 parser.add_argument("--vanish-behind", type=lambda word: int(word, 16), help="ends once the first encoder has this word")
+parser.add_argument("--closes", type=int, help="closes each connection so many ms behind its answer")
 parser.add_argument("--vanish-at", type=int, default=1, help="once it has it for this time")
 asyncio.run(serve(Ring(parser.parse_args())))

@@ -50,6 +50,17 @@ TEST(CliGateway, AGoodOnePassesAndNothingIsWritten)
     EXPECT_EQ(peer.writes(), 0);
 }
 
+TEST(CliGateway, SaysThatItClosesTheConnectionAfterEachAnswer)
+{
+    GatewayPeer peer(wordsOf("--devices 2 --closes 3"));
+    const CliRun run = RingProject(2).run(wordsOf("gateway"), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Connections       ok"));
+    EXPECT_THAT(run.out, HasSubstr("The gateway closes the connection after each answer"));
+    const CliRun json = RingProject(2).run(wordsOf("gateway --json"), peer.link());
+    EXPECT_EQ(outcomesOf(json).back(), "closing passed");
+}
+
 TEST(CliGateway, OneDeviceIsReadAlone)
 {
     GatewayPeer peer;

@@ -728,6 +728,65 @@ TEST(SlowGatewayRing, AnAlarmStopNamesTheWordThatSomebodyElseHasJustWritten)
     EXPECT_TRUE(slow.isOutZero());
 }
 
+// Asked for in the middle of a read. `reads` behind it, until something is written.
+class AlarmedPort final : public PassingPort
+{
+public:
+    struct Control
+    {
+        std::function<void()> alarm; // called once
+        int reads = 0;
+        std::vector<Register> written{};
+    };
+
+    AlarmedPort(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
+        : PassingPort(std::move(port))
+        , m_control(std::move(control))
+    {}
+
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        const bool isBehind = m_isAlarmed && m_control->written.empty();
+        m_control->reads += isBehind ? 1 : 0;
+        if (m_control->alarm) {
+            m_isAlarmed = true;
+            std::exchange(m_control->alarm, {})();
+        }
+        return PassingPort::read(area, first, to);
+    }
+    Done write(int first, std::span<const Register> from) override
+    {
+        if (m_isAlarmed && m_control->written.empty())
+            m_control->written.assign(from.begin(), from.end());
+        return PassingPort::write(first, from);
+    }
+
+private:
+    std::shared_ptr<Control> m_control;
+    bool m_isAlarmed = false;
+};
+
+TEST(SlowGatewayRing, OnlyTheTransactionUnderWayGoesBeforeZeros)
+{
+    for (const auto start : {EncoderBus::Start::watching, EncoderBus::Start::operating})
+        for (const Instant after : {0ms, 500ms, 900ms, 1300ms}) {
+            SCOPED_TRACE(std::chrono::duration_cast<std::chrono::milliseconds>(after).count());
+            const auto control = std::make_shared<AlarmedPort::Control>();
+            GatewaySession slow({.settings = {.timeOut = 2s}, .transaction = 400ms},
+                                [&](std::unique_ptr<RegisterPort> port) {
+                                    return std::make_unique<AlarmedPort>(std::move(port), control);
+                                });
+            ASSERT_TRUE(slow.bus->open(start));
+            slow.bus->advance(10s + after);
+            control->alarm = [&] { slow.bus->alarmStop(); };
+            slow.bus->advance(10s);
+            EXPECT_EQ(control->reads, 0);
+            EXPECT_FALSE(control->written.empty());
+            EXPECT_TRUE(std::ranges::all_of(control->written, [](Register half) { return half == 0; }));
+            EXPECT_EQ(slow.countOf(MessageId::zerosReadBack), 1u);
+        }
+}
+
 // In Watch as well as in Operate. IN and OUT are read behind the write.
 TEST(SlowGatewayRing, ZerosHaveArrivedWhenTheyWereReadBack)
 {

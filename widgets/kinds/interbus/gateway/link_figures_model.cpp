@@ -44,6 +44,8 @@ std::vector<LinkFiguresModel::Row> LinkFiguresModel::rowsOf(const LinkFigures &f
         {tr("Round trip, median, ms"), time ? milliseconds(time->median) : none},
         {tr("Round trip, longest, ms"), time ? milliseconds(time->longest) : none},
     };
+    if (figures.closesAfterEach)
+        rows.push_back({tr("Closed by the gateway after each answer"), countText(figures.closedAfterEach)});
     for (const auto &[code, count] : figures.exceptions)
         rows.push_back({sentence(tr("Exceptions %1"), {QString::number(code)}), countText(count)});
     return rows;
