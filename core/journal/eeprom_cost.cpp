@@ -154,7 +154,12 @@ QString eepromCountText(const EepromCount &count)
         text +=
             u' ' +
             Eeprom::tr("(and perhaps %1 more, which it began and did not see the end of)").arg(count.perhaps);
-    if (count.atPlace > 0)
+    if (count.atPlace > 0 && count.by == CountedBy::place)
+        text +=
+            u' ' +
+            Eeprom::tr("(and perhaps %1 more, counted by its place for the encoder that was there before)")
+                .arg(count.atPlace);
+    else if (count.atPlace > 0)
         text += u' ' +
                 Eeprom::tr("(and perhaps %1 more, counted by its place before its serial number was known)")
                     .arg(count.atPlace);

@@ -121,10 +121,12 @@ std::map<Place, std::vector<qint64>> LedgerKeeper::onTheirWay() const
 
 void LedgerKeeper::setLabel(Place place, const QString &serialNumber)
 {
-    const Label before =
-        std::exchange(m_labels[place], {.serialNumber = serialNumber.trimmed(), .project = m_project});
-    if (before.serialNumber == m_labels[place].serialNumber)
+    Label &label = m_labels[place];
+    const Label before = std::exchange(label, {.serialNumber = serialNumber.trimmed(), .project = m_project});
+    if (before.serialNumber == label.serialNumber) {
+        label.isOfPrevious = before.isOfPrevious;
         return;
+    }
     identify(place);
     const auto found = m_watched.find(place);
     const bool isTakenBack = before.project == m_project && !before.serialNumber.isEmpty();
@@ -206,6 +208,28 @@ void LedgerKeeper::isAnother(Place place)
     Watched &watched = m_watched[place];
     watched.beforeItMet.clear();
     watched.doubtful.reset();
+    leaveCountToPrevious(place);
+}
+
+// What the place and the label say is about the previous one; not what was written since the new one is
+// there.
+void LedgerKeeper::leaveCountToPrevious(Place place)
+{
+    if (ledger() == nullptr)
+        return;
+    Watched &watched = m_watched[place];
+    EepromCount count = ledger()->writes(ofPlace(place));
+    for (const qint64 id : watched.unassigned)
+        if (const auto record = ledger()->record(id); record && record->entry.by == CountedBy::place) {
+            count.writes -= record->entry.writes;
+            count.perhaps -= record->entry.perhaps();
+        }
+    m_toPrevious[place] = {.project = m_project, .count = count};
+    if (const auto label = m_labels.find(place); label != m_labels.end())
+        label->second.isOfPrevious = true;
+    identify(place);
+    if (watched.identity.by == CountedBy::place)
+        attribute(watched);
 }
 
 // What was counted by its place since the connection was made goes along.
@@ -275,8 +299,9 @@ EncoderIdentity LedgerKeeper::identity(Place place) const
     if (const auto serial = reportedSerialNumber(*encoder)) {
         identity.by = CountedBy::serialNumber;
         identity.serialNumber = QString::number(*serial);
-    } else if (const auto label = m_labels.find(place);
-               label != m_labels.end() && !label->second.serialNumber.isEmpty()) {
+    } else if (const auto label = m_labels.find(place); label != m_labels.end() &&
+                                                        !label->second.serialNumber.isEmpty() &&
+                                                        !label->second.isOfPrevious) {
         identity.by = CountedBy::labelSerialNumber;
         identity.serialNumber = label->second.serialNumber;
     }
@@ -462,10 +487,12 @@ void LedgerKeeper::showCount(Place place)
     if (watched.byHand && watched.byHand->awaited > 0)
         running.push_back(watched.byHand->id);
     EepromCount count = ledger()->writes(watched.identity, running);
-    if (count.by != CountedBy::place)
+    if (count.by != CountedBy::place) {
         addDoubtOfPlace(count, place);
-    else
+    } else {
+        doubtWhatWasToPrevious(count, place);
         addDoubtOfQuestion(count, *watched.encoder);
+    }
     watched.encoder->setEepromCount(count);
 }
 
@@ -475,6 +502,20 @@ void LedgerKeeper::addDoubtOfPlace(EepromCount &count, Place place) const
     const EepromCount there = ledger()->writes(ofPlace(place));
     count.atPlace = there.atMost() + writesBeforeItMet(place);
     countSince(count, there);
+}
+
+// The user says that it was another encoder, but nothing proves that.
+void LedgerKeeper::doubtWhatWasToPrevious(EepromCount &count, Place place) const
+{
+    const auto previous = m_toPrevious.find(place);
+    if (previous == m_toPrevious.end() || previous->second.project != m_project)
+        return;
+    const EepromCount &its = previous->second.count;
+    const int writes = std::min(its.writes, count.writes);
+    const int perhaps = std::min(its.perhaps, count.perhaps);
+    count.writes -= writes;
+    count.perhaps -= perhaps;
+    count.atPlace = writes + perhaps;
 }
 
 // While it is asked whether it is the one with that serial number.

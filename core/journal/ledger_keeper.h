@@ -108,6 +108,7 @@ private:
     void meetAgain();
     void isSame(Place place);
     void isAnother(Place place);
+    void leaveCountToPrevious(Place place);
     void move(Place from, Place to);
     void begin(Place place, const Job &job);
     std::optional<qint64> beginEntry(Watched &watched, int planned);
@@ -124,6 +125,7 @@ private:
     void tellOtherSerialNumber(Place place, const EncoderIdentity &reported);
     int writesBeforeItMet(Place place) const;
     void addDoubtOfPlace(EepromCount &count, Place place) const;
+    void doubtWhatWasToPrevious(EepromCount &count, Place place) const;
     void addDoubtOfQuestion(EepromCount &count, const EncoderSession &encoder) const;
     Ledger::Entry entryAt(const Watched &watched) const;
     void note(Watched &watched, qint64 id);
@@ -148,10 +150,17 @@ private:
     QString m_project;
     struct Label
     {
-        QString serialNumber{}; // empty: none
-        QString project{};      // that says so
+        QString serialNumber{};    // empty: none
+        QString project{};         // that says so
+        bool isOfPrevious = false; // another encoder is there by now
+    };
+    struct ToPrevious // what was written at a place before another encoder was there
+    {
+        QString project{}; // that the place is counted in
+        EepromCount count{};
     };
     std::map<Place, Label> m_labels;
+    std::map<Place, ToPrevious> m_toPrevious;
     std::map<Place, Watched> m_watched;
     std::map<Place, std::vector<ToStranger>> m_strangers;
 };

@@ -308,6 +308,39 @@ TEST_F(LedgerAfterLossTest, NorDoesAnotherOne)
     EXPECT_EQ(at(fraba).eepromCount().atMost(), 1);
 }
 
+// What was counted by the place is that of the one before.
+TEST_F(LedgerAfterLossTest, TheCountOfAnotherOneIsInDoubtAtOnce)
+{
+    loseForAMoment();
+    EXPECT_EQ(at(fraba).eepromCount().writes, 1);
+    at(fraba).setKnownBefore({});
+    EXPECT_EQ(at(fraba).eepromCount().by, CountedBy::place);
+    EXPECT_EQ(at(fraba).eepromCount().writes, 0);
+    EXPECT_EQ(at(fraba).eepromCount().atPlace, 1);
+    bus.setOperate(true);
+    bus.advance(10);
+    at(fraba).tell(Parameter::startUpMode, 1);
+    write();
+    EXPECT_EQ(at(fraba).eepromCount().writes, 1);
+    EXPECT_EQ(at(fraba).eepromCount().atPlace, 1);
+}
+
+// Its label is still to be typed.
+TEST_F(LedgerAfterLossTest, AnotherOneIsNotCountedByTheLabelOfTheOneBefore)
+{
+    const QString label = QStringLiteral("4711");
+    ledger.setLabel(fraba, label);
+    EXPECT_EQ(at(fraba).eepromCount().writes, 1);
+    loseForAMoment();
+    at(fraba).setKnownBefore({});
+    ledger.setLabel(fraba, label); // something else of the project was changed
+    EXPECT_EQ(at(fraba).eepromCount().by, CountedBy::place);
+    EXPECT_EQ(at(fraba).eepromCount().writes, 0);
+    ledger.setLabel(fraba, QStringLiteral("4712"));
+    EXPECT_EQ(at(fraba).eepromCount().by, CountedBy::labelSerialNumber);
+    EXPECT_EQ(at(fraba).eepromCount().writes, 0);
+}
+
 TEST_F(LedgerAfterLossTest, TheSameOneGetsItsWrites)
 {
     loseForAMoment();

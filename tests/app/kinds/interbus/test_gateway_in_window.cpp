@@ -10,6 +10,7 @@
 #include "widgets/connect/check_list.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/job/known_before_bar.h"
+#include "widgets/kinds/interbus/gateway/link_figures_model.h"
 #include "widgets/kinds/interbus/gateway/registers_page.h"
 #include "widgets/kinds/interbus/master/ring_comparison.h"
 #include "widgets/kinds/interbus/training/training_panel.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
 #include <optional>
 
 namespace codewheel {
@@ -73,6 +75,16 @@ public:
     Result<void> open() override
     {
         return refuse(RefusalKind::link, RefusalId::hostNotFound, {QStringLiteral("gateway.hall")});
+    }
+};
+
+class ClosingPort : public RegisterBankPort
+{
+public:
+    using RegisterBankPort::RegisterBankPort;
+    Noticed noticed() const override
+    {
+        return {.renewals = 41, .closedAfterEach = 40, .keepsNone = true, .closesAfterEach = true};
     }
 };
 
@@ -472,6 +484,66 @@ TEST_F(GatewayInWindowTest, TheTestSaysStepByStepWhatAnswers)
     EXPECT_TRUE(steps.contains(QStringLiteral("exception 2"))) << steps.toStdString();
     EXPECT_FALSE(bus().isOpen());
     EXPECT_EQ(bank->writes, 0);
+}
+
+TEST_F(GatewayInWindowTest, AGatewayThatClosesTheConnectionAfterEachAnswerIsToldSo)
+{
+    ring().setPorts([this](const GatewaySettings &) { return std::make_unique<ClosingPort>(bank); });
+    choose(QStringLiteral("gateway.hall"));
+    click(button(connection(), QStringLiteral("Test")));
+    const auto &test = button(connection(), QStringLiteral("Cancel test"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return test.text().remove(u'&') == QStringLiteral("Test"); }));
+    const QString steps = connection().steps().text();
+    EXPECT_TRUE(steps.contains(QStringLiteral("closes the connection after each answer")))
+        << steps.toStdString();
+    EXPECT_TRUE(steps.contains(QStringLiteral("42"))) << steps.toStdString();
+
+    connectChosen();
+    advance(500);
+    const QAbstractItemModel &figures = *window().findChild<LinkFiguresModel *>();
+    std::map<QString, QString> shownThere;
+    for (int row = 0; row < figures.rowCount(); ++row)
+        shownThere[figures.headerData(row, Qt::Vertical).toString()] =
+            figures.index(row, 0).data().toString();
+    EXPECT_EQ(shownThere[QStringLiteral("Connections")], QStringLiteral("42"));
+    EXPECT_EQ(shownThere[QStringLiteral("Closed by the gateway after each answer")], QStringLiteral("40"));
+}
+
+TEST_F(GatewayInWindowTest, TheCountOfAnotherEncoderIsInDoubtAtOnce)
+{
+    connectGateway();
+    bus().setOperate(true);
+    advance(20);
+    bus().encoder(fraba)->tell(Parameter::startUpMode, 1);
+    setIn(0, 0xC200'00FF);
+    send(fraba, 0x0200'00FF);
+    advance(200);
+    setIn(0, 1'234);
+    send(fraba, 0x8000'0000);
+    advance(200);
+    send(fraba, 0);
+    advance(2'000);
+    ASSERT_EQ(bus().encoder(fraba)->eepromCount().writes, 1);
+    bus().encoder(fraba)->tell(Parameter::steps, 256);
+    ringActions().disconnectBus->trigger();
+    advance(500);
+    ASSERT_FALSE(bus().isOpen());
+    ringActions().connectBus->trigger();
+    advance(500);
+    ASSERT_TRUE(bus().isOpen());
+    ASSERT_TRUE(bus().encoder(fraba)->knownBefore());
+    window().findChild<StructureView *>()->choose(fraba);
+    auto *dock = window().findChild<QDockWidget *>(QStringLiteral("parametersDock"));
+    dock->show();
+    dock->raise();
+    advance(50);
+    auto *bar = window().findChild<ParameterPanel *>()->findChild<KnownBeforeBar *>();
+    click(button(*bar, QStringLiteral("Another one")));
+    advance(50);
+    const auto labels = window().findChildren<QLabel *>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel *label) {
+        return label->text().contains(QStringLiteral("0-1 writes by Codewheel"));
+    }));
 }
 
 TEST_F(GatewayInWindowTest, TheWordOrderIsSetOnceAndHoldsBothWays)
