@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/cams/cam_editor.h"
 
+#include "bus/buses.h"
 #include "cams/check_cams.h"
 #include "catalog/device_description.h"
+#include "journal/eeprom_cost.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/cams/cam_board.h"
 #include "widgets/cams/cam_mode_bar.h"
@@ -238,6 +240,8 @@ void CamEditor::withModeAfterwards(std::function<void(const SwitchMode &)> then)
         then(*now);
         return;
     }
+    if (isRefusedInWatch())
+        return;
     m_whenAnswered = std::move(then);
     m_mode->ask(m_sheet->number());
 }
@@ -311,9 +315,22 @@ void CamEditor::bringBack()
         start(CamJobs::Purpose::switchMode, EndParameterization{});
 }
 
+bool CamEditor::isRefusedInWatch()
+{
+    const Place place = m_encoder.place();
+    const EncoderBus *bus = m_buses.busOf(place);
+    if (bus == nullptr || bus->isOperating())
+        return false;
+    say(Cause::refusal, Role::attention,
+        refusalText({RefusalKind::busy, RefusalId::watchOnly, {place.shown()}}));
+    return true;
+}
+
 void CamEditor::start(CamJobs::Purpose purpose, const Job &job)
 {
     const bool wasAsked = purpose == CamJobs::Purpose::write; // in the review
+    if (session() && mostEepromWrites(*session(), job) > 0 && isRefusedInWatch())
+        return;
     if (!session() || (!wasAsked && !askForEeprom(window(), *session(), job)) || !session())
         return;
     m_message->withdraw();

@@ -21,6 +21,7 @@ class QToolBar;
 namespace codewheel {
 
 class AgeTimer;
+class Buses;
 class CamBoard;
 class CamModeBar;
 class CamRangeBar;
@@ -39,9 +40,10 @@ class CamEditor : public Page, public PrintsPicture
     Q_OBJECT
 
 public:
-    // The catalog names the device a file was made for, and must outlive the editor. The programs are kept in
-    // the project.
-    CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent = nullptr);
+    // The catalog names the device a file was made for. The programs are kept in the project. All must
+    // outlive the editor.
+    CamEditor(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
+              QWidget *parent = nullptr);
 
     void setEncoder(const codewheel::ShownEncoder &encoder);
     QString title() const override { return tr("Cams"); }
@@ -106,6 +108,8 @@ private:
     void reviewPrograms(const std::vector<CamProgram> &programs);
     // First asks which mode to leave the encoder in, where its mode is not known.
     void withModeAfterwards(std::function<void(const SwitchMode &)> then);
+    // In Watch it says so, before anything is asked that leads to nothing.
+    bool isRefusedInWatch();
     void start(CamJobs::Purpose purpose, const Job &job);
     void finished(Place number, CamJobs::Purpose purpose, const Outcome &outcome);
 
@@ -114,6 +118,7 @@ private:
     void withdraw(Cause cause);                                     // its message, if that is the one shown
     EncoderSession *session() const { return m_encoder.session(); } // null: not connected
 
+    const Buses &m_buses;
     const Catalog &m_catalog;
     ProjectDocument &m_project;
     ShownEncoder m_encoder; // with cams, or none

@@ -23,8 +23,9 @@
 
 namespace codewheel {
 
-CamEditor::CamEditor(const Catalog &catalog, ProjectDocument &project, QWidget *parent)
+CamEditor::CamEditor(const Buses &buses, const Catalog &catalog, ProjectDocument &project, QWidget *parent)
     : Page(parent)
+    , m_buses(buses)
     , m_catalog(catalog)
     , m_project(project)
     , m_sheet(new CamSheet(project, this))

@@ -5,6 +5,7 @@
 #include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/mode_text.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/look/describe.h"
 
@@ -106,10 +107,7 @@ void CamReview::offerAfterwards(const SwitchMode &before)
     offer({.mode = Mode::cam, .camProgram = m_programs.back().number});
     m_afterwards->clear();
     for (const SwitchMode &choice : m_choices)
-        m_afterwards->addItem(choice.mode == Mode::position ? tr("position mode")
-                              : choice.mode == Mode::velocity
-                                  ? tr("velocity mode")
-                                  : tr("cam mode, program %1").arg(choice.camProgram));
+        m_afterwards->addItem(modeText(choice));
 }
 
 void CamReview::review(EncoderSession &encoder, const std::vector<CamProgram> &programs,

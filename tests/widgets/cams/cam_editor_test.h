@@ -100,7 +100,7 @@ protected:
 
     TrainingBusSession ring;
     ProjectDocument project;
-    CamEditor editor{ring.catalog, project};
+    CamEditor editor{ring.buses, ring.catalog, project};
 };
 
 } // namespace codewheel::test

@@ -186,6 +186,23 @@ TEST_F(CamEditorJobs, WatchingSendsNothingAndSaysSo)
     EXPECT_TRUE(message().isEmpty());
 }
 
+// Nothing is told, so that the mode would be asked for.
+TEST_F(CamEditorJobs, WatchingAsksNothingBeforeItRefuses)
+{
+    ring.bus.setOperate(false);
+    advance(40);
+    for (const char *what : {"Read", "Compare", "Write…", "Read all programs"}) {
+        trigger(what);
+        EXPECT_FALSE(button("afterwardsPosition")) << what;
+        EXPECT_TRUE(message().contains(QStringLiteral("Operate"))) << what << message().toStdString();
+    }
+    ring.bus.setOperate(true);
+    advance(40);
+    EXPECT_TRUE(message().isEmpty());
+    trigger("Read");
+    EXPECT_TRUE(button("afterwardsPosition"));
+}
+
 TEST_F(CamEditorJobs, TheCamsOfTheRunningProgramAreShownAsTheEncoderTellsThem)
 {
     tellAll();
