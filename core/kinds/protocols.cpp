@@ -6,17 +6,19 @@
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/protocol/esc_rules.h"
+#include "kinds/esc/simulator/line_training_acts.h"
+#include "kinds/interbus/gateway/register_texts.h"
 #include "kinds/interbus/k3/k3_protocol.h"
 #include "kinds/interbus/k3/k3_rules.h"
 #include "kinds/interbus/la66/la66_protocol.h"
 #include "kinds/interbus/la66/la66_rules.h"
 #include "kinds/interbus/position/position_rules.h"
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "kinds/interbus/words/bus_fault.h"
 #include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/k3_cam_effect.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
-#include "kinds/interbus/words/register_texts.h"
 #include "vocabulary/place.h"
 #include "vocabulary/texts_of_kinds.h"
 
@@ -93,6 +95,14 @@ QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter)
 QStringList textsOfRegisters(const Refusal &refusal)
 {
     return registerRefusalTexts(refusal);
+}
+
+std::optional<QString> textOfTrainingAct(const TrainingAct &act)
+{
+    for (const auto textOf : {ringActText, lineActText})
+        if (const auto text = textOf(act))
+            return text;
+    return std::nullopt;
 }
 
 QString effectInCamMode(std::optional<Word> out)

@@ -51,7 +51,7 @@ enum class MessageId : std::uint8_t {
     deviceFaultGone,          //
     valuesForgotten,          // the encoder lost its parameters: what was known no longer holds
     lateCycles,               // number since the last message; from earlier versions, today only a figure
-    modeSwitched,             // text of the mode
+    modeSwitched,             // the mode: vocabulary/mode_text.h
     modeSentToZero,           // the same: IN is 00000000, so it may have no supply
     resetWaitsForRun,         // the reset was confirmed, and run was not sent
     resetDone,                // EEPROM writes
@@ -76,7 +76,7 @@ enum class MessageId : std::uint8_t {
     configurationNone,        //
     ringAsConfigured,         // devices
     ringDiffers,              // differences
-    faultPlan,                // text of the step
+    faultPlan,                // the step: a TrainingAct
     projectOpened,            // file
     projectSaved,             // file
     projectRecovered,         // file
@@ -112,7 +112,7 @@ enum class MessageId : std::uint8_t {
     recordingTriggered,       // file
     recordingGoesOn,          // file, values lost meanwhile
     recordingEnded,           // file, text of its size
-    training,                 // text of what the trainer did (QString)
+    training,                 // what the trainer did: a TrainingAct
     offerBegun,               // where a simulated ring is offered to others: "127.0.0.1:1502"
     offerEnded,               // where it was offered; so for the next four
     offerEndedWithRing,       // the ring was closed

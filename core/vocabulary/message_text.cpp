@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/device_error_name.h"
 #include "vocabulary/enumeration_rows.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/texts_of_kinds.h"
+#include "vocabulary/training_act.h"
 
 #include <QCoreApplication>
 
@@ -41,7 +43,7 @@ constexpr std::array messageRows{
     MessageRow{MessageId::zerosWait, "zerosWait",
                QT_TRANSLATE_NOOP(
                    "Message", "The link is lost, and nothing says whether the zeros of the ALARM STOP have "
-                              "arrived: they are sent again each second, and once it is back. Stop the "
+                              "arrived: they are sent again and again, and once it is back. Stop the "
                               "machine by its own means.")},
     MessageRow{MessageId::zerosLate, "zerosLate",
                QT_TRANSLATE_NOOP(
@@ -344,13 +346,30 @@ QString segmentWithFaultText(const Message &message)
                     {argumentText(message.arguments.front()), faultOfBusText(fault)});
 }
 
+// Some are kept as a key with what belongs to it.
+QStringList messageParts(const Message &message)
+{
+    if (message.arguments.empty())
+        return {};
+    switch (message.id) {
+    case MessageId::modeSwitched:
+    case MessageId::modeSentToZero:
+        return {modeText(message.arguments)};
+    case MessageId::training:
+    case MessageId::faultPlan:
+        return {trainingActText(message.arguments)};
+    default:
+        return argumentTexts(message.arguments);
+    }
+}
+
 } // namespace
 
 QString messageText(const Message &message)
 {
     if (message.id == MessageId::refused && message.refusal)
         return refusalText(*message.refusal);
-    const QStringList parts = argumentTexts(message.arguments);
+    const QStringList parts = messageParts(message);
     if (message.id == MessageId::presetDone)
         return presetText(parts);
     if (message.id == MessageId::busFault || message.id == MessageId::peripheralFault)

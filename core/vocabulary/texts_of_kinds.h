@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "vocabulary/refusal.h"
+#include "vocabulary/training_act.h"
 
 #include <QStringList>
 
@@ -16,5 +16,7 @@ QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter);
 QStringList textsOfRegisters(const Refusal &refusal);
 // What an OUT word does in cam mode: "sets the start of cam 0 to 0". Without one, that of a preset.
 QString effectInCamMode(std::optional<Word> out);
+// What was done to a simulated bus, in a sentence; nothing: no kind knows its key.
+std::optional<QString> textOfTrainingAct(const TrainingAct &act);
 
 } // namespace codewheel

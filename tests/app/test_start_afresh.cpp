@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QTranslator>
 
 #include <gtest/gtest.h>
 
@@ -146,6 +147,35 @@ TEST_F(StartAfresh, ThePanelTurnsToTheNewRing)
         if (box->text() == QStringLiteral("Power on"))
             box->click();
     EXPECT_TRUE(waitFor([&] { return !shaft(fraba).powered; }));
+}
+
+// As in a window of another language.
+class UpperCase final : public QTranslator
+{
+public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char *, const char *source, const char *, int) const override
+    {
+        return QString::fromUtf8(source).toUpper();
+    }
+};
+
+TEST_F(StartAfresh, WhatWasDoneIsToldInTheLanguageOfWhoeverReadsIt)
+{
+    {
+        UpperCase otherLanguage;
+        QCoreApplication::installTranslator(&otherLanguage);
+        window().findChild<StructureView *>()->choose(fraba);
+        showFrame();
+        for (auto *box : panel().findChildren<QCheckBox *>())
+            if (box->text() == QStringLiteral("Power on"))
+                box->click();
+        ringActions().afresh->trigger();
+        EXPECT_TRUE(isSaid(QStringLiteral("POWER OFF.")));
+    }
+    goOn();
+    EXPECT_TRUE(isSaid(QStringLiteral("Power off.")));
+    EXPECT_TRUE(isSaid(QStringLiteral("Started afresh")));
 }
 
 TEST_F(StartAfresh, TheModeStays)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/stored_message.h"
+#include "kinds/esc/simulator/line_training_acts.h"
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "tests/support/places.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 
 #include <gtest/gtest.h>
@@ -47,6 +50,50 @@ TEST(StoredMessage, KeepsCodesAndNoText)
     EXPECT_EQ(stored.arguments, QStringLiteral("[3,{\"word\":\"86000000\"}]"));
     EXPECT_EQ(stored.refusal,
               QStringLiteral("{\"arguments\":[],\"code\":\"parametersLost\",\"kind\":\"device\"}"));
+}
+
+TEST(StoredMessage, KeepsKeysOfWhatATrainerDidAndOfAMode)
+{
+    struct Row
+    {
+        MessageId id;
+        std::vector<RefusalArgument> arguments;
+        const char *stored;
+        const char *text;
+    };
+    const Row rows[] = {
+        {MessageId::training, ringAct(RingAct::shaftTurns, {1'234.5}), R"(["shaftTurns",{"double":1234.5}])",
+         "Shaft turns at 1234.5 rpm."},
+        {MessageId::training, ringAct(RingAct::magnetMovedTo, {12.5}), R"(["magnetMovedTo",{"double":12.5}])",
+         "Magnet moved to 12.50 mm."},
+        {MessageId::training, actAtSeat(2, NodeId("1.0"), ringAct(RingAct::poweredOff)),
+         R"(["seat",2,"1.0","poweredOff"])", "Seat 2, 1.0: Power off."},
+        {MessageId::training, actAtSeat(2, {}, faultAct(TrainingFault::crcErrors, NodeId("3.0"), 7)),
+         R"(["seat",2,"","fault","crcErrors","3.0",7])",
+         "Seat 2: 3.0: CRC errors in the segment, 7 of 1000 cycles"},
+        {MessageId::faultPlan, faultAct(TrainingFault::wireBreak, NodeId("3.0"), 0),
+         R"(["fault","wireBreak","3.0",0])", "Fault plan: 3.0: Wire break before it is over"},
+        {MessageId::training, lineAct(LineAct::bytesLost, {std::int64_t{5}}), R"(["bytesLost",5])",
+         "Lost bytes: 5 of 1000."},
+        {MessageId::training, lineTroubleAct(LineTrouble::batteryFlat, true),
+         R"(["lineTrouble","batteryFlat",1])", "Battery flat: yes."},
+        {MessageId::training,
+         {QStringLiteral("Welle angehalten.")},
+         R"(["Welle angehalten."])",
+         "Welle angehalten."}, // of an earlier version
+        {MessageId::modeSwitched, modeArguments({.mode = Mode::cam, .camProgram = 3}), R"(["cam",3])",
+         "The encoder was switched: cam mode, program 3."},
+        {MessageId::modeSwitched,
+         {QStringLiteral("Drehzahlbetrieb")},
+         R"(["Drehzahlbetrieb"])",
+         "The encoder was switched: Drehzahlbetrieb."},
+    };
+    for (const Row &row : rows) {
+        const StoredMessage stored =
+            storedMessage({.id = row.id, .arguments = row.arguments}, noonAndSevenMs);
+        EXPECT_EQ(stored.arguments.toStdString(), row.stored);
+        EXPECT_EQ(messageText(stored).toStdString(), row.text);
+    }
 }
 
 TEST(StoredMessage, ShowsACodeThisVersionDoesNotKnow)

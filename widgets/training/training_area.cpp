@@ -83,7 +83,7 @@ void TrainingArea::setDevice(Place place)
         m_device->setCurrentIndex(static_cast<int>(found - m_devices.begin()));
 }
 
-void TrainingArea::act(const QString &what)
+void TrainingArea::act(const TrainingAct &what)
 {
     if (m_chosen)
         Q_EMIT acted(*m_chosen, what);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vocabulary/place.h"
+#include "vocabulary/training_act.h"
 #include "widgets/look/scrolled_panel.h"
 
 #include <optional>
@@ -29,7 +30,7 @@ public:
 
 Q_SIGNALS:
     void afreshWanted();
-    void acted(codewheel::Place place, const QString &what);
+    void acted(codewheel::Place place, const codewheel::TrainingAct &what);
 
 protected:
     TrainingArea(const QString &toolTip, QWidget *parent);
@@ -39,7 +40,7 @@ protected:
     // A place without a node is the bus itself, listed under its name. The one that was chosen stays.
     void setDevices(std::vector<Place> devices, const QString &bus = {});
     std::optional<Place> chosen() const { return m_chosen; }
-    void act(const QString &what);
+    void act(const TrainingAct &what);
     virtual void leave() {} // another device is about to be chosen
 
 private:

@@ -50,9 +50,9 @@ void BusViews::showAfresh(TrainingArea &panel, QAction *action, const QString &w
     action->setEnabled(isMeant() && whyNot.isEmpty());
 }
 
-void BusViews::tellTraining(Place place, const QString &what, MessageId id)
+void BusViews::tellTraining(Place place, const TrainingAct &what, MessageId id)
 {
-    Q_EMIT told({.place = place, .severity = Severity::information, .id = id, .arguments = {what}});
+    Q_EMIT told({.place = place, .severity = Severity::information, .id = id, .arguments = what});
 }
 
 } // namespace codewheel

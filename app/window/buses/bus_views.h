@@ -5,6 +5,7 @@
 #include "app/window/look/panels.h"
 #include "bus/data_check.h"
 #include "vocabulary/kind_data.h"
+#include "vocabulary/training_act.h"
 #include "widgets/structure/fault_banner.h"
 
 #include <QAction>
@@ -123,7 +124,7 @@ protected:
     // Whether its simulated bus can begin anew: in its training panel and, if it is meant, by the action.
     void showAfresh(TrainingArea &panel, QAction *action, const QString &whyNot);
     // A place without a node is the bus itself.
-    void tellTraining(Place place, const QString &what, MessageId id = MessageId::training);
+    void tellTraining(Place place, const TrainingAct &what, MessageId id = MessageId::training);
 
 private:
     std::vector<QWidget *> m_own;

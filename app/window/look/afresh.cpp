@@ -31,10 +31,4 @@ QString Afresh::tip(const QString &whyNot)
                : whyNot;
 }
 
-QString Afresh::told()
-{
-    return tr(
-        "Started afresh: everything simulated is as at the start, with factory values and without faults.");
-}
-
 } // namespace codewheel

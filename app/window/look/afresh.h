@@ -18,8 +18,6 @@ public:
     static QString whyNot(const EncoderBus *bus);
     // What it does, or why not.
     static QString tip(const QString &whyNot);
-    // What has happened, for the messages.
-    static QString told();
 };
 
 } // namespace codewheel

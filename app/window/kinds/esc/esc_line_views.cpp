@@ -125,7 +125,7 @@ EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &parts, QObjec
     connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showName);
     connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showNewPlan);
     connect(m_training, &EscLineTrainingPanel::acted, this,
-            [this](Place place, const QString &what) { tellTraining(place, what); });
+            [this](Place place, const TrainingAct &what) { tellTraining(place, what); });
     connect(m_training, &EscLineTrainingPanel::afreshWanted, this, &EscLineViews::startAfresh);
     connect(&line, &EscLineAtWork::portOpened, this, &EscLineViews::showOpened);
     connect(&line, &EscLineAtWork::openRefused, this, &EscLineViews::showRefused);
@@ -530,7 +530,7 @@ void EscLineViews::startAfresh()
     if (!Afresh::whyNot(m_session).isEmpty())
         return;
     m_line.startAfresh();
-    tellTraining(Place{m_line.id()}, Afresh::told());
+    tellTraining(Place{m_line.id()}, startedAfresh());
 }
 
 void EscLineViews::disconnectLine()

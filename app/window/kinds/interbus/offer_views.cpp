@@ -44,10 +44,11 @@ OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settin
     connect(&page, &OfferPage::filesWanted, this, &OfferViews::saveFiles);
     connect(&seats(), &SeatsView::restartWanted, this, &OfferViews::askToRestart);
     connect(&seats(), &SeatsView::choiceChanged, this, &OfferViews::showSeats);
-    connect(&seats().panel(), &SeatPanel::acted, this, [this](int unit, Place place, const QString &what) {
-        if (m_offer.isOn())
-            m_offer.tellOfSeat(unit, place.node, what);
-    });
+    connect(&seats().panel(), &SeatPanel::acted, this,
+            [this](int unit, Place place, const TrainingAct &what) {
+                if (m_offer.isOn())
+                    m_offer.tellOfSeat(unit, place.node, what);
+            });
     connect(&m_offer, &RingOffer::changed, this, &OfferViews::showPlace);
     connect(&ring.project(), &ProjectDocument::changed, this, &OfferViews::showName);
     page.form().show(lastOffer(settings.ofKinds()));

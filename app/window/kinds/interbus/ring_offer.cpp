@@ -5,6 +5,7 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "kinds/interbus/plan/gateway_project.h"
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "kinds/interbus/simulator/standing_faults.h"
 #include "project/bus_kind.h"
 #include "vocabulary/sentence.h"
@@ -226,14 +227,9 @@ std::shared_ptr<TrainingControls> RingOffer::controls(int unit) const
     return isSeat ? m_seats.rings()[static_cast<std::size_t>(unit - 1)].training.controls : nullptr;
 }
 
-// What happens at a place of the ring names it already.
-void RingOffer::tellOfSeat(int unit, NodeId node, const QString &what, MessageId id)
+void RingOffer::tellOfSeat(int unit, NodeId node, const TrainingAct &what, MessageId id)
 {
-    const QString seat = QString::number(unit);
-    const bool isNamed = node.isEmpty() || what.startsWith(node.toString() + u':');
-    tell({.id = id,
-          .arguments = {isNamed ? sentence(tr("Seat %1: %2"), {seat, what})
-                                : sentence(tr("Seat %1, %2: %3"), {seat, node.toString(), what})}});
+    tell({.id = id, .arguments = actAtSeat(unit, node, what)});
 }
 
 QString RingOffer::restartsForClients(int unit) const
@@ -266,7 +262,7 @@ void RingOffer::takePlans()
 {
     for (std::size_t i = 0; i < m_seats.rings().size(); ++i)
         for (const FaultStep &step : m_plans[i].take(m_seats.rings()[i].training.controls->planProgress()))
-            tellOfSeat(static_cast<int>(i) + 1, {}, trainingFaultText(step.fault, step.place, step.value),
+            tellOfSeat(static_cast<int>(i) + 1, {}, faultAct(step.fault, step.place, step.value),
                        MessageId::faultPlan);
 }
 

@@ -5,6 +5,7 @@
 #include "kinds/interbus/gateway/served_news.h"
 #include "kinds/interbus/links/modbus_tcp_server.h"
 #include "kinds/interbus/simulator/fault_plan_news.h"
+#include "vocabulary/training_act.h"
 #include "widgets/kinds/interbus/offer/offer_wish.h"
 #include "widgets/kinds/interbus/offer/offered_view.h"
 #include "widgets/kinds/interbus/offer/seats_model.h"
@@ -56,7 +57,7 @@ public:
     // What a trainer can do to the ring of a seat; another one after restart(). Null: there is no such seat.
     std::shared_ptr<TrainingControls> controls(int unit) const;
     // What was done to the ring of a seat, for the messages.
-    void tellOfSeat(int unit, NodeId node, const QString &what, MessageId id = MessageId::training);
+    void tellOfSeat(int unit, NodeId node, const TrainingAct &what, MessageId id = MessageId::training);
     // For a client of the seat, or of the one ring (unit 1): this ring behind a gateway that is reached at
     // `host`.
     Project clientProject(int unit, const QString &host) const;

@@ -118,9 +118,10 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     connect(m_master, &MasterPanel::asked, this, &RingViews::open);
     connect(m_comparison, &RingComparison::readInRequested, m_connection, &RingConnection::readIn);
     connect(m_training, &TrainingPanel::acted, this,
-            [this](Place place, const QString &what) { tellTraining(place, what); });
-    connect(m_training, &TrainingPanel::planned, this,
-            [this](Place place, const QString &what) { tellTraining(place, what, MessageId::faultPlan); });
+            [this](Place place, const TrainingAct &what) { tellTraining(place, what); });
+    connect(m_training, &TrainingPanel::planned, this, [this](Place place, const TrainingAct &what) {
+        tellTraining(place, what, MessageId::faultPlan);
+    });
     connect(m_training, &TrainingPanel::afreshWanted, this, &RingViews::startAfresh);
     onAction(m_actions.connection, [this] { showConnection(); });
     onAction(m_actions.registers, [this] { showRegisters(); });
@@ -369,7 +370,7 @@ void RingViews::startAfresh()
     if (!whyNotAfresh().isEmpty())
         return;
     m_connection->startAfresh();
-    tellTraining(Place{m_ring.id()}, Afresh::told());
+    tellTraining(Place{m_ring.id()}, startedAfresh());
 }
 
 void RingViews::showState()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/register_refusal.h"
 
-#include "kinds/interbus/words/register_texts.h"
+#include "kinds/interbus/gateway/register_texts.h"
 
 namespace codewheel {
 namespace {

@@ -2,11 +2,8 @@
 #include "kinds/interbus/simulator/fault_plan.h"
 
 #include "catalog/strict_json.h"
-#include "vocabulary/enumeration_rows.h"
-#include "vocabulary/sentence.h"
 
 #include <algorithm>
-#include <array>
 
 namespace codewheel {
 namespace {
@@ -14,52 +11,6 @@ namespace {
 constexpr char planFormat[] = "codewheel-faults";
 constexpr std::int64_t planVersion = 1;
 constexpr std::int64_t latestStep = 24LL * 3'600 * 1'000; // a day
-
-struct FaultRow
-{
-    TrainingFault fault;
-    const char *key;
-    const char *text;
-};
-constexpr std::array faultRows{
-    FaultRow{TrainingFault::wireBreak, "wireBreak",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
-    FaultRow{TrainingFault::crcErrors, "crcErrors",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
-    FaultRow{TrainingFault::noSupply, "noSupply",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
-    FaultRow{TrainingFault::wrongDevice, "wrongDevice",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in place")},
-    FaultRow{TrainingFault::peripheralFault, "peripheralFault",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
-    FaultRow{TrainingFault::powerOff, "powerOff",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Encoder switched off")},
-    FaultRow{TrainingFault::slowConfirmation, "slowConfirmation",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Slow confirmation")},
-    FaultRow{TrainingFault::eepromWornOut, "eepromWornOut",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "EEPROM worn out")},
-    FaultRow{TrainingFault::parametersLost, "parametersLost",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Parameters lost")},
-    FaultRow{TrainingFault::batteryLow, "batteryLow",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Battery low")},
-    FaultRow{TrainingFault::codeDiscFault, "codeDiscFault",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Code disc faulty")},
-    FaultRow{TrainingFault::camOutOfRange, "camOutOfRange",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
-    FaultRow{TrainingFault::magnetLost, "magnetLost",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
-};
-static_assert(areInOrder(faultRows, &FaultRow::fault) && faultRows.size() == trainingFaults);
-
-const FaultRow &faultRow(TrainingFault fault)
-{
-    return faultRows.at(static_cast<std::size_t>(fault));
-}
-
-QString faultText(const char *text)
-{
-    return QCoreApplication::translate("codewheel::FaultPlan", text);
-}
 
 // The rules of the file, part by part. One object per file.
 class FaultPlanReader
@@ -126,13 +77,11 @@ void FaultPlanReader::readStep(const JsonObject &json)
 TrainingFault FaultPlanReader::readFault(const JsonObject &json)
 {
     const QString name = json.text("fault");
-    const auto found =
-        std::ranges::find_if(faultRows, [&](const FaultRow &row) { return name == QLatin1String(row.key); });
-    if (found != faultRows.end())
-        return found->fault;
+    if (const auto fault = trainingFaultFromKey(name))
+        return *fault;
     QStringList known;
-    for (const FaultRow &row : faultRows)
-        known << QString::fromLatin1(row.key);
+    for (int i = 0; i < trainingFaults; ++i)
+        known << trainingFaultKey(static_cast<TrainingFault>(i));
     json.reportUnknownName("fault", name, known);
     return {};
 }
@@ -165,25 +114,6 @@ int FaultPlanReader::readValue(const JsonObject &json, TrainingFault fault)
 }
 
 } // namespace
-
-QString trainingFaultName(TrainingFault fault)
-{
-    return faultText(faultRow(fault).text);
-}
-
-QString trainingFaultKey(TrainingFault fault)
-{
-    return QString::fromLatin1(faultRow(fault).key);
-}
-
-QString trainingFaultText(TrainingFault fault, NodeId place, int value)
-{
-    const char *pattern = fault == TrainingFault::crcErrors && value > 0
-                              ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2, %3 of 1000 cycles")
-                          : value > 0 ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2")
-                                      : QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2 is over");
-    return sentence(faultText(pattern), {place.toString(), trainingFaultName(fault), QString::number(value)});
-}
 
 Result<FaultPlan> faultPlanFromJson(const QByteArray &json, const QString &name,
                                     const std::vector<TrainingPlace> &ring)

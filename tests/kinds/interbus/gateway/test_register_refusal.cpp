@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of registers, in the language of the moment it is shown in: messages are stored.
 #include "kinds/interbus/gateway/register_refusal.h"
-#include "kinds/interbus/words/register_texts.h"
+#include "kinds/interbus/gateway/register_texts.h"
 #include "vocabulary/refusal_text.h"
 
 #include <QCoreApplication>

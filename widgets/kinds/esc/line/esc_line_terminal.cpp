@@ -207,14 +207,10 @@ void EscLineTerminal::askBeforeWrite(const esc::Request &request)
 // If it gives an encoder the address of another one. Empty: it does not.
 QString EscLineTerminal::whoIsAt(const esc::Request &request) const
 {
-    if (request.command == esc::Command::writeAddress)
-        for (const EscLineAddress reading : escReadingsOf({static_cast<std::uint8_t>(request.data)}))
-            if (const EncoderSession *there = m_line->encoder(reading.node()); there && reading != request.to)
-                return refusalText({RefusalKind::badInput,
-                                    RefusalId::lineAddressTaken,
-                                    {reading.shown(), there->device().fullName()}}) +
-                       u' ';
-    return {};
+    if (request.command != esc::Command::writeAddress)
+        return {};
+    const auto taken = m_line->addressTaken({static_cast<std::uint8_t>(request.data)}, request.to);
+    return taken ? refusalText(*taken) + u' ' : QString();
 }
 
 void EscLineTerminal::sendNow(const esc::Request &request)

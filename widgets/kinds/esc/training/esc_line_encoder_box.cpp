@@ -24,15 +24,17 @@ EscEncoderBox::EscEncoderBox(QWidget *parent)
     , m_raw(numberLabel(tr("Raw position"), this))
     , m_speed(new DecimalField(this))
     , m_troubles{{
-          {&EscCondition::powered, tr("Power on"), tr("Supply of the encoder; it keeps what was written")},
-          {&EscCondition::mute, tr("Silent"), tr("It receives and acts, but does not answer")},
-          {&EscCondition::batteryLimit, tr("Battery nearly flat"), tr("Warning: soon to be changed")},
-          {&EscCondition::batteryFlat, tr("Battery flat"), tr("Alarm")},
-          {&EscCondition::temperatureExceeded, tr("Too hot"), tr("Alarm: temperature exceeded")},
-          {&EscCondition::lightControl, tr("Light control at its end"), tr("Warning")},
-          {&EscCondition::positionError, tr("Position error"), tr("Alarm")},
-          {&EscCondition::vrHigh, tr("VR at +UB"), tr("The input makes the values fall")},
-          {&EscCondition::stOpen, tr("ST open"), tr("RS-422: without +UB at ST no command works")},
+          {&EscCondition::powered, LineTrouble::powered,
+           tr("Supply of the encoder; it keeps what was written")},
+          {&EscCondition::mute, LineTrouble::mute, tr("It receives and acts, but does not answer")},
+          {&EscCondition::batteryLimit, LineTrouble::batteryLimit, tr("Warning: soon to be changed")},
+          {&EscCondition::batteryFlat, LineTrouble::batteryFlat, tr("Alarm")},
+          {&EscCondition::temperatureExceeded, LineTrouble::temperatureExceeded,
+           tr("Alarm: temperature exceeded")},
+          {&EscCondition::lightControl, LineTrouble::lightControl, tr("Warning")},
+          {&EscCondition::positionError, LineTrouble::positionError, tr("Alarm")},
+          {&EscCondition::vrHigh, LineTrouble::vrHigh, tr("The input makes the values fall")},
+          {&EscCondition::stOpen, LineTrouble::stOpen, tr("RS-422: without +UB at ST no command works")},
       }}
 {
     QGridLayout *fields = fieldGrid();
@@ -45,7 +47,7 @@ EscEncoderBox::EscEncoderBox(QWidget *parent)
     column->addWidget(m_wheel);
     column->addLayout(fields);
     for (Trouble &trouble : m_troubles) {
-        trouble.box = addBox(column, trouble.text, trouble.toolTip);
+        trouble.box = addBox(column, lineTroubleName(trouble.name), trouble.toolTip);
         connect(trouble.box, &QCheckBox::clicked, this,
                 [this, &trouble](bool ticked) { set(trouble, ticked); });
     }
@@ -83,14 +85,14 @@ void EscEncoderBox::turnBy(qint64 steps)
 void EscEncoderBox::setSpeed(double rpm)
 {
     m_line->withEncoder(m_address, [rpm](SimulatedEscEncoder &encoder) { encoder.shaft().setSpeed(rpm); });
-    Q_EMIT acted(tr("Speed %1 rpm.").arg(QLocale().toString(rpm, 'f', 1)));
+    Q_EMIT acted(lineAct(LineAct::shaftSpeed, {rpm}));
 }
 
 void EscEncoderBox::set(const Trouble &trouble, bool ticked)
 {
     m_line->withEncoder(m_address,
                         [&](SimulatedEscEncoder &encoder) { encoder.condition().*trouble.flag = ticked; });
-    Q_EMIT acted(ticked ? tr("%1: yes.").arg(trouble.text) : tr("%1: no.").arg(trouble.text));
+    Q_EMIT acted(lineTroubleAct(trouble.name, ticked));
 }
 
 } // namespace codewheel

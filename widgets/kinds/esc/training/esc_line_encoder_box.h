@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
 
 #include <QWidget>
@@ -28,13 +29,13 @@ public:
     void showEncoder(SimulatedEscLine &line, EscLineAddress address);
 
 Q_SIGNALS:
-    void acted(const QString &what);
+    void acted(const codewheel::TrainingAct &what);
 
 private:
     struct Trouble
     {
         bool EscCondition::*flag;
-        QString text; // of its check box
+        LineTrouble name;
         QString toolTip;
         QCheckBox *box = nullptr;
     };

@@ -36,14 +36,13 @@ bool areAllMute(SimulatedEscLine &line)
 EscLineFaultsBox::EscLineFaultsBox(QWidget *parent)
     : QWidget(parent)
     , m_rates{{{&EscLineFaults::lost, tr("Lost bytes"), tr("Of 1000 bytes, both ways; they never arrive"),
-                tr("Lost bytes: %1 of 1000.")},
+                LineAct::bytesLost},
                {&EscLineFaults::corrupted, tr("Wrong bytes"),
-                tr("Of 1000 bytes, both ways; one bit is another"), tr("Wrong bytes: %1 of 1000.")},
+                tr("Of 1000 bytes, both ways; one bit is another"), LineAct::bytesWrong},
                {&EscLineFaults::doubled, tr("Doubled bytes"),
-                tr("Of 1000 bytes, both ways; they arrive twice"), tr("Doubled bytes: %1 of 1000.")},
+                tr("Of 1000 bytes, both ways; they arrive twice"), LineAct::bytesDoubled},
                {&EscLineFaults::delayed, tr("Delayed bytes"),
-                tr("Of 1000 bytes, both ways; they and all behind them come later"),
-                tr("Delayed bytes: %1 of 1000.")}}}
+                tr("Of 1000 bytes, both ways; they and all behind them come later"), LineAct::bytesDelayed}}}
     , m_delay(new IntegerField(this))
 {
     auto *column = layOut<QVBoxLayout>(this, grid::unit);
@@ -114,7 +113,7 @@ void EscLineFaultsBox::setRate(const Rate &rate, int count)
     EscLineFaults faults = m_line->faults();
     faults.*rate.count = count;
     m_line->setFaults(faults);
-    Q_EMIT acted(rate.told.arg(count));
+    Q_EMIT acted(lineAct(rate.act, {std::int64_t{count}}));
 }
 
 void EscLineFaultsBox::setDelay(int milliseconds)
@@ -129,19 +128,19 @@ void EscLineFaultsBox::setEcho(bool on)
     EscLineFaults faults = m_line->faults();
     faults.echo = on;
     m_line->setFaults(faults);
-    Q_EMIT acted(on ? tr("Echo on.") : tr("Echo off."));
+    Q_EMIT acted(lineAct(on ? LineAct::echoOn : LineAct::echoOff));
 }
 
 void EscLineFaultsBox::setSilent(bool on)
 {
     m_line->setSilent(on);
-    Q_EMIT acted(on ? tr("All encoders silent.") : tr("All encoders answer."));
+    Q_EMIT acted(lineAct(on ? LineAct::allSilent : LineAct::allAnswer));
 }
 
 void EscLineFaultsBox::setUnplugged(bool on)
 {
     m_line->setUnplugged(on);
-    Q_EMIT acted(on ? tr("Adapter unplugged.") : tr("Adapter plugged in."));
+    Q_EMIT acted(lineAct(on ? LineAct::adapterUnplugged : LineAct::adapterPluggedIn));
 }
 
 } // namespace codewheel

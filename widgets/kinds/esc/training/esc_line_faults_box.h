@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
 
 #include <QWidget>
@@ -27,7 +28,7 @@ public:
     void showLine(SimulatedEscLine &line);
 
 Q_SIGNALS:
-    void acted(const QString &what);
+    void acted(const codewheel::TrainingAct &what);
 
 private:
     struct Rate
@@ -35,7 +36,7 @@ private:
         int EscLineFaults::*count;
         QString name;
         QString toolTip;
-        QString told; // with the count
+        LineAct act;
         QSpinBox *field = nullptr;
     };
 

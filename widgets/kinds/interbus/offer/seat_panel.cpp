@@ -32,7 +32,7 @@ SeatPanel::SeatPanel(QWidget *parent)
 void SeatPanel::makePanel(BusId ring, const SharedControls &controls)
 {
     m_panel = new TrainingPanel(controls, ring, this);
-    connect(m_panel, &TrainingPanel::acted, this, [this](Place place, const QString &what) {
+    connect(m_panel, &TrainingPanel::acted, this, [this](Place place, const TrainingAct &what) {
         if (m_unit)
             Q_EMIT acted(*m_unit, place, what);
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vocabulary/place.h"
+#include "vocabulary/training_act.h"
 #include "widgets/kinds/interbus/training/shared_controls.h"
 
 #include <QWidget>
@@ -29,7 +30,7 @@ public:
     void leave(); // no seat is chosen
 
 Q_SIGNALS:
-    void acted(int unit, codewheel::Place place, const QString &what);
+    void acted(int unit, codewheel::Place place, const codewheel::TrainingAct &what);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;

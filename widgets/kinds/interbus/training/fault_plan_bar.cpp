@@ -2,6 +2,7 @@
 #include "widgets/kinds/interbus/training/fault_plan_bar.h"
 
 #include "kinds/interbus/simulator/fault_plan_file.h"
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -85,7 +86,7 @@ void FaultPlanBar::refresh()
 {
     const TrainingControls::PlanProgress progress = m_controls->planProgress();
     for (const FaultStep &step : m_news.take(progress))
-        Q_EMIT carriedOut(step.place, trainingFaultText(step.fault, step.place, step.value));
+        Q_EMIT carriedOut(step.place, faultAct(step.fault, step.place, step.value));
     m_start->setEnabled(m_loaded.has_value());
     m_stop->setEnabled(progress.isRunning);
     show(progress);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/simulator/fault_plan_news.h"
+#include "vocabulary/training_act.h"
 #include "widgets/kinds/interbus/training/shared_controls.h"
 
 #include <QWidget>
@@ -29,7 +30,7 @@ public:
     void refresh();
 
 Q_SIGNALS:
-    void carriedOut(codewheel::NodeId node, const QString &what);
+    void carriedOut(codewheel::NodeId node, const codewheel::TrainingAct &what);
 
 private:
     QPushButton *addButton(const QString &text, const QString &toolTip);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/interbus/training/ring_faults.h"
 
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -74,7 +75,7 @@ void RingFaults::addRate(QVBoxLayout *column)
 void RingFaults::set(TrainingFault fault, int value)
 {
     m_controls->setFault(fault, m_shown->number, value);
-    Q_EMIT acted(trainingFaultText(fault, m_shown->number, value));
+    Q_EMIT acted(faultAct(fault, m_shown->number, value));
 }
 
 // A field changes only when the ring has changed, so as not to undo what the user has just ticked before the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vocabulary/training_act.h"
 #include "widgets/kinds/interbus/training/shared_controls.h"
 
 #include <QWidget>
@@ -28,7 +29,7 @@ public:
     void leave() { m_shown.reset(); }
 
 Q_SIGNALS:
-    void acted(const QString &what);
+    void acted(const codewheel::TrainingAct &what);
 
 private:
     void addBoxFor(QVBoxLayout *column, TrainingFault fault, const QString &toolTip);

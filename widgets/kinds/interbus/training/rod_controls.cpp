@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/interbus/training/rod_controls.h"
 
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
@@ -133,29 +134,26 @@ void RodControls::moveTo()
         return; // the field says why
     m_controls->moveMagnetTo(m_shown->number, m_target->value());
     m_leftAlone.forget();
-    Q_EMIT acted(tr("Magnet moved to %1 mm.").arg(placeNumber(m_target->value())));
+    Q_EMIT acted(ringAct(RingAct::magnetMovedTo, {m_target->value()}));
 }
 
 void RodControls::setSpeed(double millimetresPerSecond)
 {
     m_controls->setMagnetSpeed(m_shown->number, millimetresPerSecond);
-    Q_EMIT acted(millimetresPerSecond == 0
-                     ? tr("Magnet stopped.")
-                     : tr("Magnet moves at %1 mm/s.")
-                           .arg(QLocale().toString(millimetresPerSecond, 'f', m_speed->decimals())));
+    Q_EMIT acted(millimetresPerSecond == 0 ? ringAct(RingAct::magnetStopped)
+                                           : ringAct(RingAct::magnetMoves, {millimetresPerSecond}));
 }
 
 void RodControls::setInRange(bool inRange)
 {
     m_controls->setFault(TrainingFault::magnetLost, m_shown->number, inRange ? 0 : 1);
-    Q_EMIT acted(inRange ? tr("Magnet back in the measuring range.")
-                         : tr("Magnet outside the measuring range."));
+    Q_EMIT acted(ringAct(inRange ? RingAct::magnetInRange : RingAct::magnetOutOfRange));
 }
 
 void RodControls::tellOfMoving()
 {
     m_leftAlone.forget();
-    Q_EMIT acted(tr("Magnet moved by hand to %1 mm.").arg(placeNumber(m_shown->millimetres)));
+    Q_EMIT acted(ringAct(RingAct::magnetMovedByHand, {m_shown->millimetres}));
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/interbus/training/shaft_controls.h"
 
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
@@ -112,22 +113,19 @@ void ShaftControls::turnTo()
         return; // the field says why
     m_controls->turnTo(m_shown->number, m_target->value());
     m_leftAlone.forget();
-    Q_EMIT acted(tr("Shaft turned to raw position %1.").arg(QLocale().toString(m_target->value())));
+    Q_EMIT acted(ringAct(RingAct::shaftTurnedTo, {std::int64_t{m_target->value()}}));
 }
 
 void ShaftControls::setSpeed(double rpm)
 {
     m_controls->setSpeed(m_shown->number, rpm);
-    Q_EMIT acted(rpm == 0
-                     ? tr("Shaft stopped.")
-                     : tr("Shaft turns at %1 rpm.").arg(QLocale().toString(rpm, 'f', m_speed->decimals())));
+    Q_EMIT acted(rpm == 0 ? ringAct(RingAct::shaftStopped) : ringAct(RingAct::shaftTurns, {rpm}));
 }
 
 void ShaftControls::tellOfTurning()
 {
     m_leftAlone.forget();
-    Q_EMIT acted(
-        tr("Shaft turned by hand to raw position %1.").arg(QLocale().toString(qint64{m_shown->raw})));
+    Q_EMIT acted(ringAct(RingAct::shaftTurnedByHand, {std::int64_t{m_shown->raw}}));
 }
 
 } // namespace codewheel

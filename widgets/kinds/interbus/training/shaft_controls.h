@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vocabulary/training_act.h"
 #include "widgets/input/number_fields.h"
 #include "widgets/kinds/interbus/training/left_alone.h"
 #include "widgets/kinds/interbus/training/shared_controls.h"
@@ -32,7 +33,7 @@ public:
     void leave();
 
 Q_SIGNALS:
-    void acted(const QString &what);
+    void acted(const codewheel::TrainingAct &what);
 
 private:
     void makePosition(QGridLayout *grid);

@@ -42,7 +42,7 @@ TrainingPanel::TrainingPanel(SharedControls controls, BusId ring, QWidget *paren
     connect(m_shaft, &ShaftControls::acted, this, &TrainingPanel::act);
     connect(m_rod, &RodControls::acted, this, &TrainingPanel::act);
     connect(m_ringFaults, &RingFaults::acted, this, &TrainingPanel::act);
-    connect(m_plan, &FaultPlanBar::carriedOut, this, [this](NodeId node, const QString &what) {
+    connect(m_plan, &FaultPlanBar::carriedOut, this, [this](NodeId node, const TrainingAct &what) {
         Q_EMIT planned({m_ring, node}, what);
     });
     listDevices();
@@ -107,31 +107,29 @@ void TrainingPanel::makeTroubles(QVBoxLayout *column)
     m_lose = addCommand(column, Icon::fault, tr("Lose parameters"),
                         tr("The EEPROM content is destroyed: error 3, until it is parameterized again"));
     connect(m_power, &QCheckBox::clicked, this, [this](bool on) {
-        setFault(TrainingFault::powerOff, !on, on ? tr("Power on.") : tr("Power off."));
+        setFault(TrainingFault::powerOff, !on, on ? RingAct::poweredOn : RingAct::poweredOff);
     });
     connect(m_slow, &QCheckBox::clicked, this, [this](bool slow) {
         setFault(TrainingFault::slowConfirmation, slow,
-                 slow ? tr("Slow confirmation on.") : tr("Slow confirmation off."));
+                 slow ? RingAct::slowConfirmationOn : RingAct::slowConfirmationOff);
     });
     connect(m_battery, &QCheckBox::clicked, this, [this](bool low) {
-        setFault(TrainingFault::batteryLow, low,
-                 low ? tr("Battery low; the encoder finds it when it is switched on.")
-                     : tr("Battery full; the encoder finds it when it is switched on."));
+        setFault(TrainingFault::batteryLow, low, low ? RingAct::batteryIsLow : RingAct::batteryIsFull);
     });
     connect(m_eeprom, &QCheckBox::clicked, this, [this](bool wornOut) {
         setFault(TrainingFault::eepromWornOut, wornOut,
-                 wornOut ? tr("EEPROM worn out.") : tr("EEPROM in order."));
+                 wornOut ? RingAct::eepromIsWornOut : RingAct::eepromIsInOrder);
     });
     connect(m_codeDisc, &QCheckBox::clicked, this, [this](bool faulty) {
         setFault(TrainingFault::codeDiscFault, faulty,
-                 faulty ? tr("Code disc faulty.") : tr("Code disc in order; run ends the error."));
+                 faulty ? RingAct::codeDiscIsFaulty : RingAct::codeDiscIsInOrder);
     });
     connect(m_cycle, &QPushButton::clicked, this, [this] {
         m_controls->powerCycle(chosen()->node);
-        act(tr("Power off and on."));
+        act(ringAct(RingAct::powerCycled));
     });
     connect(m_lose, &QPushButton::clicked, this,
-            [this] { setFault(TrainingFault::parametersLost, true, tr("Parameters lost.")); });
+            [this] { setFault(TrainingFault::parametersLost, true, RingAct::parametersAreLost); });
 }
 
 void TrainingPanel::leave()
@@ -214,10 +212,10 @@ void TrainingPanel::hideCommon()
         widget->hide();
 }
 
-void TrainingPanel::setFault(TrainingFault fault, bool on, const QString &what)
+void TrainingPanel::setFault(TrainingFault fault, bool on, RingAct what)
 {
     m_controls->setFault(fault, chosen()->node, on ? 1 : 0);
-    act(what);
+    act(ringAct(what));
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/interbus/simulator/ring_training_acts.h"
 #include "widgets/kinds/interbus/training/shared_controls.h"
 #include "widgets/look/icons.h"
 #include "widgets/training/training_area.h"
@@ -32,7 +33,7 @@ public:
     void loadFaultPlan(const QString &path); // the panel says what is wrong with it
 
 Q_SIGNALS:
-    void planned(codewheel::Place number, const QString &what); // by the fault plan
+    void planned(codewheel::Place number, const codewheel::TrainingAct &what); // by the fault plan
 
 private:
     // What a shaft and a rod have in common.
@@ -57,7 +58,7 @@ private:
     void leave() override;
     void showCommon(const Common &common);
     void hideCommon();
-    void setFault(TrainingFault fault, bool on, const QString &what);
+    void setFault(TrainingFault fault, bool on, RingAct what);
 
     SharedControls m_controls;
     const BusId m_ring;

@@ -28,9 +28,9 @@ protected:
         panel.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&panel));
         QObject::connect(&panel, &TrainingPanel::acted, &panel,
-                         [this](Place, const QString &what) { acts.push_back(what); });
+                         [this](Place, const TrainingAct &what) { acts.push_back(trainingActText(what)); });
         QObject::connect(&panel, &TrainingPanel::planned, &panel,
-                         [this](Place, const QString &what) { steps.push_back(what); });
+                         [this](Place, const TrainingAct &what) { steps.push_back(trainingActText(what)); });
     }
     QCheckBox &box(const char *text) const
     {

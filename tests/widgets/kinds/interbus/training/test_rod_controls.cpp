@@ -60,10 +60,11 @@ protected:
     {
         panel.resize(240, 900);
         panel.show();
-        QObject::connect(&panel, &TrainingPanel::acted, &panel, [this](Place number, const QString &what) {
-            EXPECT_EQ(number, rodPlace);
-            acts.append(what);
-        });
+        QObject::connect(&panel, &TrainingPanel::acted, &panel,
+                         [this](Place number, const TrainingAct &what) {
+                             EXPECT_EQ(number, rodPlace);
+                             acts.append(trainingActText(what));
+                         });
         panel.setDevice(rodPlace);
     }
 

@@ -38,9 +38,10 @@ protected:
         panel.show();
         panel.activateWindow();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&panel));
-        QObject::connect(&panel, &TrainingPanel::acted, &panel, [this](Place number, const QString &what) {
-            acts.push_back({number, what});
-        });
+        QObject::connect(&panel, &TrainingPanel::acted, &panel,
+                         [this](Place number, const TrainingAct &what) {
+                             acts.push_back({number, trainingActText(what)});
+                         });
         panel.setDevice(fraba);
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/words/register_texts.h"
+#include "kinds/interbus/gateway/register_texts.h"
 
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "vocabulary/sentence.h"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/simulator/line_training_acts.h"
+
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+class LineTraining
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::LineTraining)
+};
+
+constexpr char lineTrainingContext[] = "codewheel::LineTraining";
+
+// By LineAct.
+constexpr std::array lineActRows{
+    TrainingActRow{"lineShaftSpeed", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Speed %1 rpm.")},
+    TrainingActRow{"bytesLost", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Lost bytes: %1 of 1000.")},
+    TrainingActRow{"bytesWrong", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Wrong bytes: %1 of 1000.")},
+    TrainingActRow{"bytesDoubled",
+                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Doubled bytes: %1 of 1000.")},
+    TrainingActRow{"bytesDelayed",
+                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Delayed bytes: %1 of 1000.")},
+    TrainingActRow{"echoOn", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Echo on.")},
+    TrainingActRow{"echoOff", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Echo off.")},
+    TrainingActRow{"allSilent", QT_TRANSLATE_NOOP("codewheel::LineTraining", "All encoders silent.")},
+    TrainingActRow{"allAnswer", QT_TRANSLATE_NOOP("codewheel::LineTraining", "All encoders answer.")},
+    TrainingActRow{"adapterUnplugged", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Adapter unplugged.")},
+    TrainingActRow{"adapterPluggedIn", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Adapter plugged in.")},
+};
+static_assert(lineActRows.size() == static_cast<std::size_t>(LineAct::adapterPluggedIn) + 1);
+
+struct LineTroubleRow
+{
+    LineTrouble trouble;
+    const char *key;
+    const char *text;
+};
+constexpr std::array lineTroubleRows{
+    LineTroubleRow{LineTrouble::powered, "powered", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Power on")},
+    LineTroubleRow{LineTrouble::mute, "mute", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Silent")},
+    LineTroubleRow{LineTrouble::batteryLimit, "batteryLimit",
+                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Battery nearly flat")},
+    LineTroubleRow{LineTrouble::batteryFlat, "batteryFlat",
+                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Battery flat")},
+    LineTroubleRow{LineTrouble::temperatureExceeded, "temperatureExceeded",
+                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Too hot")},
+    LineTroubleRow{LineTrouble::lightControl, "lightControl",
+                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Light control at its end")},
+    LineTroubleRow{LineTrouble::positionError, "positionError",
+                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Position error")},
+    LineTroubleRow{LineTrouble::vrHigh, "vrHigh", QT_TRANSLATE_NOOP("codewheel::LineTraining", "VR at +UB")},
+    LineTroubleRow{LineTrouble::stOpen, "stOpen", QT_TRANSLATE_NOOP("codewheel::LineTraining", "ST open")},
+};
+static_assert(areInOrder(lineTroubleRows, &LineTroubleRow::trouble));
+
+const QString troubleActKey = QStringLiteral("lineTrouble"); // key of the trouble, 1 or 0
+
+std::optional<QString> troubleActText(const TrainingAct &act)
+{
+    constexpr std::size_t parts = 3;
+    if (act.size() != parts || keyOf(act) != troubleActKey)
+        return std::nullopt;
+    const QString key = argumentText(act[1]);
+    const auto row = std::ranges::find_if(
+        lineTroubleRows, [&](const LineTroubleRow &one) { return key == QLatin1String(one.key); });
+    if (row == lineTroubleRows.end())
+        return std::nullopt;
+    return sentence(act[2] == RefusalArgument(std::int64_t{1}) ? LineTraining::tr("%1: yes.")
+                                                               : LineTraining::tr("%1: no."),
+                    {lineTroubleName(row->trouble)});
+}
+
+} // namespace
+
+TrainingAct lineAct(LineAct what, const std::vector<RefusalArgument> &its)
+{
+    TrainingAct act{QString::fromLatin1(lineActRows.at(static_cast<std::size_t>(what)).key)};
+    act.insert(act.end(), its.begin(), its.end());
+    return act;
+}
+
+TrainingAct lineTroubleAct(LineTrouble trouble, bool isThere)
+{
+    const LineTroubleRow &row = lineTroubleRows.at(static_cast<std::size_t>(trouble));
+    return {troubleActKey, QString::fromLatin1(row.key), std::int64_t{isThere ? 1 : 0}};
+}
+
+QString lineTroubleName(LineTrouble trouble)
+{
+    return LineTraining::tr(lineTroubleRows.at(static_cast<std::size_t>(trouble)).text);
+}
+
+std::optional<QString> lineActText(const TrainingAct &act)
+{
+    if (const auto text = troubleActText(act))
+        return text;
+    return sentenceOf(act, lineActRows, lineTrainingContext);
+}
+
+} // namespace codewheel

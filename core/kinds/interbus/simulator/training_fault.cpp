@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/simulator/training_fault.h"
+
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+struct FaultRow
+{
+    TrainingFault fault;
+    const char *key;
+    const char *text;
+};
+constexpr std::array faultRows{
+    FaultRow{TrainingFault::wireBreak, "wireBreak",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
+    FaultRow{TrainingFault::crcErrors, "crcErrors",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
+    FaultRow{TrainingFault::noSupply, "noSupply",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
+    FaultRow{TrainingFault::wrongDevice, "wrongDevice",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in place")},
+    FaultRow{TrainingFault::peripheralFault, "peripheralFault",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
+    FaultRow{TrainingFault::powerOff, "powerOff",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Encoder switched off")},
+    FaultRow{TrainingFault::slowConfirmation, "slowConfirmation",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Slow confirmation")},
+    FaultRow{TrainingFault::eepromWornOut, "eepromWornOut",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "EEPROM worn out")},
+    FaultRow{TrainingFault::parametersLost, "parametersLost",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Parameters lost")},
+    FaultRow{TrainingFault::batteryLow, "batteryLow",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Battery low")},
+    FaultRow{TrainingFault::codeDiscFault, "codeDiscFault",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Code disc faulty")},
+    FaultRow{TrainingFault::camOutOfRange, "camOutOfRange",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
+    FaultRow{TrainingFault::magnetLost, "magnetLost",
+             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
+};
+static_assert(areInOrder(faultRows, &FaultRow::fault) && faultRows.size() == trainingFaults);
+
+const FaultRow &faultRow(TrainingFault fault)
+{
+    return faultRows.at(static_cast<std::size_t>(fault));
+}
+
+QString faultText(const char *text)
+{
+    return QCoreApplication::translate("codewheel::FaultPlan", text);
+}
+
+} // namespace
+
+QString trainingFaultName(TrainingFault fault)
+{
+    return faultText(faultRow(fault).text);
+}
+
+QString trainingFaultKey(TrainingFault fault)
+{
+    return QString::fromLatin1(faultRow(fault).key);
+}
+
+std::optional<TrainingFault> trainingFaultFromKey(const QString &key)
+{
+    const auto found =
+        std::ranges::find_if(faultRows, [&](const FaultRow &row) { return key == QLatin1String(row.key); });
+    return found == faultRows.end() ? std::nullopt : std::optional(found->fault);
+}
+
+QString trainingFaultText(TrainingFault fault, const QString &place, std::int64_t value)
+{
+    const char *pattern = fault == TrainingFault::crcErrors && value > 0
+                              ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2, %3 of 1000 cycles")
+                          : value > 0 ? QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2")
+                                      : QT_TRANSLATE_NOOP("codewheel::FaultPlan", "%1: %2 is over");
+    return sentence(faultText(pattern), {place, trainingFaultName(fault), QString::number(value)});
+}
+
+QString trainingFaultText(TrainingFault fault, NodeId place, int value)
+{
+    return trainingFaultText(fault, place.toString(), value);
+}
+
+} // namespace codewheel
