@@ -51,6 +51,13 @@ EncoderBus *Buses::open(BusId bus) const
     return found == m_buses.end() ? nullptr : *found;
 }
 
+bool Buses::isOpening(BusId bus) const
+{
+    return std::ranges::any_of(m_buses, [bus](const EncoderBus *its) {
+        return its->id() == bus && its->state() == BusState::opening;
+    });
+}
+
 std::vector<Place> Buses::places() const
 {
     std::vector<Place> all;

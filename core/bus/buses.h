@@ -23,6 +23,8 @@ public:
     EncoderBus *open(BusId bus) const;           // null: it is not open
     std::vector<EncoderBus *> connected() const; // those open that show no recording
 
+    bool isOpening(BusId bus) const;
+
     std::vector<Place> places() const;
     EncoderBus *busOf(Place place) const; // null: no open bus has it
     bool isConnected(Place place) const { return busOf(place) != nullptr; }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/replace_page.h"
 
+#include "bus/buses.h"
 #include "bus/participant.h"
 #include "catalog/catalog.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/job/step_list.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/project/project_document.h"
 #include "widgets/transfer/replace_device_step.h"
@@ -15,9 +18,12 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
+
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -31,6 +37,7 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
     : Page(parent)
     , m_replacing{.buses = buses, .catalog = catalog, .project = project}
     , m_positions(positions)
+    , m_wait(named(new InlineMessage(this), "replaceWait"))
     , m_stepName(named(new QLabel(this), "replaceStep"))
     , m_pages(new QStackedWidget(this))
     , m_back(new QPushButton(lineIcon(Icon::back), tr("Bac&k"), this))
@@ -43,7 +50,8 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
     describe(m_cancel, "replaceCancel", tr("Ends here; a running handshake is asked about first"));
     makeSteps();
     layOutColumn(this,
-                 {m_stepName,
+                 {m_wait,
+                  m_stepName,
                   {layOutRow({m_list, {m_pages, 1}}), 1},
                   layOutRow({m_cancel, Stretch{1}, m_back, m_next})},
                  {.spacing = grid::margin, .margins = allAround(grid::margin)});
@@ -52,6 +60,7 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
     connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::cancel);
     connect(&project, &ProjectDocument::replaced, this, &ReplacePage::leaveProject);
     connect(&project, &ProjectDocument::changed, this, &ReplacePage::followProject);
+    connect(&buses, &Buses::changed, this, &ReplacePage::followBuses);
     showButtons();
 }
 
@@ -100,14 +109,16 @@ void ReplacePage::replace(Place number)
     m_replacing.position.reset();
     m_hasBegun = false;
     m_isResultSeen = false;
+    m_waits = !isConnected();
     while (QWidget *page = m_pages->widget(0)) {
         m_pages->removeWidget(page);
         delete page;
     }
     delete m_list;
     makeSteps();
-    auto *middle = static_cast<QHBoxLayout *>(layout()->itemAt(1)->layout());
+    auto *middle = static_cast<QHBoxLayout *>(layout()->itemAt(2)->layout());
     middle->insertWidget(0, m_list);
+    showWait();
     showList();
     showStep(device);
 }
@@ -129,6 +140,50 @@ void ReplacePage::followProject()
     }
     showStep(position);
     m_position->askAnew();
+}
+
+bool ReplacePage::isConnected() const
+{
+    return m_replacing.buses.open(m_replacing.place.bus) != nullptr;
+}
+
+void ReplacePage::followBuses()
+{
+    if (m_hasBegun || m_replacing.place.isEmpty())
+        return;
+    const bool waited = std::exchange(m_waits, !isConnected());
+    if (waited && !m_waits)
+        beginAnew();
+    else
+        showWait();
+}
+
+// Nothing that was shown of the bus before is offered.
+void ReplacePage::showWait()
+{
+    if (m_waits)
+        m_wait->showMessage(
+            Role::attention,
+            m_replacing.buses.isOpening(m_replacing.place.bus)
+                ? tr("The bus of %1 is starting. Once it runs, this begins anew, with what was "
+                     "given of the new encoder.")
+                      .arg(m_replacing.place.shown())
+                : refusalText(notConnected(m_replacing.place)));
+    else
+        m_wait->withdraw();
+    m_pages->setVisible(!m_waits);
+    showButtons();
+}
+
+// Without taking the focus from other parts of the window.
+void ReplacePage::beginAnew()
+{
+    m_unfinished = {m_replacing.place, m_replacing.now, m_replacing.key};
+    const QPointer<QWidget> focused = window()->focusWidget();
+    const bool isElsewhere = focused != nullptr && !isAncestorOf(focused);
+    replace(m_replacing.place);
+    if (isElsewhere && focused)
+        focused->setFocus();
 }
 
 // The old project's plan means nothing to another project. An account of what was written stays to be saved.
@@ -272,11 +327,11 @@ void ReplacePage::showButtons()
 {
     const int step = m_pages->currentIndex();
     m_next->setText(current()->nextText());
-    m_next->setEnabled(current()->mayGoOn());
+    m_next->setEnabled(!m_waits && current()->mayGoOn());
     m_next->setToolTip(step == write     ? tr("Sends what is shown above to the new encoder")
                        : step == account ? tr("Back to the monitors")
                                          : tr("To the next step"));
-    m_back->setEnabled(step > device && current()->mayGoBack());
+    m_back->setEnabled(!m_waits && step > device && current()->mayGoBack());
     m_cancel->setVisible(step != account);
 }
 

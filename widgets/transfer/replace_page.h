@@ -15,6 +15,7 @@ class QStackedWidget;
 
 namespace codewheel {
 
+class InlineMessage;
 class ReplaceAccountStep;
 class ReplacePositionStep;
 class ReplaceWriteStep;
@@ -72,6 +73,10 @@ private:
     void leaveProject();
     void showAccount();
     void showButtons();
+    void followBuses();
+    bool isConnected() const;
+    void showWait();
+    void beginAnew();
     ReplaceStep *current() const;
 
     Replacing m_replacing;
@@ -84,6 +89,8 @@ private:
     QuickPress m_press;      // the current one is shown
     bool m_hasBegun = false; // writing: what was reviewed is fixed from then on
     bool m_isResultSeen = false;
+    bool m_waits = false; // its bus is not connected, so what was shown of it is of before
+    InlineMessage *m_wait;
     StepList *m_list = nullptr;
     QLabel *m_stepName; // if there is no room for the list
     QStackedWidget *m_pages;

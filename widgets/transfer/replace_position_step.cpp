@@ -51,6 +51,8 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
                   m_note, Stretch{1}},
                  {.spacing = grid::margin, .margins = QMargins()});
     connect(m_value, &QLineEdit::textEdited, this, [this] { m_typed->setChecked(true); });
+    for (QRadioButton *one : std::initializer_list<QRadioButton *>{m_last, m_newest, m_kept, m_typed, m_none})
+        connect(one, &QRadioButton::toggled, this, &ReplacePositionStep::noteChoice);
 }
 
 void ReplacePositionStep::enter()
@@ -64,15 +66,53 @@ void ReplacePositionStep::enter()
     m_ofProject =
         kept ? std::optional(m_positions.kept(m_replacing.place, *kept, newSettings())) : std::nullopt;
     showOffers();
+    if (isChosenOther() && !m_isOther)
+        chooseNone();
+    if (m_mustChoose)
+        askAnew();
+    else if (chosen() == nullptr)
+        preselect();
+    QRadioButton *one = chosen();
+    setFocusProxy(one == m_typed ? static_cast<QWidget *>(m_value) : one != nullptr ? one : m_none);
+}
+
+void ReplacePositionStep::preselect()
+{
     const bool presets = m_typed->isEnabled();
-    if (chosen() == nullptr) {
-        const bool isAwayAgain = m_since && m_since->since == SeenPosition::Since::gone;
-        const bool isOfOld = m_seen && !isAwayAgain && m_seen->since == SeenPosition::Since::gone &&
-                             m_seen->scaled == SeenPosition::Scaled::asThen &&
-                             !isWantedOtherwise(m_seen->scale);
-        (presets ? isOfOld ? m_last : m_typed : m_none)->setChecked(true);
-    }
-    setFocusProxy(chosen() == m_typed ? static_cast<QWidget *>(m_value) : chosen());
+    const bool isAwayAgain = m_since && m_since->since == SeenPosition::Since::gone;
+    const bool isOfOld = m_seen && !isAwayAgain && m_seen->since == SeenPosition::Since::gone &&
+                         m_seen->scaled == SeenPosition::Scaled::asThen && !isWantedOtherwise(m_seen->scale);
+    (presets ? isOfOld ? m_last : m_typed : m_none)->setChecked(true);
+}
+
+void ReplacePositionStep::noteChoice(bool isOn)
+{
+    if (!isOn)
+        return;
+    m_isOther = isChosenOther();
+    m_mustChoose = false;
+}
+
+// A choice that has become another position must not be written by a mere Next.
+void ReplacePositionStep::chooseNone()
+{
+    m_mustChoose = true;
+    QRadioButton *one = chosen();
+    one->setAutoExclusive(false); // otherwise one of them stays chosen
+    one->setChecked(false);
+    one->setAutoExclusive(true);
+}
+
+bool ReplacePositionStep::isOther(const SeenPosition &seen) const
+{
+    return seen.scaled == SeenPosition::Scaled::otherwise || isWantedOtherwise(seen.scale);
+}
+
+bool ReplacePositionStep::isChosenOther() const
+{
+    return (m_last->isChecked() && m_seen && isOther(*m_seen)) ||
+           (m_newest->isChecked() && m_since && isOther(*m_since)) ||
+           (m_kept->isChecked() && m_ofProject && isOther(*m_ofProject));
 }
 
 void ReplacePositionStep::showOffers()
@@ -108,12 +148,12 @@ QString ReplacePositionStep::keptText(const SeenPosition &kept) const
     const QString text =
         tr("Position %1, kept in the pro&ject: seen at %2")
             .arg(locale.toString(qlonglong{kept.position}), locale.toString(kept.at, QLocale::ShortFormat));
-    const bool isOther = kept.scaled == SeenPosition::Scaled::otherwise || isWantedOtherwise(kept.scale);
-    if (!isOther && !isScaleKnown(kept.scale))
+    const bool isMarked = isOther(kept);
+    if (!isMarked && !isScaleKnown(kept.scale))
         return tr("%1. How the encoder was scaled then is not known: it is right if its scale was the same.",
                   "most of a sentence")
             .arg(text);
-    const bool isAsThen = !isOther && kept.scaled == SeenPosition::Scaled::asThen;
+    const bool isAsThen = !isMarked && kept.scaled == SeenPosition::Scaled::asThen;
     if (isAsThen && !isScaleKnown(kept.scale, newSettings()))
         return tr("%1. How the encoder was scaled then is not known in full: it is right if all of its scale "
                   "was the same.",
@@ -258,6 +298,10 @@ bool ReplacePositionStep::leave()
     m_replacing.position.reset();
     if (m_none->isChecked())
         return true;
+    if (chosen() == nullptr) {
+        askAnew();
+        return false;
+    }
     m_scale = m_settings = newSettings();
     if (m_last->isChecked() && m_seen)
         takeSeen(*m_seen);

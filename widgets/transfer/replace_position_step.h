@@ -29,6 +29,11 @@ public:
 
 private:
     void showOffers();
+    void preselect();
+    void chooseNone();
+    void noteChoice(bool isOn);
+    bool isChosenOther() const;
+    bool isOther(const SeenPosition &seen) const;
     bool isWantedOtherwise(const ParameterValues &scale) const;
     QString withScale(const QString &text, const ParameterValues &scale) const;
     QString textOf(const SeenPosition &seen) const; // %1 the position, %2 the time
@@ -46,6 +51,8 @@ private:
     std::optional<SeenPosition> m_seen;
     std::optional<SeenPosition> m_since; // after it, of whichever encoder
     std::optional<SeenPosition> m_ofProject;
+    bool m_isOther = false;     // what is chosen was marked as another position when it was
+    bool m_mustChoose = false;  // what was chosen has become another position
     ParameterValues m_scale;    // of the position that was chosen
     ParameterValues m_settings; // of the new encoder, when it was
     QRadioButton *m_last;

@@ -24,8 +24,10 @@ class ReplacePageTest : public test::TransferTest
 protected:
     ReplacePageTest()
     {
-        QObject::connect(&page, &ReplacePage::messaged, &page,
-                         [this](const Message &message) { messages << messageText(message); });
+        QObject::connect(&page, &ReplacePage::messaged, &page, [this](const Message &message) {
+            messages << messageText(message);
+            told.push_back(message.place);
+        });
         project.editDevice(fraba, QStringLiteral("plan"), [](ProjectDevice &device) {
             device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}};
             device.label.serialNumber = QStringLiteral("20417");
@@ -58,6 +60,7 @@ protected:
     }
 
     QStringList messages;
+    std::vector<std::optional<Place>> told; // of which place each is
     LastPositions positions{session.buses};
     ReplacePage page{session.buses, session.catalog, project, positions};
 };
@@ -432,6 +435,32 @@ TEST_F(ReplacePageTest, OtherWantedValuesAskForAKeptPositionOnceMore)
     }
 }
 
+// What it is now must not be written by a mere Next.
+TEST_F(ReplacePageTest, APositionThatTurnsIntoAnotherOneIsNoLongerChosen)
+{
+    project.editDevice(fraba, QStringLiteral("keep"), [](ProjectDevice &device) {
+        device.lastPosition = {1000,
+                               QDateTime(QDate(2026, 2, 28), QTime(17, 30)),
+                               {{Parameter::steps, 4096}, {Parameter::revolutions, 1}}};
+    });
+    page.replace(fraba);
+    click("replaceNext");
+    auto *kept = find<QRadioButton>("positionKept");
+    kept->click();
+    want(fraba, {{Parameter::steps, 4096}, {Parameter::revolutions, 2}});
+    for (const char *choice : {"positionLast", "positionKept", "positionTyped", "positionNone"})
+        EXPECT_FALSE(find<QRadioButton>(choice)->isChecked()) << choice;
+    const auto *said = page.findChild<ReplacePositionStep *>()->findChild<InlineMessage *>();
+    EXPECT_TRUE(said->sentence().contains(QStringLiteral("once more"))) << said->sentence().toStdString();
+    click("replaceNext");
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 2/4"));
+    kept->click(); // it is the one all the same
+    click("replaceNext");
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 3/4"));
+    click("replaceBack");
+    EXPECT_TRUE(kept->isChecked());
+}
+
 // Saving is no edit, and the page shows what the file has now.
 TEST_F(ReplacePageTest, ThePositionOfTheProjectIsTheOneThatWasSavedLast)
 {
@@ -492,6 +521,7 @@ TEST_F(ReplacePageTest, ACancelledReplacementThatSetNothingSaysSo)
     advanceWhileBusy(page);
     EXPECT_TRUE(messages.last().startsWith(QStringLiteral("The transfer was cancelled (")))
         << messages.last().toStdString();
+    EXPECT_EQ(told.back(), fraba);
 }
 
 TEST_F(ReplacePageTest, TheReportKnowsThePositionBefore)
@@ -538,6 +568,34 @@ TEST_F(ReplacePageTest, InWatchNothingIsWritten)
     session.bus.setOperate(true);
     session.bus.advance(5);
     EXPECT_TRUE(isEnabled("replaceNext"));
+}
+
+// What was shown before is of another connection: nothing of it is offered.
+TEST_F(ReplacePageTest, WhileTheRingStartsNothingIsOfferedAndThenItBeginsAnew)
+{
+    const auto said = [this] { return find<InlineMessage>("replaceWait")->sentence(); };
+    page.replace(fraba);
+    type("replaceSerial", "4711");
+    click("replaceNext");
+    EXPECT_TRUE(said().isEmpty());
+    session.bus.close();
+    EXPECT_TRUE(said().contains(QStringLiteral("1.0 is not connected"))) << said().toStdString();
+    ASSERT_TRUE(session.bus.open(RingSession::Start::operating, Pacing{std::chrono::milliseconds(1)}));
+    ASSERT_EQ(session.bus.state(), BusState::opening);
+    EXPECT_TRUE(said().contains(QStringLiteral("The bus of 1.0 is starting"))) << said().toStdString();
+    EXPECT_FALSE(find<QRadioButton>("positionNone")->isVisible());
+    EXPECT_FALSE(isEnabled("replaceNext"));
+    EXPECT_FALSE(isEnabled("replaceBack"));
+    EXPECT_TRUE(isEnabled("replaceCancel"));
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        session.bus.pump();
+        return session.bus.isOpen();
+    }));
+    EXPECT_TRUE(said().isEmpty()) << said().toStdString();
+    EXPECT_EQ(page.title(), QStringLiteral("Replace encoder 1/4"));
+    EXPECT_EQ(find<QLineEdit>("replaceSerial")->text(), QStringLiteral("4711"));
+    EXPECT_TRUE(isEnabled("replaceNext"));
+    session.bus.close();
 }
 
 TEST_F(ReplacePageTest, LongLinesBreakInANarrowWindow)

@@ -21,7 +21,23 @@ QDateTime EscEncoderSession::dateTime(Instant at) const
 
 Result<std::vector<Step>> EscEncoderSession::planned(const std::vector<Job> &jobs) const
 {
+    for (const Job &job : jobs)
+        if (const auto checked = checkAddress(job); !checked)
+            return tl::unexpected(checked.error());
     return stepsForJobs(*this, jobs, Word{});
+}
+
+// The driver checks it once more: by then another encoder may have come.
+Result<void> EscEncoderSession::checkAddress(const Job &job) const
+{
+    const auto *write = std::get_if<WriteParameters>(&job);
+    const auto wanted = write != nullptr ? valueOf(write->values, Parameter::lineAddress) : std::nullopt;
+    if (!wanted)
+        return {};
+    if (auto taken =
+            m_line.addressTaken({static_cast<std::uint8_t>(*wanted)}, EscLineAddress::of(place().node)))
+        return tl::unexpected(*std::move(taken));
+    return {};
 }
 
 int EscEncoderSession::fractionBits() const

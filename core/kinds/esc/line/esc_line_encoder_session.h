@@ -32,6 +32,7 @@ public:
 
 private:
     friend class EscLineSession;
+    Result<void> checkAddress(const Job &job) const;
     Result<void> mayStart(const Job &job) const override;
     void post(JobCommand command) override;
     void report(Message message, Instant at) override;

@@ -222,6 +222,16 @@ void EscLineSession::dispatch(const EscLineEvent &event)
     }
 }
 
+std::optional<Refusal> EscLineSession::addressTaken(EscLineAddress wanted, EscLineAddress own) const
+{
+    for (const EscLineAddress reading : escReadingsOf(wanted))
+        if (const Private::Encoder *there = d->find(reading.node()); there != nullptr && reading != own)
+            return Refusal{RefusalKind::badInput,
+                           RefusalId::lineAddressTaken,
+                           {reading.shown(), there->description->fullName()}};
+    return std::nullopt;
+}
+
 Result<void> EscLineSession::add(EscLineAddress address, const QString &deviceKey)
 {
     const Place place = placeOf(address.node());

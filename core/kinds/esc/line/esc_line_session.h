@@ -53,6 +53,10 @@ public:
     QString linkName() const;
     const SerialSettings &settings() const;
 
+    // Why an encoder at `own` cannot get the address `wanted`: another one of the line answers there, or at
+    // the other reading of its digits. Empty: nothing is known of one.
+    std::optional<Refusal> addressTaken(EscLineAddress wanted, EscLineAddress own) const;
+
     // Adds an encoder at this address to the polling. Refused for an address out of range or taken, and for a
     // device that is not for a serial line.
     Result<void> add(EscLineAddress address, const QString &deviceKey);

@@ -8,17 +8,22 @@
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/role_label.h"
+#include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/value_input.h"
 #include "widgets/parameters/wanted_values.h"
+#include "widgets/parameters/write_review.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/wizard/parameter_wizard.h"
 
 #include <QAbstractItemModel>
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
 #include <QModelIndex>
@@ -294,6 +299,46 @@ TEST_F(EscLineInWindow, TheReviewSaysWhatCannotBeWrittenAndWhy)
         EXPECT_FALSE(label->text().contains(QStringLiteral("There is nothing to write")));
 }
 
+TEST_F(EscLineInWindow, AnAddressThatAnotherEncoderHasIsToldWhileItIsTyped)
+{
+    choose(standing);
+    auto &panel = *window().findChild<ParameterPanel *>();
+    auto &table = *panel.findChild<ParameterTable *>();
+    panel.showParameter(Parameter::lineAddress);
+    const auto saysTaken = [&] {
+        QStringList said;
+        for (const auto *label : panel.findChildren<QLabel *>())
+            if (label->isVisibleTo(&panel))
+                said << label->text();
+        return !said.filter(QStringLiteral("Address 03h (3) is taken")).isEmpty();
+    };
+    const auto type = [&](const QString &text) {
+        table.edit(table.currentIndex().siblingAtColumn(ParameterModel::wantedColumn));
+        auto *field = qobject_cast<NumberInput *>(QApplication::focusWidget());
+        ASSERT_NE(field, nullptr);
+        field->selectAll();
+        QTest::keyClicks(field, text);
+    };
+    const auto accept = [] {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCoreApplication::processEvents(); // the field is left then
+    };
+    type(QStringLiteral("3"));
+    EXPECT_TRUE(saysTaken()) << "before it is accepted";
+    accept();
+    EXPECT_TRUE(saysTaken()) << "as long as it is wanted";
+    for (auto *button : panel.findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("&Write…"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    advance(50);
+    EXPECT_TRUE(saysTaken());
+    EXPECT_FALSE(panel.findChild<QPushButton *>(QStringLiteral("confirmWrite"))->isEnabled());
+    QTest::keyClick(panel.findChild<WriteReview *>(), Qt::Key_Escape);
+    type(QStringLiteral("4"));
+    accept();
+    EXPECT_FALSE(saysTaken());
+}
+
 // The encoder goes on counting 8192 steps per turn (manual, GS).
 TEST_F(EscLineInWindow, StepsThatAreWrittenWithScalingOffAreSaidNotToAct)
 {
@@ -455,6 +500,59 @@ TEST_F(EscLineInWindow, WhatAJobHasSetIsNotSaidAnyLongerAfterAWriteByHand)
     advance(1000);
     EXPECT_EQ(encoder(standing).latest().position, 6'000);
     EXPECT_TRUE(said->isHidden()) << said->sentence().toStdString();
+}
+
+TEST_F(EscLineInWindow, TheButtonsOfThePanelAreInTheSamePlaceForEachEncoder)
+{
+    const auto top = [this] {
+        const auto *write = window().findChild<QPushButton *>(QStringLiteral("writeParameters"));
+        return write->mapTo(&window(), QPoint()).y();
+    };
+    choose(standing);
+    const int ofLine = top();
+    choose(test::fraba);
+    EXPECT_EQ(top(), ofLine);
+    choose(test::baumer);
+    EXPECT_EQ(top(), ofLine) << "it says in two lines that it cannot be read";
+}
+
+// The wizard writes them in one job and sets the position in another.
+TEST_F(EscLineInWindow, ThePanelTellsAllThatTheWizardDid)
+{
+    const auto message = [this] {
+        return window()
+            .findChild<ParameterPanel *>()
+            ->findChild<InlineMessage *>(QStringLiteral("panelMessage"))
+            ->sentence();
+    };
+    const auto click = [this](const char *button) {
+        const auto all =
+            window().findChild<ParameterWizard *>()->findChildren<QAbstractButton *>(QLatin1String(button));
+        ASSERT_FALSE(all.empty()) << button;
+        ASSERT_TRUE(all.front()->isVisible() && all.front()->isEnabled()) << button;
+        all.front()->click();
+        advance(50);
+    };
+    choose(standing);
+    window().findChild<WantedValues *>()->set(standing, Parameter::upperLimit, 0x2000);
+    actions().wizard->trigger();
+    click("wizardNext");
+    click("readAll");
+    advance(4000);
+    click("wizardNext");
+    click("wizardNext");
+    click("initialisePreset");
+    auto *position = window().findChild<QLineEdit *>(QStringLiteral("positionToSet"));
+    QTest::keyClicks(position, QStringLiteral("1000"));
+    click("wizardNext");
+    click("byItself");
+    click("wizardNext");
+    advance(5000);
+    ASSERT_FALSE(window().findChild<ParameterWizard *>()->isBusy());
+    EXPECT_TRUE(message().contains(parameterName(Parameter::upperLimit))) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("EEPROM writes: 2."))) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("Position: %1.").arg(QLocale().toString(1000))))
+        << message().toStdString();
 }
 
 TEST_F(EscLineInWindow, ItsMessagesStandWithThePlaces)
