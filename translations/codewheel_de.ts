@@ -1024,14 +1024,6 @@
 <context>
     <name>JobReport</name>
     <message>
-        <source>position mode</source>
-        <translation>Positionsbetrieb</translation>
-    </message>
-    <message>
-        <source>velocity mode</source>
-        <translation>Drehzahlbetrieb</translation>
-    </message>
-    <message>
         <source>cam program %1</source>
         <translation>Nockenprogramm %1</translation>
     </message>
@@ -1108,26 +1100,6 @@
     <message>
         <source>The encoder does not answer any more.</source>
         <translation>Der Geber antwortet nicht mehr.</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <comment>mode</comment>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>velocity</source>
-        <comment>mode</comment>
-        <translation>Drehzahl</translation>
-    </message>
-    <message>
-        <source>cam</source>
-        <comment>mode</comment>
-        <translation>Nocken</translation>
-    </message>
-    <message>
-        <source>position</source>
-        <comment>mode</comment>
-        <translation>Position</translation>
     </message>
     <message>
         <source>Not known: read it from the encoder.</source>
@@ -2062,10 +2034,6 @@
         <translation>ALARM-STOPP: 00000000 wird an alle Teilnehmer des Rings gesendet.</translation>
     </message>
     <message>
-        <source>The link is lost, and nothing says whether the zeros of the ALARM STOP have arrived: they are sent again each second, and once it is back. Stop the machine by its own means.</source>
-        <translation>Die Verbindung ist abgebrochen, und nichts sagt, ob die Nullen des ALARM-STOPPs angekommen sind: Sie werden jede Sekunde wieder gesendet, und sobald die Verbindung wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
-    </message>
-    <message>
         <source>The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. The program goes on trying. Stop the machine by its own means. In OUT when it was last seen: %1.</source>
         <translation>Die Nullen des ALARM-STOPPs sind noch nicht angekommen, oder in OUT steht noch etwas anderes. Das Programm versucht es weiter. Die Maschine mit ihren eigenen Mitteln anhalten. In OUT, als es zuletzt gesehen wurde: %1.</translation>
     </message>
@@ -2096,6 +2064,29 @@
     <message>
         <source>The transfer was cancelled, but the position was set to %5 (encoders that have all of it: %1, values written: %2, already there: %3, EEPROM writes: %4).</source>
         <translation>Übertragung abgebrochen, die Position wurde aber auf %5 gesetzt (Geber, die alles haben: %1, geschriebene Werte: %2, schon vorhanden: %3, EEPROM-Schreibvorgänge: %4).</translation>
+    </message>
+    <message>
+        <source>The link is lost, and nothing says whether the zeros of the ALARM STOP have arrived: they are sent again and again, and once it is back. Stop the machine by its own means.</source>
+        <translation>Die Verbindung ist abgebrochen, und nichts sagt, ob die Nullen des ALARM-STOPPs angekommen sind: Sie werden immer wieder gesendet, und sobald die Verbindung wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>Mode</name>
+    <message>
+        <source>position mode</source>
+        <translation>Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>velocity mode</source>
+        <translation>Drehzahlbetrieb</translation>
+    </message>
+    <message>
+        <source>cam mode</source>
+        <translation>Nockenbetrieb</translation>
+    </message>
+    <message>
+        <source>cam mode, program %1</source>
+        <translation>Nockenbetrieb, Programm %1</translation>
     </message>
 </context>
 <context>
@@ -2140,10 +2131,6 @@
         <translation>Position: %1.</translation>
     </message>
     <message>
-        <source>Mode: %1.</source>
-        <translation>Betriebsart: %1.</translation>
-    </message>
-    <message>
         <source>Already there: %1.</source>
         <translation>Schon vorhanden: %1.</translation>
     </message>
@@ -2163,6 +2150,19 @@
         <source>%1 written and read back.</source>
         <comment>names of parameters</comment>
         <translation>%1 geschrieben und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>The encoder is in %1.</source>
+        <translation>Betriebsart des Gebers: %1.</translation>
+    </message>
+    <message>
+        <source>In which mode the encoder is now is not known.</source>
+        <translation>In welcher Betriebsart der Geber jetzt ist, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Done before that: %1</source>
+        <comment>sentences</comment>
+        <translation>Davor erledigt: %1</translation>
     </message>
 </context>
 <context>
@@ -3748,6 +3748,14 @@
         <source>the encoder shows the position that was set</source>
         <translation>der Geber zeigt die gesetzte Position</translation>
     </message>
+    <message>
+        <source>Left out</source>
+        <translation>Entfällt</translation>
+    </message>
+    <message>
+        <source>Position to be set</source>
+        <translation>Zu setzende Position</translation>
+    </message>
 </context>
 <context>
     <name>WordFormat</name>
@@ -3878,10 +3886,6 @@
     <message>
         <source>Everything simulated is as at the start: no faults, factory values, shafts where they were. What was known of the encoders is forgotten</source>
         <translation>Alles Simulierte ist wie am Anfang: keine Störungen, Werkseinstellungen, Wellen wo sie waren. Was von den Gebern bekannt war, ist vergessen</translation>
-    </message>
-    <message>
-        <source>Started afresh: everything simulated is as at the start, with factory values and without faults.</source>
-        <translation>Neu begonnen: Alles Simulierte ist wie am Anfang, mit Werkseinstellungen und ohne Störungen.</translation>
     </message>
 </context>
 <context>
@@ -4582,18 +4586,6 @@
     <message>
         <source>Mode afterwards</source>
         <translation>Betriebsart danach</translation>
-    </message>
-    <message>
-        <source>position mode</source>
-        <translation>Positionsbetrieb</translation>
-    </message>
-    <message>
-        <source>velocity mode</source>
-        <translation>Drehzahlbetrieb</translation>
-    </message>
-    <message>
-        <source>cam mode, program %1</source>
-        <translation>Nockenbetrieb, Programm %1</translation>
     </message>
     <message>
         <source>Write cam program %1 to the encoder at %2</source>
@@ -7814,18 +7806,6 @@ ist. Braucht keinen Bus.</translation>
         <translation>den Geber danach in den Positionsbetrieb schalten, gleich in welcher Betriebsart er war</translation>
     </message>
     <message>
-        <source>position mode</source>
-        <translation>Positionsbetrieb</translation>
-    </message>
-    <message>
-        <source>velocity mode</source>
-        <translation>Drehzahlbetrieb</translation>
-    </message>
-    <message>
-        <source>cam mode, program %1</source>
-        <translation>Nockenbetrieb, Programm %1</translation>
-    </message>
-    <message>
         <source>In which mode the encoder is now is not known.</source>
         <translation>In welcher Betriebsart der Geber jetzt ist, ist nicht bekannt.</translation>
     </message>
@@ -7889,6 +7869,14 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>%1, kept from before</source>
         <translation>%1, von früher behalten</translation>
+    </message>
+    <message>
+        <source>confirmed; takes effect only with run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gateway closes the connection after each answer. Connections that ended so: %1.</source>
+        <translation>Das Gateway schließt die Verbindung nach jeder Antwort. So beendete Verbindungen: %1.</translation>
     </message>
 </context>
 <context>
@@ -9421,6 +9409,10 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <comment>writes since a date</comment>
         <translation>seit %1</translation>
     </message>
+    <message>
+        <source>(and perhaps %1 more, counted by its place for the encoder that was there before)</source>
+        <translation>(und vielleicht noch %1, nach seinem Platz gezählt, für den Geber, der vorher dort war)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::EepromGate</name>
@@ -9713,6 +9705,11 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <source>Written before run is sent, so that nothing it has taken so far becomes valid: %1.</source>
         <translation>Geschrieben, bevor Run gesendet wird, damit nichts gilt, was der Geber bisher angenommen hat: %1.</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <comment>mode</comment>
+        <translation>unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::EscEncoderBox</name>
@@ -9721,68 +9718,32 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <translation>Rohposition</translation>
     </message>
     <message>
-        <source>Power on</source>
-        <translation>Eingeschaltet</translation>
-    </message>
-    <message>
         <source>Supply of the encoder; it keeps what was written</source>
         <translation>Versorgung des Gebers; was geschrieben wurde, bleibt erhalten</translation>
-    </message>
-    <message>
-        <source>Silent</source>
-        <translation>Stumm</translation>
     </message>
     <message>
         <source>It receives and acts, but does not answer</source>
         <translation>Er empfängt und handelt, antwortet aber nicht</translation>
     </message>
     <message>
-        <source>Battery nearly flat</source>
-        <translation>Batterie fast leer</translation>
-    </message>
-    <message>
         <source>Warning: soon to be changed</source>
         <translation>Warnung: bald tauschen</translation>
-    </message>
-    <message>
-        <source>Battery flat</source>
-        <translation>Batterie leer</translation>
     </message>
     <message>
         <source>Alarm</source>
         <translation>Alarm</translation>
     </message>
     <message>
-        <source>Too hot</source>
-        <translation>Zu heiß</translation>
-    </message>
-    <message>
         <source>Alarm: temperature exceeded</source>
         <translation>Alarm: Temperatur überschritten</translation>
-    </message>
-    <message>
-        <source>Light control at its end</source>
-        <translation>Lichtregelung am Ende</translation>
     </message>
     <message>
         <source>Warning</source>
         <translation>Warnung</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Positionsfehler</translation>
-    </message>
-    <message>
-        <source>VR at +UB</source>
-        <translation>VR an +UB</translation>
-    </message>
-    <message>
         <source>The input makes the values fall</source>
         <translation>Der Eingang lässt die Werte fallen</translation>
-    </message>
-    <message>
-        <source>ST open</source>
-        <translation>ST offen</translation>
     </message>
     <message>
         <source>RS-422: without +UB at ST no command works</source>
@@ -9803,18 +9764,6 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>Speed, rpm</source>
         <translation>Drehzahl, U/min</translation>
-    </message>
-    <message>
-        <source>Speed %1 rpm.</source>
-        <translation>Drehzahl %1 U/min.</translation>
-    </message>
-    <message>
-        <source>%1: yes.</source>
-        <translation>%1: ja.</translation>
-    </message>
-    <message>
-        <source>%1: no.</source>
-        <translation>%1: nein.</translation>
     </message>
 </context>
 <context>
@@ -10116,20 +10065,12 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen nie an</translation>
     </message>
     <message>
-        <source>Lost bytes: %1 of 1000.</source>
-        <translation>Verlorene Bytes: %1 von 1000.</translation>
-    </message>
-    <message>
         <source>Wrong bytes</source>
         <translation>Falsche Bytes</translation>
     </message>
     <message>
         <source>Of 1000 bytes, both ways; one bit is another</source>
         <translation>Von 1000 Bytes, in beiden Richtungen; ein Bit ist gekippt</translation>
-    </message>
-    <message>
-        <source>Wrong bytes: %1 of 1000.</source>
-        <translation>Falsche Bytes: %1 von 1000.</translation>
     </message>
     <message>
         <source>Doubled bytes</source>
@@ -10140,20 +10081,12 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <translation>Von 1000 Bytes, in beiden Richtungen; sie kommen zweimal an</translation>
     </message>
     <message>
-        <source>Doubled bytes: %1 of 1000.</source>
-        <translation>Doppelte Bytes: %1 von 1000.</translation>
-    </message>
-    <message>
         <source>Delayed bytes</source>
         <translation>Verzögerte Bytes</translation>
     </message>
     <message>
         <source>Of 1000 bytes, both ways; they and all behind them come later</source>
         <translation>Von 1000 Bytes, in beiden Richtungen; sie und alle dahinter kommen später</translation>
-    </message>
-    <message>
-        <source>Delayed bytes: %1 of 1000.</source>
-        <translation>Verzögerte Bytes: %1 von 1000.</translation>
     </message>
     <message>
         <source>Echo</source>
@@ -10194,30 +10127,6 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>Delay, ms</source>
         <translation>Verzögerung, ms</translation>
-    </message>
-    <message>
-        <source>Echo on.</source>
-        <translation>Echo ein.</translation>
-    </message>
-    <message>
-        <source>Echo off.</source>
-        <translation>Echo aus.</translation>
-    </message>
-    <message>
-        <source>All encoders silent.</source>
-        <translation>Alle Geber stumm.</translation>
-    </message>
-    <message>
-        <source>All encoders answer.</source>
-        <translation>Alle Geber antworten.</translation>
-    </message>
-    <message>
-        <source>Adapter unplugged.</source>
-        <translation>Adapter abgezogen.</translation>
-    </message>
-    <message>
-        <source>Adapter plugged in.</source>
-        <translation>Adapter eingesteckt.</translation>
     </message>
 </context>
 <context>
@@ -12336,6 +12245,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>something on the line does not stop sending. Look for another master, or a faulty device.</source>
         <translation>etwas an der Leitung hört nicht auf zu senden. Nach einem anderen Master oder einem defekten Gerät suchen.</translation>
     </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>The gateway closes the connection after each answer: this test took %1 of them. Nothing is lost, but each exchange takes longer.</source>
+        <translation>Das Gateway schließt die Verbindung nach jeder Antwort: Dieser Test brauchte %1 davon. Verloren geht nichts, aber jeder Austausch dauert länger.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::GearPanel</name>
@@ -13359,6 +13276,97 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::LineTraining</name>
+    <message>
+        <source>Speed %1 rpm.</source>
+        <translation>Drehzahl %1 U/min.</translation>
+    </message>
+    <message>
+        <source>Lost bytes: %1 of 1000.</source>
+        <translation>Verlorene Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Wrong bytes: %1 of 1000.</source>
+        <translation>Falsche Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Doubled bytes: %1 of 1000.</source>
+        <translation>Doppelte Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Delayed bytes: %1 of 1000.</source>
+        <translation>Verzögerte Bytes: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Echo on.</source>
+        <translation>Echo ein.</translation>
+    </message>
+    <message>
+        <source>Echo off.</source>
+        <translation>Echo aus.</translation>
+    </message>
+    <message>
+        <source>All encoders silent.</source>
+        <translation>Alle Geber stumm.</translation>
+    </message>
+    <message>
+        <source>All encoders answer.</source>
+        <translation>Alle Geber antworten.</translation>
+    </message>
+    <message>
+        <source>Adapter unplugged.</source>
+        <translation>Adapter abgezogen.</translation>
+    </message>
+    <message>
+        <source>Adapter plugged in.</source>
+        <translation>Adapter eingesteckt.</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>Battery nearly flat</source>
+        <translation>Batterie fast leer</translation>
+    </message>
+    <message>
+        <source>Battery flat</source>
+        <translation>Batterie leer</translation>
+    </message>
+    <message>
+        <source>Too hot</source>
+        <translation>Zu heiß</translation>
+    </message>
+    <message>
+        <source>Light control at its end</source>
+        <translation>Lichtregelung am Ende</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>VR at +UB</source>
+        <translation>VR an +UB</translation>
+    </message>
+    <message>
+        <source>ST open</source>
+        <translation>ST offen</translation>
+    </message>
+    <message>
+        <source>%1: yes.</source>
+        <translation>%1: ja.</translation>
+    </message>
+    <message>
+        <source>%1: no.</source>
+        <translation>%1: nein.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LinkFiguresModel</name>
     <message>
         <source>Exchanges per second</source>
@@ -13423,6 +13431,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Echoes of requests</source>
         <translation>Echos von Anfragen</translation>
+    </message>
+    <message>
+        <source>Closed by the gateway after each answer</source>
+        <translation>Vom Gateway nach jeder Antwort geschlossen</translation>
     </message>
 </context>
 <context>
@@ -15546,10 +15558,6 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Speichert das Projekt anstelle dessen, was die Datei enthält</translation>
     </message>
     <message>
-        <source>What is wanted for %1 is in no file: nothing of the training line is kept.</source>
-        <translation>Was für %1 gewünscht ist, steht in keiner Datei: Von der Übungsleitung wird nichts aufbewahrt.</translation>
-    </message>
-    <message>
         <source>Others are connected to this program. Go on?</source>
         <translation>Andere sind mit diesem Programm verbunden. Weitermachen?</translation>
     </message>
@@ -16430,6 +16438,10 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>Nothing has been written to %1, and what was given here is forgotten.</source>
         <translation>In %1 wurde nichts geschrieben; was hier angegeben wurde, geht verloren.</translation>
+    </message>
+    <message>
+        <source>The bus of %1 is starting. Once it runs, this begins anew, with what was given of the new encoder.</source>
+        <translation>Der Bus von %1 startet. Sobald er läuft, beginnt dies von vorn, mit dem, was zum neuen Geber eingegeben war.</translation>
     </message>
 </context>
 <context>
@@ -17972,14 +17984,6 @@ Zustand: %3 (%4)</translation>
         <translation>%1, Sitzplatz %2</translation>
     </message>
     <message>
-        <source>Seat %1: %2</source>
-        <translation>Sitzplatz %1: %2</translation>
-    </message>
-    <message>
-        <source>Seat %1, %2: %3</source>
-        <translation>Sitzplatz %1, %2: %3</translation>
-    </message>
-    <message>
         <source>Connected clients: %1.</source>
         <translation>Verbundene Clients: %1.</translation>
     </message>
@@ -18416,6 +18420,105 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RingTraining</name>
+    <message>
+        <source>Shaft turned to raw position %1.</source>
+        <translation>Welle auf Rohposition %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>Shaft turned by hand to raw position %1.</source>
+        <translation>Welle von Hand auf Rohposition %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>Shaft stopped.</source>
+        <translation>Welle angehalten.</translation>
+    </message>
+    <message>
+        <source>Shaft turns at %1 rpm.</source>
+        <translation>Welle dreht mit %1 U/min.</translation>
+    </message>
+    <message>
+        <source>Magnet moved to %1 mm.</source>
+        <translation>Magnet auf %1 mm geschoben.</translation>
+    </message>
+    <message>
+        <source>Magnet moved by hand to %1 mm.</source>
+        <translation>Magnet von Hand auf %1 mm geschoben.</translation>
+    </message>
+    <message>
+        <source>Magnet stopped.</source>
+        <translation>Magnet angehalten.</translation>
+    </message>
+    <message>
+        <source>Magnet moves at %1 mm/s.</source>
+        <translation>Magnet bewegt sich mit %1 mm/s.</translation>
+    </message>
+    <message>
+        <source>Magnet back in the measuring range.</source>
+        <translation>Magnet wieder im Messbereich.</translation>
+    </message>
+    <message>
+        <source>Magnet outside the measuring range.</source>
+        <translation>Magnet außerhalb des Messbereichs.</translation>
+    </message>
+    <message>
+        <source>Power on.</source>
+        <translation>Eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>Power off.</source>
+        <translation>Ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Power off and on.</source>
+        <translation>Aus- und eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>Slow confirmation on.</source>
+        <translation>Langsame Quittung ein.</translation>
+    </message>
+    <message>
+        <source>Slow confirmation off.</source>
+        <translation>Langsame Quittung aus.</translation>
+    </message>
+    <message>
+        <source>Battery low; the encoder finds it when it is switched on.</source>
+        <translation>Batterie schwach; der Geber merkt es beim Einschalten.</translation>
+    </message>
+    <message>
+        <source>Battery full; the encoder finds it when it is switched on.</source>
+        <translation>Batterie voll; der Geber merkt es beim Einschalten.</translation>
+    </message>
+    <message>
+        <source>EEPROM worn out.</source>
+        <translation>EEPROM verschlissen.</translation>
+    </message>
+    <message>
+        <source>EEPROM in order.</source>
+        <translation>EEPROM in Ordnung.</translation>
+    </message>
+    <message>
+        <source>Code disc faulty.</source>
+        <translation>Codescheibe defekt.</translation>
+    </message>
+    <message>
+        <source>Code disc in order; run ends the error.</source>
+        <translation>Codescheibe in Ordnung; Run beendet den Fehler.</translation>
+    </message>
+    <message>
+        <source>Parameters lost.</source>
+        <translation>Parameter verloren.</translation>
+    </message>
+    <message>
+        <source>Seat %1: %2</source>
+        <translation>Sitzplatz %1: %2</translation>
+    </message>
+    <message>
+        <source>Seat %1, %2: %3</source>
+        <translation>Sitzplatz %1, %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RingViews</name>
     <message>
         <source>Start again</source>
@@ -18570,30 +18673,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Speed, mm/s</source>
         <translation>Geschw., mm/s</translation>
-    </message>
-    <message>
-        <source>Magnet moved to %1 mm.</source>
-        <translation>Magnet auf %1 mm geschoben.</translation>
-    </message>
-    <message>
-        <source>Magnet stopped.</source>
-        <translation>Magnet angehalten.</translation>
-    </message>
-    <message>
-        <source>Magnet moves at %1 mm/s.</source>
-        <translation>Magnet bewegt sich mit %1 mm/s.</translation>
-    </message>
-    <message>
-        <source>Magnet back in the measuring range.</source>
-        <translation>Magnet wieder im Messbereich.</translation>
-    </message>
-    <message>
-        <source>Magnet outside the measuring range.</source>
-        <translation>Magnet außerhalb des Messbereichs.</translation>
-    </message>
-    <message>
-        <source>Magnet moved by hand to %1 mm.</source>
-        <translation>Magnet von Hand auf %1 mm geschoben.</translation>
     </message>
 </context>
 <context>
@@ -19933,22 +20012,6 @@ Worte: IN %3, OUT %4</translation>
         <source>Speed, rpm</source>
         <translation>Drehzahl, U/min</translation>
     </message>
-    <message>
-        <source>Shaft turned to raw position %1.</source>
-        <translation>Welle auf Rohposition %1 gedreht.</translation>
-    </message>
-    <message>
-        <source>Shaft stopped.</source>
-        <translation>Welle angehalten.</translation>
-    </message>
-    <message>
-        <source>Shaft turns at %1 rpm.</source>
-        <translation>Welle dreht mit %1 U/min.</translation>
-    </message>
-    <message>
-        <source>Shaft turned by hand to raw position %1.</source>
-        <translation>Welle von Hand auf Rohposition %1 gedreht.</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::ShaftDial</name>
@@ -20881,6 +20944,13 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::TrainingAct</name>
+    <message>
+        <source>Started afresh: everything simulated is as at the start, with factory values and without faults.</source>
+        <translation>Neu begonnen: Alles Simulierte ist wie am Anfang, mit Werkseinstellungen und ohne Störungen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::TrainingArea</name>
     <message>
         <source>Device to train with</source>
@@ -20922,28 +20992,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Der Geber braucht 50-mal so lang, um einen Parameter zu quittieren</translation>
     </message>
     <message>
-        <source>Slow confirmation on.</source>
-        <translation>Langsame Quittung ein.</translation>
-    </message>
-    <message>
-        <source>Slow confirmation off.</source>
-        <translation>Langsame Quittung aus.</translation>
-    </message>
-    <message>
         <source>Battery low</source>
         <translation>Batterie schwach</translation>
     </message>
     <message>
         <source>The encoder tests its battery when it is switched on</source>
         <translation>Der Geber prüft seine Batterie beim Einschalten</translation>
-    </message>
-    <message>
-        <source>Battery low; the encoder finds it when it is switched on.</source>
-        <translation>Batterie schwach; der Geber merkt es beim Einschalten.</translation>
-    </message>
-    <message>
-        <source>Battery full; the encoder finds it when it is switched on.</source>
-        <translation>Batterie voll; der Geber merkt es beim Einschalten.</translation>
     </message>
     <message>
         <source>Power off and on</source>
@@ -20954,28 +21008,12 @@ Worte: IN %3, OUT %4</translation>
         <translation>Den Geber ausschalten und nach 50 ms wieder einschalten</translation>
     </message>
     <message>
-        <source>Power off and on.</source>
-        <translation>Aus- und eingeschaltet.</translation>
-    </message>
-    <message>
         <source>Lose parameters</source>
         <translation>Parameter verlieren</translation>
     </message>
     <message>
         <source>The EEPROM content is destroyed: error 3, until it is parameterized again</source>
         <translation>Der EEPROM-Inhalt wird zerstört: Fehler 3 bis zur nächsten Parametrierung</translation>
-    </message>
-    <message>
-        <source>Parameters lost.</source>
-        <translation>Parameter verloren.</translation>
-    </message>
-    <message>
-        <source>Power on.</source>
-        <translation>Eingeschaltet.</translation>
-    </message>
-    <message>
-        <source>Power off.</source>
-        <translation>Ausgeschaltet.</translation>
     </message>
     <message>
         <source>EEPROM worn out</source>
@@ -20992,22 +21030,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Error 15, by itself</source>
         <translation>Fehler 15, von selbst</translation>
-    </message>
-    <message>
-        <source>EEPROM worn out.</source>
-        <translation>EEPROM verschlissen.</translation>
-    </message>
-    <message>
-        <source>EEPROM in order.</source>
-        <translation>EEPROM in Ordnung.</translation>
-    </message>
-    <message>
-        <source>Code disc faulty.</source>
-        <translation>Codescheibe defekt.</translation>
-    </message>
-    <message>
-        <source>Code disc in order; run ends the error.</source>
-        <translation>Codescheibe in Ordnung; Run beendet den Fehler.</translation>
     </message>
     <message>
         <source>The simulated device that is moved, switched and disturbed here</source>

@@ -55,7 +55,7 @@ void MainWindow::makePages()
     connect(&m_project, &ProjectDocument::changed, m_monitors, &MonitorArea::showStations);
     m_wizard = new ParameterWizard(*m_buses, *m_wanted, this);
     m_wizard->setStations([this](Place place) { return m_project.device(place).station; });
-    m_cams = new CamEditor(m_plant->catalog(), m_project, this);
+    m_cams = new CamEditor(*m_buses, m_plant->catalog(), m_project, this);
     m_trend = new TrendPage(
         *m_buses, m_plant->histories(), [this](Place place) { return m_project.device(place).station; },
         this);
@@ -341,6 +341,7 @@ void MainWindow::connectViews()
     connect(m_cams, &CamEditor::trendWanted, this, &MainWindow::showInTrend);
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_wizard, &ParameterWizard::encoderChosen, m_choice, &DeviceChoice::choose);
+    connect(m_wizard, &ParameterWizard::goesOn, m_parameters, &ParameterPanel::takeFollowing);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(panel::parameters); });
     const auto openChosen = [this] {
         const auto place = m_choice->place();

@@ -4,6 +4,7 @@
 #include "catalog/value_text.h"
 #include "jobs/value_notes.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -53,19 +54,6 @@ Message refused(const Refusal &why)
 {
     const bool isFault = why.kind == RefusalKind::device || why.kind == RefusalKind::link;
     return {.severity = isFault ? Severity::fault : Severity::attention, .refusal = why};
-}
-
-QString modeText(const SwitchMode &to)
-{
-    switch (to.mode) {
-    case Mode::position:
-        return QCoreApplication::translate("JobReport", "position mode");
-    case Mode::velocity:
-        return QCoreApplication::translate("JobReport", "velocity mode");
-    case Mode::cam:
-        break;
-    }
-    return QCoreApplication::translate("JobReport", "cam program %1").arg(to.camProgram);
 }
 
 // "1, 3"
@@ -129,8 +117,8 @@ struct Success
     std::vector<Message> operator()(const SwitchMode &job) const
     {
         return {outcome.onlyZeroSinceRun
-                    ? Message{.id = MessageId::modeSentToZero, .arguments = {modeText(job)}}
-                    : Message{.id = MessageId::modeSwitched, .arguments = {modeText(job)}}};
+                    ? Message{.id = MessageId::modeSentToZero, .arguments = modeArguments(job)}
+                    : Message{.id = MessageId::modeSwitched, .arguments = modeArguments(job)}};
     }
     std::vector<Message> operator()(const ResetToDefault &) const
     {

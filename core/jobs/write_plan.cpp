@@ -95,8 +95,8 @@ void addNotes(const EncoderSession &encoder, const WriteWish &wish, WritePlan &p
     const bool setsPosition = wish.initialisePreset || wish.setPositionTo;
     plan.notes = valueNotes(encoder.device(), plan.job.values, valuesOf(allKnown(encoder)),
                             setsPosition ? PositionIsSet::yes : PositionIsSet::no);
-    if (const auto leftOut = offsetLeftOut(encoder.device(), wish))
-        plan.notes.push_back({ValueNote::Id::offsetLeftOut, {argumentOf(leftOut->value)}});
+    if (const auto leftOut = leftOutNote(encoder.device(), wish))
+        plan.notes.push_back(*leftOut);
     if (setsPosition)
         return;
     if (const auto shift = shiftNote(encoder, plan.job.values))
@@ -104,6 +104,13 @@ void addNotes(const EncoderSession &encoder, const WriteWish &wish, WritePlan &p
 }
 
 } // namespace
+
+std::optional<ValueNote> leftOutNote(const DeviceDescription &device, const WriteWish &wish)
+{
+    const auto leftOut = offsetLeftOut(device, wish);
+    return leftOut ? std::optional(ValueNote{ValueNote::Id::offsetLeftOut, {argumentOf(leftOut->value)}})
+                   : std::nullopt;
+}
 
 QString parameterNames(const std::vector<Parameter> &parameters)
 {

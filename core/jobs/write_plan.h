@@ -37,6 +37,9 @@ struct WritePlan
     std::vector<ValueNote> notes{}; // what else the values bring about
 };
 
+// That a wanted zero offset is left out.
+std::optional<ValueNote> leftOutNote(const DeviceDescription &device, const WriteWish &wish);
+
 QString parameterNames(const std::vector<Parameter> &parameters); // "steps, preset"
 
 // How the values are written, one sentence each: what is read before, what the words may turn out to be.

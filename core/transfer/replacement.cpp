@@ -2,6 +2,7 @@
 #include "transfer/replacement.h"
 
 #include "catalog/device_description.h"
+#include "jobs/values_to_write.h"
 #include "transfer/project_places.h"
 
 #include <algorithm>
@@ -45,16 +46,13 @@ std::vector<CamProgram> camsFor(const ProjectDevice &planned)
     return cams;
 }
 
-ParameterValues valuesToWrite(const ProjectDevice &planned, const DeviceDescription &device,
-                              std::optional<std::int64_t> position)
+ParameterValues valuesToWrite(const ProjectDevice &planned, const DeviceDescription &device)
 {
-    ParameterValues values;
-    for (const ParameterValue &value : valuesFor(planned, device)) {
+    ParameterValues values = valuesFor(planned, device);
+    std::erase_if(values, [&](const ParameterValue &value) {
         const ParameterDescription *parameter = device.find(value.parameter);
-        const bool staysBehind = position && value.parameter == Parameter::zeroOffset;
-        if (parameter != nullptr && parameter->canBeWritten && !staysBehind)
-            values.push_back(value);
-    }
+        return parameter == nullptr || !parameter->canBeWritten;
+    });
     return values;
 }
 
@@ -106,7 +104,7 @@ TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                       .deviceCode = now.device->deviceCode,
                       .deviceKey = now.device->key,
                       .serialNumber = now.serialNumber,
-                      .values = valuesToWrite(planned, *now.device, position),
+                      .values = valuesToWrite(planned, *now.device),
                       .position = position,
                       .toPositionMode = true,
                       .newEncoder = now.device->labelled(now.turns, now.stepsPerTurn),
@@ -118,18 +116,18 @@ TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
 
 ProjectDevice replaced(ProjectDevice planned, const Replacement &now, std::optional<std::int64_t> position)
 {
-    const ParameterValues toWrite = valuesToWrite(planned, *now.device, position);
+    const ParameterValues toWrite = valuesToWrite(planned, *now.device);
     if (now.device->capabilities.cams)
         planned.wantedCams = camsFor(planned);
     std::ranges::sort(planned.wantedCams, {}, &CamProgram::number);
     planned.participant.deviceKey = now.device->key;
     planned.label = {now.turns, now.stepsPerTurn, now.serialNumber};
     planned.wanted = forDevice(*now.device, planned.wanted);
-    if (position) // a zero offset written later would move it
-        std::erase_if(planned.wanted,
-                      [](const ParameterValue &value) { return value.parameter == Parameter::zeroOffset; });
     for (const ParameterValue &value : toWrite)
         replaceValue(planned.wanted, value);
+    const WriteWish wish{.wanted = planned.wanted, .setPositionTo = position};
+    if (const auto leftOut = offsetLeftOut(*now.device, wish)) // written later, it would move the position
+        std::erase(planned.wanted, *leftOut);
     std::ranges::sort(planned.wanted, {}, &ParameterValue::parameter);
     planned.stored.clear();
     planned.storedCams.clear();

@@ -40,7 +40,7 @@ ParameterValues settingsOfNew(const ProjectDevice &planned, const DeviceDescript
 
 // The values for the new encoder: what the project wants, otherwise what was stored of the old one. A FRABA's
 // direction 3 and 4 become a Baumer's unsigned coding 3 and 4, and vice versa. If a position is to be set,
-// the zero offset is left out: it belongs to the old encoder, and setting the position creates a new one.
+// the plan leaves the zero offset out, and says so (offsetLeftOut).
 // Nothing that is known of the place is known of the new encoder (TransferWish::newEncoder).
 TransferWish wishToReplace(const ProjectDevice &planned, const Replacement &now,
                            std::optional<std::int64_t> position, const ProjectPlaces &places);

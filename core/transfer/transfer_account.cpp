@@ -257,6 +257,8 @@ Message messageOf(const TransferAccount &account)
                     .arguments = {std::int64_t{done}, std::int64_t{account.count(Became::written)},
                                   std::int64_t{account.count(Became::alreadyThere)},
                                   std::int64_t{account.eepromWrites()}}};
+    if (account.encoders.size() == 1)
+        message.place = account.encoders.front().place;
     const auto set = std::ranges::find_if(account.encoders, [](const EncoderAccount &encoder) {
         return wasCancelled(encoder) && encoder.positionSet && encoder.positionWanted;
     });

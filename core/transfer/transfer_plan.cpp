@@ -185,6 +185,13 @@ SwitchMode EncoderComparison::modeAfterwards() const
     return {*reading.mode, reading.camProgram.value_or(0)};
 }
 
+// Without an encoder to compare them with.
+ParameterValues valuesToShow(const TransferWish &wish)
+{
+    return wish.newEncoder ? inTurn(*wish.newEncoder, {.wanted = wish.values, .setPositionTo = wish.position})
+                           : wish.values;
+}
+
 EncoderPlan planFor(const Buses &buses, const TransferWish &wish, InWatch watch)
 {
     EncoderPlan plan{.place = wish.place, .station = wish.station, .position = wish.position};
@@ -198,7 +205,7 @@ EncoderPlan planFor(const Buses &buses, const TransferWish &wish, InWatch watch)
     if (encoder != nullptr)
         plan.device = encoder->device().fullName();
     if (encoder == nullptr || wish.hindrance) { // what is there now says nothing
-        for (const ParameterValue &value : wish.values)
+        for (const ParameterValue &value : valuesToShow(wish))
             plan.write.rows.push_back({.wanted = value});
         return plan;
     }

@@ -60,6 +60,9 @@ TEST_F(Replacing, TheNewEncoderGetsTheValuesAndThePositionOfTheOneBefore)
     const TransferPlan plan =
         planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), 3000, anywhere)});
     ASSERT_FALSE(plan[0].hindrance);
+    EXPECT_THAT(transfer_words::notes(plan[0]),
+                testing::Contains(QStringLiteral(
+                    "Setting the position makes a new zero offset: the wanted one, 12, is left out.")));
     const TransferAccount account = carryOut(plan);
     EXPECT_TRUE(account.isDone());
     EXPECT_EQ(encoder(fraba).latest().position, 3000);
@@ -257,7 +260,8 @@ TEST_F(Replacing, TheProjectWantsOfTheNewOneAllThatIsWritten)
         const TransferWish first = wishToReplace(before, now, position, anywhere);
         const ProjectDevice after = replaced(before, now, position);
         const TransferWish again = wishToReplace(after, now, position, anywhere);
-        EXPECT_THAT(again.values, testing::UnorderedElementsAreArray(first.values));
+        EXPECT_THAT(again.values, testing::UnorderedElementsAreArray(inTurn(
+                                      *now.device, {.wanted = first.values, .setPositionTo = position})));
         EXPECT_THAT(again.cams, testing::UnorderedElementsAreArray(first.cams));
         EXPECT_EQ(after.wantedCams, (std::vector<CamProgram>{{}, second}));
         EXPECT_TRUE(after.storedCams.empty());

@@ -3,11 +3,11 @@
 
 #include "catalog/device_description.h"
 #include "jobs/protocol.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/position_mode.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
-#include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/icons.h"
 
@@ -77,6 +77,12 @@ void EncoderFunctions::setEncoder(EncoderSession *encoder)
     show();
 }
 
+QString EncoderFunctions::modeNow() const
+{
+    const Reading reading = m_encoder ? m_encoder->latest() : Reading();
+    return reading.mode ? modeText(*reading.mode, reading.camProgram) : tr("not known", "mode");
+}
+
 void EncoderFunctions::show()
 {
     const Capabilities can = m_encoder ? m_encoder->can() : Capabilities{};
@@ -93,7 +99,7 @@ void EncoderFunctions::show()
     m_frabaPreset->setEnabled(m_frabaPreset->isEnabled() && can.manufacturerPreset);
     m_position->setChecked(mode == Mode::position);
     m_velocity->setChecked(mode == Mode::velocity);
-    m_velocity->setText(tr("&Velocity mode (now: %1)").arg(modeName(mode)));
+    m_velocity->setText(tr("&Velocity mode (now: %1)").arg(modeNow()));
 }
 
 // Of a gateway, it is shown with the reason why it cannot be sent.

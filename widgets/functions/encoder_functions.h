@@ -33,6 +33,7 @@ Q_SIGNALS:
 
 private:
     void show();
+    QString modeNow() const; // "velocity mode", "not known"
     void describeFrabaPreset();
     void tellPositionMode();
     void goToPositionMode();

@@ -117,21 +117,6 @@ QStringList positionNowTexts(const EncoderSession &encoder)
            << movementTexts(encoder);
 }
 
-QString modeName(std::optional<Mode> mode)
-{
-    if (!mode)
-        return KnownText::tr("not known", "mode");
-    switch (*mode) {
-    case Mode::velocity:
-        return KnownText::tr("velocity", "mode");
-    case Mode::cam:
-        return KnownText::tr("cam", "mode");
-    case Mode::position:
-        break;
-    }
-    return KnownText::tr("position", "mode");
-}
-
 QString leftInText(EncoderState state)
 {
     switch (state) {

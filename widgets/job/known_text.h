@@ -31,9 +31,6 @@ QString restoredText(const std::optional<Evidence> &restored);
 QStringList movementTexts(const EncoderSession &encoder);
 QStringList positionNowTexts(const EncoderSession &encoder);
 
-// "position", "velocity", "cam", "not known".
-QString modeName(std::optional<Mode> mode);
-
 // The state an encoder was left in, as a sentence.
 QString leftInText(EncoderState state);
 // Both: the restored values, and the state it was left in.

@@ -6,6 +6,7 @@
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
 #include "journal/eeprom_cost.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/job/known_text.h"
@@ -73,7 +74,7 @@ QString camsText(const Outcome &outcome)
     return programs.empty() ? QString() : pattern.arg(programList(programs));
 }
 
-QString successText(const EncoderSession &encoder, const Outcome &outcome)
+QStringList doneTexts(const EncoderSession &encoder, const Outcome &outcome)
 {
     QStringList sentences;
     if (const QString cams = camsText(outcome); !cams.isEmpty())
@@ -88,8 +89,21 @@ QString successText(const EncoderSession &encoder, const Outcome &outcome)
         sentences << OutcomeText::tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     if (outcome.positionAfter)
         sentences << OutcomeText::tr("Position: %1.").arg(numberText(*outcome.positionAfter));
+    return sentences;
+}
+
+QString modeSentence(const Reading &reading)
+{
+    return reading.mode
+               ? OutcomeText::tr("The encoder is in %1.").arg(modeText(*reading.mode, reading.camProgram))
+               : OutcomeText::tr("In which mode the encoder is now is not known.");
+}
+
+QString successText(const EncoderSession &encoder, const Outcome &outcome)
+{
+    QStringList sentences = doneTexts(encoder, outcome);
     if (encoder.device().mayHaveModes() && encoder.latest().mode != Mode::position)
-        sentences << OutcomeText::tr("Mode: %1.").arg(modeName(encoder.latest().mode));
+        sentences << modeSentence(encoder.latest());
     if (!outcome.alreadyThere.empty())
         sentences << OutcomeText::tr("Already there: %1.").arg(outcome.alreadyThere.size());
     else if (outcome.written.empty() && !outcome.read.empty())
@@ -106,6 +120,14 @@ QStringList perhapsWritten(const Outcome &outcome)
         return {};
     return {OutcomeText::tr("EEPROM writes: %1.")
                 .arg(eepromWritesText(outcome.eepromWrites, outcome.inDoubt.eepromWrites))};
+}
+
+QStringList doneBefore(const EncoderSession &encoder, const DoneJobs &before)
+{
+    const QStringList done = doneTexts(encoder, before.followedBy(Outcome()));
+    return done.isEmpty()
+               ? QStringList()
+               : QStringList(OutcomeText::tr("Done before that: %1", "sentences").arg(done.join(u' ')));
 }
 
 QString wayBackText(WayBack way)
@@ -125,17 +147,18 @@ QString programList(const std::vector<CamProgram> &programs)
     return numbers.join(QStringLiteral(", "));
 }
 
-JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome)
+JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome, const DoneJobs &before)
 {
     const WayBack way = wayBack(encoder.device(), outcome.leftIn);
     if (outcome.result)
         return {.role = way == WayBack::none ? Role::running : Role::attention,
-                .text = successText(encoder, outcome),
+                .text = successText(encoder, before.followedBy(outcome)),
                 .wayBack = wayBackText(way)};
     const Refusal &why = outcome.result.error();
     return {.role = why.kind == RefusalKind::device ? Role::fault : Role::attention,
-            .text = (QStringList{refusalText(why), endText(outcome)} +
-                     doubtSentences(outcome.inDoubt, encoder.device()) + perhapsWritten(outcome))
+            .text = (QStringList{refusalText(why), endText(before.followedBy(outcome))} +
+                     doubtSentences(outcome.inDoubt, encoder.device()) + perhapsWritten(outcome) +
+                     doneBefore(encoder, before))
                         .join(u' '),
             .wayBack = wayBackText(way)};
 }

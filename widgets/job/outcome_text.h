@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vocabulary/encoder_session.h"
+#include "widgets/job/done_jobs.h"
 #include "widgets/look/roles.h"
 
 namespace codewheel {
@@ -16,6 +17,7 @@ struct JobEnd
     QString text;
     QString wayBack; // on a button, if the encoder was left in a state it can be brought back from
 };
-JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome);
+// `before`: the jobs of the same handshake, which are told along with it.
+JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome, const DoneJobs &before = {});
 
 } // namespace codewheel

@@ -13,6 +13,8 @@
 #include <QPainter>
 #include <QTableView>
 
+#include <algorithm>
+
 namespace codewheel {
 
 namespace {
@@ -174,7 +176,10 @@ QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionView
     QWidget *editor = makeValueInput(parameter, tr("unchanged"), parent);
     editor->setAccessibleName(tr("Wanted: %1").arg(parameterName(parameter.parameter)));
     if (auto *number = qobject_cast<NumberInput *>(editor)) {
-        connect(number, &NumberInput::inputChecked, this, &ParameterDelegate::inputChecked);
+        connect(number, &NumberInput::inputChecked, this, [this, number, &model](const QString &wrong) {
+            const auto value = inputValue(*number);
+            Q_EMIT inputChecked(value && *value ? model.whyTaken({number->parameter(), **value}) : wrong);
+        });
     } else if (auto *choices = qobject_cast<QComboBox *>(editor)) {
         auto *self = const_cast<ParameterDelegate *>(this);
         connect(choices, &QComboBox::activated, self, [self, choices] {
@@ -183,6 +188,18 @@ QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionView
         });
     }
     return editor;
+}
+
+// As wide as its texts, if need be over the known value: an arrow takes room that the cell does not have.
+void ParameterDelegate::updateEditorGeometry(QWidget *editor, const QStyleOptionViewItem &option,
+                                             const QModelIndex &) const
+{
+    const auto *table = qobject_cast<const QTableView *>(option.widget);
+    const int farthest =
+        table ? table->columnViewportPosition(ParameterModel::knownColumn) : option.rect.left();
+    QRect place = option.rect;
+    place.setLeft(std::max(farthest, place.right() + 1 - editor->minimumSizeHint().width()));
+    editor->setGeometry(place.united(option.rect));
 }
 
 // What the user is typing is not overwritten by what comes from the bus.

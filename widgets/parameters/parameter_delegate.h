@@ -22,6 +22,8 @@ public:
     // Of the longest word of the value, and of the whole value on one line.
     static int wordWidth(const QModelIndex &index);
     static int lineWidth(const QModelIndex &index);
+    void updateEditorGeometry(QWidget *editor, const QStyleOptionViewItem &option,
+                              const QModelIndex &index) const override;
     QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,
                           const QModelIndex &index) const override;
     void setEditorData(QWidget *editor, const QModelIndex &index) const override;

@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "vocabulary/freshness_text.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/roles.h"
@@ -126,6 +127,15 @@ int ParameterModel::rowOf(Parameter parameter) const
 int ParameterModel::differing() const
 {
     return static_cast<int>(std::ranges::count_if(rows(), &ParameterRow::differs));
+}
+
+QString ParameterModel::whyTaken(const ParameterValue &wanted) const
+{
+    if (m_encoder.session() == nullptr)
+        return {};
+    const auto planned = m_encoder.session()->planned({WriteParameters{.values = {wanted}, .previous = {}}});
+    return !planned && planned.error().id == RefusalId::lineAddressTaken ? refusalText(planned.error())
+                                                                         : QString();
 }
 
 ParameterRow ParameterModel::rowFor(const ParameterDescription &parameter) const

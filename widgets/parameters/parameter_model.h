@@ -48,6 +48,8 @@ public:
 
     void setEncoder(const ShownEncoder &encoder);
     int differing() const; // rows
+    // That another encoder of the bus has this address; empty for any other value.
+    QString whyTaken(const ParameterValue &wanted) const;
 
     // Whether it is the heading that folds and unfolds the registers.
     bool isFoldable(const QModelIndex &index) const;

@@ -99,7 +99,7 @@ QWidget *ParameterPanel::makeTablePage()
     m_saidArea = new ContentScrollArea(said, m_values); // in a low panel, what is said is not cut off
     m_saidArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     layOutColumn(m_values, {{m_table, 1}, m_saidArea}, {.margins = QMargins()});
-    layOutColumn(page, {{m_values, 1}, m_buttons, m_job, m_note}, {.margins = QMargins()});
+    layOutColumn(page, {{m_values, 1}, m_note, m_buttons, m_job}, {.margins = QMargins()});
     return page;
 }
 
@@ -354,6 +354,9 @@ void ParameterPanel::showValueNotes()
     if (!written.empty())
         for (const ValueNote &note : valueNotes(m_encoder.device(), written, known))
             sentences << noteText(note);
+    for (const ParameterValue &value : written)
+        sentences << m_model->whyTaken(value);
+    sentences.removeAll(QString());
     m_valueNotes->setText(sentences.join(u'\n'));
     m_valueNotes->setVisible(!sentences.isEmpty());
 }
@@ -550,10 +553,16 @@ void ParameterPanel::finished(const Outcome &outcome)
 
 void ParameterPanel::showEnd(const Outcome &outcome)
 {
-    const JobEnd end = endOf(*session(), outcome);
+    const JobEnd end = endOf(*session(), outcome, doneBefore(outcome.job));
     m_end = outcome;
     m_endedAt = session()->latest().at;
     showMessage(Cause::outcome, end.role, end.text, end.wayBack);
+}
+
+DoneJobs ParameterPanel::doneBefore(JobId job) const
+{
+    const bool follows = m_following.encoder == session() && m_following.job == job;
+    return follows ? m_following.before : DoneJobs();
 }
 
 // It was written to by hand since: the end of the last job no longer says what it has.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/job/done_jobs.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/shown_encoder.h"
 #include "widgets/monitor/word_format.h"
@@ -50,6 +51,8 @@ public:
 
     void showParameter(Parameter parameter); // chooses its row; nothing is read or written
     void showWhose();                        // the name of its bus has changed
+    // Its end is told together with those of the jobs before it.
+    void takeFollowing(const codewheel::FollowingJob &job) { m_following = job; }
 
 Q_SIGNALS:
     void wizardRequested();
@@ -68,6 +71,7 @@ private:
     void connectParts();
     void connectSession(EncoderSession &session);
     void showEnd(const Outcome &outcome);
+    DoneJobs doneBefore(JobId job) const;
     void followState();
     void followCount();
     void showWhyEmpty();
@@ -100,6 +104,7 @@ private:
     ShownEncoder m_encoder;
     std::optional<Cause> m_cause; // of the message that is shown
     std::optional<Outcome> m_end; // that it tells
+    FollowingJob m_following;
     Instant m_endedAt{};
 
     ParameterModel *m_model;

@@ -135,6 +135,12 @@ Result<std::optional<Value>> NumberInput::value() const
                    argument(m_parameter.maximum)});
 }
 
+QSize NumberInput::minimumSizeHint() const
+{
+    const QSize least = QLineEdit::minimumSizeHint();
+    return {least.width() + fontMetrics().horizontalAdvance(placeholderText()), least.height()};
+}
+
 void NumberInput::check()
 {
     const auto checked = value();

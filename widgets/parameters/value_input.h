@@ -24,6 +24,7 @@ public:
     Parameter parameter() const { return m_parameter.parameter; }
     void setValue(const std::optional<Value> &value);
     Result<std::optional<Value>> value() const;
+    QSize minimumSizeHint() const override; // with room for the text of an empty one
 
 Q_SIGNALS:
     // While typing: a sentence, or empty where the input is good.

@@ -90,11 +90,11 @@ DirectionPage::DirectionPage(Setup &setup, QWidget *parent)
     layout->addWidget(m_what);
     layout->addWidget(m_position);
     layout->addLayout(verdict);
-    layout->addWidget(m_problem);
     layout->addSpacing(grid::margin);
     layout->addWidget(question);
     layout->addWidget(m_asNow);
     layout->addWidget(m_otherWay);
+    layout->addWidget(m_problem);
     layout->addStretch();
 
     setFocusProxy(m_asNow);

@@ -48,8 +48,8 @@ GearPanel::GearPanel(QWidget *parent)
         0.01);
     for (QDoubleSpinBox *field : {m_mmPerTurn, m_encoderTurns, m_partTurns, m_mmPerStep})
         connect(field, &QDoubleSpinBox::valueChanged, this, &GearPanel::calculate);
-    layout->addWidget(m_answer, layout->rowCount(), 0, 1, 3);
     layout->addWidget(m_take, layout->rowCount(), 0);
+    layout->addWidget(m_answer, layout->rowCount(), 0, 1, 3);
     layout->setColumnStretch(2, 1); // the fields are as wide as a number
     describe(m_take, "gearUse", tr("Adds these steps and revolutions to the wanted values."));
     connect(m_take, &QPushButton::clicked, this,

@@ -3,6 +3,7 @@
 
 #include "catalog/explain_word.h"
 #include "jobs/value_notes.h"
+#include "jobs/write_plan.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -81,7 +82,8 @@ HandshakePage::HandshakePage(Setup &setup, QWidget *parent)
                   m_in,
                   layOutRow({m_next, m_byItself, Stretch{1}, m_state}),
                   m_problem,
-                  layOutRow({{m_leftIn, 1}, m_restore, m_run})},
+                  m_leftIn,
+                  layOutRow({Stretch{1}, m_restore, m_run})},
                  {.spacing = grid::margin});
 
     setFocusProxy(m_next);
@@ -109,6 +111,7 @@ void HandshakePage::resume(const UnderWay &before)
     m_cancel->begin(m_setup.encoder);
     m_cancel->follow(progress);
     m_steps.goOnFrom(device, before.steps, before.current);
+    tellWhatItFollows();
     showEnd();
     if (isBusy())
         showWhereItIs(progress);
@@ -127,7 +130,10 @@ void HandshakePage::start()
     record.job = jobForWish(encoder, m_setup.wish);
     m_work.jobs = jobsForWish(encoder, m_setup.wish);
     m_work.done = {};
-    record.setPositionTo = m_setup.wish.setPositionTo;
+    record.setsPosition = m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
+    record.setPositionTo =
+        m_setup.wish.setPositionTo ? m_setup.wish.setPositionTo : m_setup.valueAfter(Parameter::preset);
+    record.leftOut = leftOutNote(encoder.device(), m_setup.wish);
     record.before = allKnown(encoder);
     record.positionBefore = encoder.latest().position;
     record.begun = encoder.dateTime(encoder.latest().at);
@@ -146,13 +152,23 @@ void HandshakePage::start()
 // Starts the first of the remaining jobs.
 Result<void> HandshakePage::startJob()
 {
+    const std::vector<Job> later(m_work.jobs.begin() + 1, m_work.jobs.end());
+    std::vector<Step> toCome = m_setup.encoder->planned(later).value_or(std::vector<Step>());
     const auto job =
         m_setup.encoder->start(m_work.jobs.front(), m_setup.byHand ? Pace::byHand : Pace::byItself);
     if (!job)
         return tl::unexpected(job.error());
     m_work.job = *job;
     m_work.jobs.erase(m_work.jobs.begin());
+    m_work.toCome = std::move(toCome);
+    tellWhatItFollows();
     return {};
+}
+
+void HandshakePage::tellWhatItFollows()
+{
+    if (m_work.job && !m_work.isRecovery && !m_work.done.areNone())
+        Q_EMIT goesOn({m_setup.encoder, *m_work.job, m_work.done});
 }
 
 void HandshakePage::nextStep()
@@ -175,16 +191,25 @@ void HandshakePage::showProgress()
         return;
     if (!m_work.isRecovery)
         progress = m_work.done.followedBy(progress);
-    m_steps.showSteps(m_setup.encoder->device(), progress.steps);
+    m_steps.showSteps(m_setup.encoder->device(), stepsWithThoseToCome(progress));
     m_steps.setCurrent(progress.index, progress.waitsForUser);
     showWhereItIs(progress);
     m_cancel->follow(progress);
 }
 
+// A cancelled job is not followed by others.
+std::vector<Step> HandshakePage::stepsWithThoseToCome(const Progress &progress) const
+{
+    std::vector<Step> steps = progress.steps;
+    if (!m_work.isRecovery && !m_work.isCancelled)
+        steps.insert(steps.end(), m_work.toCome.begin(), m_work.toCome.end());
+    return steps;
+}
+
 void HandshakePage::showWhereItIs(const Progress &progress)
 {
     m_view->scrollTo(m_steps.index(progress.index, 0));
-    m_state->setState(Role::running, tr("Step %1 of %2").arg(progress.index + 1).arg(progress.steps.size()));
+    m_state->setState(Role::running, tr("Step %1 of %2").arg(progress.index + 1).arg(m_steps.rowCount()));
     const bool waits = progress.waitsForUser && m_setup.byHand;
     m_next->setEnabled(waits);
     if (waits)
@@ -239,13 +264,14 @@ void HandshakePage::showOutcome(const Outcome &ended)
     HandshakeRecord &record = m_setup.record;
     Outcome outcome = m_work.isRecovery ? ended : m_work.done.followedBy(ended);
     if (!m_work.isRecovery && outcome.result && !m_work.jobs.empty()) {
-        m_work.done.add(record.progress.steps, ended);
+        m_work.done.add(record.progress, ended);
         const auto started = m_work.isCancelled
                                  ? Result<void>(refuse(RefusalKind::stopped, RefusalId::cancelled))
                                  : startJob();
         if (started)
             return;
         outcome.result = tl::unexpected(started.error());
+        outcome.isPositionSet = m_work.done.haveSetPosition();
     }
     (m_work.isRecovery ? record.recovery : record.outcome) = outcome;
     m_work.endedAt = m_setup.encoder->latest().at;
@@ -255,6 +281,8 @@ void HandshakePage::showOutcome(const Outcome &ended)
         record.takePositions(outcome);
     record.ended = m_setup.encoder->dateTime(m_setup.encoder->latest().at);
     record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
+    if (!m_work.isRecovery) // those to come will not be sent
+        m_steps.showSteps(m_setup.encoder->device(), record.progress.steps);
     const bool isBroughtBack = !outcome.result && outcome.result.error().id == RefusalId::cancelled;
     m_steps.finish(outcome.result || isBroughtBack);
     showEnd();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/job/done_jobs.h"
 #include "widgets/job/step_table.h"
-#include "widgets/wizard/done_jobs.h"
 #include "widgets/wizard/wizard_page.h"
 
 class QCheckBox;
@@ -38,6 +38,7 @@ public:
     struct Work
     {
         std::vector<Job> jobs{};    // to come
+        std::vector<Step> toCome{}; // their steps
         DoneJobs done{};            // before the running one
         std::optional<JobId> job{}; // of the handshake, or bringing the encoder back
         bool isRecovery = false;
@@ -61,8 +62,13 @@ public:
     bool cancel();
     void showRow(const Exchange &row);
 
+Q_SIGNALS:
+    void goesOn(const codewheel::FollowingJob &job); // the handshake has another job
+
 private:
     Result<void> startJob();
+    void tellWhatItFollows();
+    std::vector<Step> stepsWithThoseToCome(const Progress &progress) const;
     void nextStep();
     void setByItself(bool on);
     void bringBack(bool restore);

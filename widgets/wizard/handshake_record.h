@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "jobs/value_notes.h"
 #include "vocabulary/event.h"
 
 #include <QDateTime>
@@ -20,7 +21,9 @@ struct HandshakeRecord
     QDateTime begun;
     QDateTime ended;
     WriteParameters job;
-    std::optional<std::int64_t> setPositionTo; // by the following job
+    bool setsPosition = false;
+    std::optional<std::int64_t> setPositionTo; // nothing: to a preset that is not known
+    std::optional<ValueNote> leftOut;          // of what was wanted
     std::vector<Known> before;                 // what was known
     std::vector<Known> after;
     std::vector<Exchange> rows;
@@ -36,6 +39,8 @@ struct HandshakeRecord
     // Whether the encoder has taken a value in this handshake that a cancel would have to deal with.
     bool hasTaken() const;
     ParameterValues taken() const; // confirmed, or active by run
+    // Brought back after that or not: it stays set.
+    bool isPositionSet() const { return outcome && (outcome->result || outcome->isPositionSet); }
 
     // On a serial line a single read may be damaged: the job's positions are those on which reads agreed.
     // Bringing the encoder back keeps the position before.

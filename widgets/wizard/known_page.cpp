@@ -43,7 +43,7 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
     , m_tellLabel(new QLabel(this))
     , m_tellRow(new QHBoxLayout)
     , m_tellUnit(new QLabel(this))
-    , m_tell(new QPushButton(tr("&Set manually"), this))
+    , m_tell(named(new QPushButton(tr("&Set manually"), this), "tellValue"))
     , m_mode(new RoleLabel(this))
     , m_isPositionMode(describe(new QPushButton(tr("It is in &position mode"), this), "isPositionMode",
                                 tr("Say that the encoder is in position mode, not in velocity or cam mode. "
@@ -59,16 +59,16 @@ KnownPage::KnownPage(Setup &setup, QWidget *parent)
 
     m_tellRow->addWidget(m_tellLabel);
     m_tellRow->addWidget(m_tellUnit);
-    m_tellRow->addWidget(m_tell);
     m_tellRow->addStretch();
+    m_tellRow->addWidget(m_tell);
 
     layOutColumn(this,
                  {layOutRow({m_read, {m_explanation, 1}}),
                   m_before,
+                  m_problem,
                   {m_view, 1},
                   m_tellRow,
-                  layOutRow({m_mode, Stretch{1}, m_isPositionMode}),
-                  m_problem},
+                  layOutRow({m_mode, Stretch{1}, m_isPositionMode})},
                  {.spacing = grid::margin});
 
     setFocusProxy(m_read);

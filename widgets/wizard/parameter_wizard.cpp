@@ -22,10 +22,24 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
 constexpr int wizardStepsFrom = 680; // logical pixels
+
+// With the widest of the texts it has in turn, so that the button beside it stays in its place.
+int widthOfNext(const QPushButton &next, const std::vector<WizardPage *> &pages)
+{
+    QPushButton button(next.icon(), {}, next.parentWidget());
+    int width = 0;
+    for (const WizardPage *page : pages) {
+        button.setText(page->nextText());
+        width = std::max(width, button.sizeHint().width());
+    }
+    return width;
+}
 
 } // namespace
 
@@ -92,6 +106,7 @@ void ParameterWizard::makePages()
         connect(page, &WizardPage::changed, this, &ParameterWizard::showButtons);
     }
     connect(m_devicePage, &DevicePage::encoderChosen, this, &ParameterWizard::choose);
+    connect(m_handshakePage, &HandshakePage::goesOn, this, &ParameterWizard::goesOn);
 }
 
 EncoderSession *ParameterWizard::encoder() const
@@ -205,6 +220,7 @@ void ParameterWizard::showPage(int page)
     m_pages->setCurrentIndex(page);
     m_press.begin();
     m_stepList->setCurrent(page);
+    m_next->setMinimumWidth(widthOfNext(*m_next, m_all));
     if (m_setup->encoder || page == device)
         current()->enter();
     showButtons();

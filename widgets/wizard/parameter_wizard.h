@@ -67,7 +67,8 @@ public:
     void leave() override;
 
 Q_SIGNALS:
-    void encoderChosen(codewheel::Place place); // in its list
+    void encoderChosen(codewheel::Place place);      // in its list
+    void goesOn(const codewheel::FollowingJob &job); // its handshake has another job
 
 protected:
     void resizeEvent(QResizeEvent *event) override;

@@ -47,8 +47,8 @@ RodPanel::RodPanel(QWidget *parent)
     m_mmPerStep->setObjectName(QStringLiteral("rodResolution"));
     m_take->setToolTip(
         tr("Adds this measuring length to the wanted values, and sets the length of the rod manually."));
-    layout->addWidget(m_answer, layout->rowCount(), 0, 1, 3);
     layout->addWidget(m_take, layout->rowCount(), 0);
+    layout->addWidget(m_answer, layout->rowCount(), 0, 1, 3);
     layout->setColumnStretch(2, 1); // the fields are as wide as a number
     connect(m_length, &QDoubleSpinBox::valueChanged, this, &RodPanel::calculate);
     connect(m_mmPerStep, &QDoubleSpinBox::valueChanged, this, &RodPanel::calculate);

@@ -114,7 +114,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
     auto fact = [&](const QString &name, const QString &what) { report.facts.push_back({name, what}); };
     fact(WizardReport::tr("Device"), QStringLiteral("%1 (%2)").arg(record.place, record.device));
     if (record.serialNumber)
-        fact(WizardReport::tr("Serial number"), QString::number(*record.serialNumber));
+        fact(WizardReport::tr("Serial number"),
+             valueWithUnit(device, {Parameter::serialNumber, *record.serialNumber}));
     fact(WizardReport::tr("Begun"), locale.toString(record.begun, QLocale::LongFormat));
     fact(WizardReport::tr("Ended"), locale.toString(record.ended, QLocale::LongFormat));
     fact(WizardReport::tr("Result"), resultText(record));
@@ -132,8 +133,12 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
         for (const QString &one : doubtSentences(last->inDoubt, device))
             fact(WizardReport::tr("Not known"), one);
     fact(WizardReport::tr("State afterwards"), leftInText(leftIn(record)));
-    if (record.setPositionTo)
-        fact(WizardReport::tr("Position set to"), positionText(record.setPositionTo));
+    if (record.leftOut)
+        fact(WizardReport::tr("Left out"), noteText(*record.leftOut));
+    if (record.setsPosition)
+        fact(record.isPositionSet() ? WizardReport::tr("Position set to")
+                                    : WizardReport::tr("Position to be set"),
+             positionText(record.setPositionTo));
     fact(WizardReport::tr("Position before"), positionText(record.positionBefore));
     fact(WizardReport::tr("Position after"), positionText(record.positionAfter));
     const int writes = (record.outcome ? record.outcome->eepromWrites : 0) +

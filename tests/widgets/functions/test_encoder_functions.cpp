@@ -95,8 +95,9 @@ TEST_F(EncoderFunctionsTest, VelocityModeIsSwitchedOnAndOffAndTheTickFollowsTheE
     EXPECT_THAT(m_sent, ElementsAre(0x2040'0001u, 0u));
     EXPECT_EQ(encoder().latest().velocity, -150);
     EXPECT_TRUE(action("velocityMode").isChecked());
-    EXPECT_TRUE(action("velocityMode").text().contains(QStringLiteral("now: velocity")));
-    EXPECT_TRUE(message().contains(QStringLiteral("Mode: velocity."))) << message().toStdString();
+    EXPECT_TRUE(action("velocityMode").text().contains(QStringLiteral("now: velocity mode")));
+    EXPECT_TRUE(message().contains(QStringLiteral("The encoder is in velocity mode.")))
+        << message().toStdString();
     click("velocityMode");
     finishJobs();
     EXPECT_TRUE(action("positionMode").isChecked());

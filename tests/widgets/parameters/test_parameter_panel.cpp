@@ -230,6 +230,37 @@ TEST_F(Parameters, AllColumnsFitTheNarrowDock)
     EXPECT_EQ(table().horizontalHeader()->length(), table().viewport()->width());
 }
 
+TEST_F(Parameters, AJobThatEndsBadlyAfterOthersTellsWhatTheyHaveDone)
+{
+    Outcome written;
+    written.eepromWrites = 1;
+    written.written = {{Parameter::steps, 255}};
+    DoneJobs before;
+    before.add({}, written);
+    EncoderSession &encoder = *bus.encoder(fraba);
+    const auto job = encoder.start(SetPreset{}, Pace::byHand);
+    ASSERT_TRUE(job);
+    panel.takeFollowing({&encoder, *job, before});
+    encoder.cancel(OnCancel::restorePrevious);
+    finishJob();
+    EXPECT_TRUE(message().contains(
+        QStringLiteral("Done before that: Steps written, echoed and active. EEPROM writes: 1.")))
+        << message().toStdString();
+}
+
+TEST_F(Parameters, AFieldOfTheTableIsAsWideAsItsTexts)
+{
+    for (const Parameter parameter : {Parameter::direction, Parameter::zeroOffset}) {
+        clickWanted(parameter);
+        const QWidget *field = table().indexWidget(table().currentIndex());
+        ASSERT_NE(field, nullptr);
+        EXPECT_GE(field->width(), field->minimumSizeHint().width());
+        EXPECT_GE(field->x(), table().columnViewportPosition(ParameterModel::knownColumn));
+        QTest::keyClick(table().viewport(), Qt::Key_Escape);
+        settle();
+    }
+}
+
 TEST_F(Parameters, AValueIsSmallRatherThanBrokenWithinAWord)
 {
     const QModelIndex cell = indexOf(Parameter::steps, ParameterModel::knownColumn);

@@ -7,6 +7,8 @@
 #include "widgets/monitor/position_range.h"
 #include "widgets/parameters/position_to_set.h"
 
+#include <QRegularExpression>
+
 // The wizard with a Kübler encoder on the simulated line: requests from chapter 2 of its manual.
 namespace codewheel {
 namespace {
@@ -147,6 +149,33 @@ TEST_F(WizardLine, ThePositionIsSetWithinTheRangeOfTheEncoder)
     next();
     pass(4000);
     EXPECT_EQ(encoder().latest().position, 1000);
+    next();
+    const QString report = find<QPlainTextEdit>("account")->toPlainText();
+    EXPECT_TRUE(report.contains(QStringLiteral("0012D5A4"))) << report.toStdString();
+    EXPECT_TRUE(report.contains(
+        QRegularExpression(QStringLiteral("Position set to: +%1\n").arg(QLocale().toString(1000)))));
+}
+
+// Those of its second job, too.
+TEST_F(WizardLine, TheHandshakeListsAllItsRequestsFromTheBeginning)
+{
+    toValues({{Parameter::upperLimit, 0x2000}});
+    click("initialisePreset");
+    type("positionToSet", "1000");
+    next();
+    const QStringList requests = plannedRequests();
+    next();
+    pass(200);
+    const QAbstractItemModel &model = *find<QTableView>("steps")->model();
+    QStringList listed;
+    for (int row = 0; row < model.rowCount(); ++row)
+        listed.append(model.index(row, 1).data().toString());
+    EXPECT_EQ(listed, requests);
+    click("runByItself");
+    pass(4000);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(encoder().latest().position, 1000);
+    EXPECT_FALSE(states().contains(QString())) << states().join(u' ').toStdString();
 }
 
 TEST_F(WizardLine, DirectionAndRangeAreThoseOfItsManual)

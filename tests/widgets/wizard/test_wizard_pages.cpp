@@ -9,7 +9,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 namespace codewheel {
@@ -389,6 +391,78 @@ TEST_F(WizardPages, TheZeroOffsetIsLeftOutWhereThePositionIsSet)
     EXPECT_EQ(fraba().latest().position, 10);
     EXPECT_EQ(fraba().eepromWrites() - before, 3) << "steps, preset, and the zero offset that it makes";
     EXPECT_EQ(wanted.value("1.0"_ring, Parameter::zeroOffset), 30) << "still wanted";
+    next();
+    const QString report = find<QPlainTextEdit>("account")->toPlainText();
+    EXPECT_TRUE(report.contains(leftOut)) << report.toStdString();
+    EXPECT_TRUE(report.contains(QRegularExpression(QStringLiteral("Position set to: +10\n"))));
+}
+
+TEST_F(WizardPages, TheReportSaysThatThePositionIsYetToBeSet)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("preset", "10");
+    leaveField();
+    next();
+    next();
+    click("wizardCancel");
+    bus.advance(100);
+    ASSERT_FALSE(wizard.isBusy());
+    next();
+    const QString report = find<QPlainTextEdit>("account")->toPlainText();
+    EXPECT_TRUE(report.contains(QRegularExpression(QStringLiteral("Position to be set: +10\n"))))
+        << report.toStdString();
+}
+
+// What a button does changes from page to page, and what is said beside it from row to row.
+TEST_F(WizardPages, TheButtonsStayWhereTheyAre)
+{
+    const auto left = [this](const char *button) {
+        QCoreApplication::processEvents();
+        return find<QWidget>(button)->mapTo(&wizard, QPoint()).x();
+    };
+    wizard.setEncoder(&fraba());
+    const int back = left("wizardBack");
+    next();
+    auto *known = find<QTableView>("known");
+    const int tell = left("tellValue");
+    for (int row = 0; row < known->model()->rowCount(); ++row) {
+        known->selectRow(row);
+        EXPECT_EQ(left("tellValue"), tell) << row;
+    }
+    next();
+    next();
+    type("steps", "255");
+    leaveField();
+    next();
+    ASSERT_EQ(wizard.page(), ParameterWizard::review);
+    EXPECT_EQ(left("wizardBack"), back);
+}
+
+TEST_F(WizardPages, TheCalculatorsButtonStaysWhereItIs)
+{
+    wizard.resize(450, 476);
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    const auto *answer = find<QLabel>("gearAnswer");
+    const auto *take = find<QWidget>("gearUse");
+    const auto topWithLines = [&](int lines) {
+        for (int i = 0; i < 10; ++i) // each layout tells the one around it
+            QCoreApplication::processEvents();
+        EXPECT_EQ(answer->height(), lines * answer->fontMetrics().lineSpacing());
+        return take->mapTo(&wizard, QPoint()).y();
+    };
+    const int before = topWithLines(2);
+    const auto fields = take->parentWidget()->findChildren<QDoubleSpinBox *>();
+    fields.first()->setValue(777.7777); // mm per turn
+    fields.last()->setValue(0.3);       // mm per step
+    EXPECT_EQ(topWithLines(3), before) << answer->text().toStdString();
 }
 
 // A position has no read-out of its own.

@@ -150,6 +150,7 @@ TEST_F(WizardRod, ByHandItGoesServiceByServiceToTheEnd)
     next();
     const int steps = static_cast<int>((measuringLength + normal + setPosition + normal).size());
     EXPECT_EQ(stepByHand(2), 2);
+    EXPECT_EQ(states().size(), steps) << "the position is yet to be set, by a second job";
     EXPECT_EQ(out(rodPlace), 0xC2001388);
     const int values = 2 + stepByHand();
     EXPECT_EQ(values, static_cast<int>((measuringLength + normal).size()));

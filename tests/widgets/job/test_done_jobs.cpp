@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/done_jobs.h"
+#include "widgets/job/done_jobs.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ TEST(DoneJobs, TheJobOnItsWayIsSeenBehindThoseThatAreDone)
     first.positionBefore = 4661;
     first.positionAfter = 4662;
     first.written = {{Parameter::measuringLength, 5000}};
-    done.add({written}, first);
+    done.add(Progress{.steps = {written}, .confirmed = {}, .setsPosition = true}, first);
 
     const Progress progress =
         done.followedBy(Progress{.job = 2, .index = 0, .steps = {set}, .confirmed = {}, .canRestore = true});
@@ -35,6 +35,10 @@ TEST(DoneJobs, TheJobOnItsWayIsSeenBehindThoseThatAreDone)
     EXPECT_EQ(all.written, first.written);
     EXPECT_EQ(all.positionBefore, 4661);
     EXPECT_EQ(all.positionAfter, 1000);
+    EXPECT_FALSE(all.isPositionSet) << "told of those that failed";
+
+    last.result = refuse(RefusalKind::device, RefusalId::encoderSilent);
+    EXPECT_TRUE(done.followedBy(last).isPositionSet);
 }
 
 TEST(DoneJobs, OneJobAloneIsToldAsItIs)

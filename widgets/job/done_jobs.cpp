@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/wizard/done_jobs.h"
+#include "widgets/job/done_jobs.h"
 
 #include <algorithm>
 
@@ -14,9 +14,10 @@ void prepend(std::vector<T> &to, const std::vector<T> &before)
 
 } // namespace
 
-void DoneJobs::add(std::vector<Step> steps, const Outcome &outcome)
+void DoneJobs::add(const Progress &progress, const Outcome &outcome)
 {
-    m_steps = std::move(steps);
+    m_steps = progress.steps;
+    m_haveSetPosition = m_haveSetPosition || progress.setsPosition;
     m_outcomes.push_back(outcome);
 }
 
@@ -45,6 +46,7 @@ Outcome DoneJobs::followedBy(Outcome outcome) const
         if (!outcome.positionAfter)
             outcome.positionAfter = before->positionAfter;
     }
+    outcome.isPositionSet = outcome.isPositionSet || (!outcome.result && m_haveSetPosition);
     return outcome;
 }
 
