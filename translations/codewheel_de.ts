@@ -7872,7 +7872,7 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     </message>
     <message>
         <source>confirmed; takes effect only with run</source>
-        <translation type="unfinished"></translation>
+        <translation>bestätigt; wird erst mit Run wirksam</translation>
     </message>
     <message>
         <source>The gateway closes the connection after each answer. Connections that ended so: %1.</source>

@@ -20,6 +20,12 @@ bool showsTheSame(const DeviceDescription &device, const Reading &before, const 
                              : before.state == now.state && before.position == now.position;
 }
 
+// A later job that only may have cost a write leaves what an earlier one has left in doubt.
+bool concernsMoreThanWrites(const InDoubt &doubt)
+{
+    return doubt != InDoubt{.eepromWrites = doubt.eepromWrites};
+}
+
 // What it was given, not which encoder it is.
 bool isGivenValue(const std::pair<const Parameter, Known> &one)
 {
@@ -129,7 +135,7 @@ void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
 {
     if (m_runningJob == outcome.job)
         m_runningJob.reset();
-    if (outcome.inDoubt.hasSomething())
+    if (concernsMoreThanWrites(outcome.inDoubt))
         m_inDoubt = outcome.inDoubt;
     takeWhatWaitsForRun(outcome, at);
     for (Message &message : jobReport(m_job, outcome, m_description, valuesOf(allKnown(*this))))

@@ -19,6 +19,7 @@
 #include "journal/eeprom_cost.h"
 #include "project/file_access.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/sentence.h"
 
 #include <algorithm>
@@ -57,19 +58,6 @@ std::optional<SwitchMode> knownMode(const EncoderSession &encoder)
     return SwitchMode{*reading.mode, reading.camProgram.value_or(0)};
 }
 
-QString modeText(const SwitchMode &mode)
-{
-    switch (mode.mode) {
-    case Mode::position:
-        return CommandLine::tr("position mode");
-    case Mode::velocity:
-        return CommandLine::tr("velocity mode");
-    case Mode::cam:
-        break;
-    }
-    return sentence(CommandLine::tr("cam mode, program %1"), {QString::number(mode.camProgram)});
-}
-
 QString modeLine(const std::optional<SwitchMode> &now, const std::optional<SwitchMode> &before)
 {
     if (!now)
@@ -79,19 +67,25 @@ QString modeLine(const std::optional<SwitchMode> &now, const std::optional<Switc
     if (before)
         return sentence(CommandLine::tr("The encoder is now in %1; before, it was in %2."),
                         {modeText(*now), modeText(*before)});
-    const QString text =
-        sentence(CommandLine::tr("The encoder is now in %1; in which mode it was before is not known."),
-                 {modeText(*now)});
-    return now->mode == Mode::position
-               ? text
-               : text + u' ' + CommandLine::tr("With --to-position it is in position mode afterwards.");
+    return sentence(CommandLine::tr("The encoder is now in %1; in which mode it was before is not known."),
+                    {modeText(*now)});
+}
+
+// It stays where nobody said where to, and the mode before is not known.
+QString hintAtPosition(const Arguments &arguments, const std::optional<SwitchMode> &now,
+                       const std::optional<SwitchMode> &before)
+{
+    const bool staysUnasked = now && now->mode == Mode::cam && !before && !arguments.has("--stay") &&
+                              !arguments.has("--to-position");
+    return staysUnasked ? u' ' + CommandLine::tr("With --to-position it is in position mode afterwards.")
+                        : QString();
 }
 
 // What a job about cams has written, and what that cost.
 QString accountText(const Outcome &outcome)
 {
     if (outcome.camsWritten.empty())
-        return outcome.result ? QString() : eepromWritesLine(outcome);
+        return outcome.result && !mayHaveWritten(outcome) ? QString() : eepromWritesLine(outcome);
     const QString numbers = listed(outcome.camsWritten,
                                    [](const CamProgram &program) { return QString::number(program.number); });
     return sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
@@ -107,6 +101,8 @@ struct CamCall
     std::optional<SwitchMode> modeBefore{};
     Answer answer{};
     std::unique_ptr<JobTrace> trace{};
+    int eepromWrites = 0; // of all its jobs
+    int perhapsWrites = 0;
     bool hasSwitched = false;  // to cam mode, and back if all went well
     bool isOutOfSight = false; // since its last job
 
@@ -118,15 +114,25 @@ struct CamCall
         if (!std::holds_alternative<ReadParameters>(job.job())) {
             hasSwitched = true;
             answer.text += accountText(outcome);
-            answer.json.insert(QStringLiteral("eepromWrites"), outcome.eepromWrites);
         }
         answer.text += doubtLines(encoder, outcome.inDoubt);
-        addDoubt(answer.json, encoder, outcome.inDoubt);
+        addToJson(outcome);
         if (!outcome.result) {
             answer.complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
             answer.complaint->text += u' ' + whereItWasLeft(outcome, encoder.latest());
         }
         return outcome;
+    }
+    // Only the last job can leave more in doubt than writes.
+    void addToJson(const Outcome &outcome)
+    {
+        eepromWrites += outcome.eepromWrites;
+        perhapsWrites += outcome.inDoubt.eepromWrites;
+        InDoubt doubt = outcome.inDoubt;
+        doubt.eepromWrites = perhapsWrites;
+        addDoubt(answer.json, encoder, doubt);
+        if (hasSwitched)
+            answer.json.insert(QStringLiteral("eepromWrites"), eepromWrites);
     }
     // Back to where it was, as far as known; otherwise it stays in the last program, which is saved.
     SwitchMode afterwards(const std::vector<unsigned> &programs) const
@@ -143,7 +149,7 @@ struct CamCall
         answer.json.insert(QStringLiteral("mode"), modeJson(mode ? std::optional(mode->mode) : std::nullopt));
         if (mode && mode->mode == Mode::cam)
             answer.json.insert(QStringLiteral("camProgram"), static_cast<int>(mode->camProgram));
-        answer.text += modeLine(mode, modeBefore) + u'\n';
+        answer.text += modeLine(mode, modeBefore) + hintAtPosition(call.arguments, mode, modeBefore) + u'\n';
     }
     std::optional<std::int64_t> positions() const
     {

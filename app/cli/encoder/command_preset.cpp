@@ -76,16 +76,15 @@ QString whatIsKnown(const FinishedJob &job, const Reading &before, const Encoder
                    ? sentence(pattern, {positionText(position, shown, rodScale(encoder))}) + u'\n'
                    : QString();
     };
-    const bool mayBeSet = outcome.inDoubt.position || (outcome.eepromWrites > 0 && outcome.written.empty());
-    const int mostWrites = outcome.eepromWrites + outcome.inDoubt.eepromWrites;
+    const bool isFateUntold = job.lastStep.setsPosition && !outcome.inDoubt.position;
     return line(CommandLine::tr("Position before: %1"), outcome.positionBefore, before) +
            line(CommandLine::tr("Position after:  %1"), outcome.positionAfter, encoder.latest()) +
-           (isSent || mostWrites > 0 ? eepromWritesLine(outcome) : QString()) +
+           (isSent || mayHaveWritten(outcome) ? eepromWritesLine(outcome) : QString()) +
            doubtLines(encoder, outcome.inDoubt) +
            (isSent || outcome.written.empty()
                 ? QString()
                 : CommandLine::tr("Written:") + u'\n' + valueLines(encoder, outcome.written)) +
-           (isSent || !mayBeSet || outcome.positionAfter
+           (isSent || !isFateUntold || outcome.positionAfter
                 ? QString()
                 : CommandLine::tr("Whether the position was set is not known: read it.") + u'\n');
 }
@@ -112,7 +111,7 @@ Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
     addTrace(call, encoder.place(), *job.trace, answer);
     answer.text += whatIsKnown(job, before, encoder);
     if (!job.outcome.result) {
-        answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
+        answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
         return answer;
     }
     if (job.outcome.leftIn == EncoderState::error)

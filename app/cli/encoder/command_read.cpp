@@ -122,7 +122,7 @@ Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
     addTrace(call, encoder.place(), *job.trace, answer);
     answer.text += valueLines(encoder, job.outcome.read, version) + doubtLines(encoder, job.outcome.inDoubt);
     if (!job.outcome.result)
-        answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
+        answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
     else
         answer.complaint = foundInParameterization(encoder);
     return answer;

@@ -71,7 +71,7 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     addDoubt(answer.json, encoder, job.outcome.inDoubt);
     if (!job.outcome.result) {
         answer.text += eepromWritesLine(job.outcome) + doubtLines(encoder, job.outcome.inDoubt);
-        answer.complaint = complaintAbout(job.outcome.result.error());
+        answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
         if (job.outcome.leftIn == EncoderState::parameterization)
             answer.complaint->text += u' ' + messageText({.id = MessageId::resetWaitsForRun});
         return;

@@ -57,9 +57,13 @@ Checked<Answer> runVelocity(const Call &call, EncoderSession &encoder)
                    {QStringLiteral("position"), numberJson(reading.position)}};
     addDoubt(answer.json, encoder, job.outcome.inDoubt);
     addTrace(call, encoder.place(), *job.trace, answer);
-    answer.text += job.outcome.result ? readingText(reading) : doubtLines(encoder, job.outcome.inDoubt);
+    if (job.outcome.result)
+        answer.text += readingText(reading);
+    if (mayHaveWritten(job.outcome))
+        answer.text += eepromWritesLine(job.outcome);
+    answer.text += doubtLines(encoder, job.outcome.inDoubt);
     if (!job.outcome.result)
-        answer.complaint = complaintAboutJob(call, encoder.place(), job.outcome.result.error());
+        answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
     return answer;
 }
 

@@ -93,7 +93,7 @@ Checked<Answer> runWords(const Call &call)
     addPlace(answer.json, call, (*encoder)->place());
     addDoubt(answer.json, **encoder, job.outcome.inDoubt);
     if (!job.outcome.result)
-        answer.complaint = complaintAbout(job.outcome.result.error());
+        answer.complaint = complaintAboutEnd(call, **encoder, job.outcome);
     return answer;
 }
 

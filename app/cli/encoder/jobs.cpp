@@ -6,6 +6,7 @@
 #include "cli/call/stop_signals.h"
 #include "cli/call/subcommand.h"
 #include "cli/call/texts.h"
+#include "cli/encoder/position_text.h"
 #include "cli/encoder/value_lines.h"
 #include "jobs/job_report.h"
 #include "jobs/step_text.h"
@@ -149,6 +150,11 @@ QString eepromWritesLine(const Outcome &outcome)
            u'\n';
 }
 
+bool mayHaveWritten(const Outcome &outcome)
+{
+    return outcome.eepromWrites + outcome.inDoubt.eepromWrites > 0;
+}
+
 QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt)
 {
     QString text;
@@ -198,6 +204,14 @@ std::optional<Complaint> foundInParameterization(const EncoderSession &encoder)
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)
 {
     return call.busOf(place).complaint(why);
+}
+
+Complaint complaintAboutEnd(const Call &call, const EncoderSession &encoder, const Outcome &outcome)
+{
+    Complaint complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
+    if (endedOutOfSight(outcome) && outcome.leftIn == EncoderState::unknown)
+        complaint.text += u' ' + whereItWasLeft(outcome, encoder.latest());
+    return complaint;
 }
 
 } // namespace codewheel

@@ -39,6 +39,7 @@ Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
 void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
 
 QString eepromWritesLine(const Outcome &outcome); // "EEPROM writes:   1"
+bool mayHaveWritten(const Outcome &outcome);      // to the EEPROM
 // What was sent and not answered, in lines; empty: nothing.
 QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt);
 // Adds it as "inDoubt", where there is something.
@@ -49,5 +50,7 @@ Complaint aboutCancelling();
 std::optional<Complaint> foundInParameterization(const EncoderSession &encoder);
 // About a job that was refused, and about its link if that is gone.
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
+// About a job without success; if it was cut, the state of its encoder is not known.
+Complaint complaintAboutEnd(const Call &call, const EncoderSession &encoder, const Outcome &outcome);
 
 } // namespace codewheel

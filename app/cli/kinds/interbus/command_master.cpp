@@ -142,7 +142,8 @@ Checked<Action> actionOf(const QStringList &words)
 struct Told
 {
     std::vector<Message> messages;
-    std::optional<Refusal> refusal; // of the action
+    std::optional<Refusal> refusal{};     // of the action
+    std::optional<Complaint> complaint{}; // about what did not happen
 };
 
 std::int64_t millisecondsOf(const Message &message)
@@ -228,6 +229,8 @@ Checked<void> openFor(const Call &call, RingAccess &access, const Action &action
 // Zeros that somebody else has overwritten, or that no ring carries on, have not stopped anything.
 std::optional<Complaint> complaintAboutZeros(const Told &told)
 {
+    if (told.complaint)
+        return told.complaint;
     const auto failed = std::ranges::find_if(told.messages, [](const Message &message) {
         return message.id == MessageId::zerosOverwritten || message.id == MessageId::zerosBeforeRing;
     });
@@ -341,8 +344,10 @@ Checked<Told> sendZerosPatiently(const Call &call, RingAccess &access, std::chro
         std::this_thread::sleep_for(look);
         bus.pump();
     }
-    if (!isOver)
-        return tl::unexpected(zerosMissing(patience));
+    if (!isOver) {
+        told.complaint = zerosMissing(patience);
+        return told;
+    }
     for (const auto looked = steady_clock::now() + whetherTheyStand;
          steady_clock::now() < looked && !stop.came();) {
         std::this_thread::sleep_for(look);

@@ -42,7 +42,7 @@ void K3Knowledge::set(const std::vector<Known> &known)
         // since.
         if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told &&
             one.at >= m_modeSince)
-            m_mode.tell(modeAfterStartUp(one.value.number()), camProgramAfterStartUp(one.value.number()));
+            tellMode(modeAfterStartUp(one.value.number()), camProgramAfterStartUp(one.value.number()));
     }
 }
 
@@ -52,6 +52,7 @@ void K3Knowledge::forget()
     m_known.set({});
     m_cams.forgetValues();
     m_mode = {};
+    m_mayHoldOldCams = true;
     m_presetArmed.reset();
 }
 
@@ -113,31 +114,44 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     m_out = out;
 }
 
+void K3Knowledge::tellMode(std::optional<Mode> mode, std::optional<unsigned> camProgram)
+{
+    m_mode.tell(mode, camProgram);
+    m_mayHoldOldCams = true;
+}
+
+bool K3Knowledge::mayHoldOldCams() const
+{
+    return m_mayHoldOldCams && m_device.mayHaveModes() && mode().value_or(Mode::cam) == Mode::cam;
+}
+
 void K3Knowledge::observeMode(Word out, Instant now)
 {
+    const bool mayBeOld = mayHoldOldCams();
     const K3Mode::Switched switched = m_device.mayHaveModes() ? m_mode.observe(out) : K3Mode::Switched::no;
     if (switched == K3Mode::Switched::no)
         return;
     if (!m_device.quirks.hasModes && mode() != Mode::position) // only a FRABA can have gone there
         m_mode.tell(std::nullopt);
     m_modeSince = now;
-    leaveCams(switched == K3Mode::Switched::certainly);
+    leaveCams(switched == K3Mode::Switched::certainly, mayBeOld);
     const auto startUp = value(Parameter::startUpMode); // an encoder starts in the mode it was in
     if (startUp && (mode() == Mode::cam || modeAfterStartUp(*startUp) != mode()))
         m_known.forget(Parameter::startUpMode);
 }
 
-// Whether it was changed, and left, may be in doubt: a job says so in the end. What is sent by hand counts:
-// better twice than never.
-void K3Knowledge::leaveCams(bool isCertain)
+// Whether it was changed, and left, may be in doubt: a job says so in the end. What is changed by hand
+// counts: better twice than never.
+void K3Knowledge::leaveCams(bool isCertain, bool mayBeOld)
 {
     using enum K3CamKnowledge::Change;
+    m_mayHoldOldCams = false;
     const auto change = m_cams.leave();
-    if (change == no || m_othersWrite)
+    if (m_othersWrite || (change == no && !mayBeOld))
         return;
-    if (m_jobRuns && (change == perhaps || !isCertain))
+    if (m_jobRuns && (change != certainly || !isCertain))
         ++m_perhapsWritten;
-    else
+    else if (change != no)
         m_known.countEepromWrite();
 }
 
@@ -188,7 +202,7 @@ void K3Knowledge::observeError(Word in, Word out)
     const bool refusesCams = k3::isCamReadOutRequest(out) && k3::number(in) == unknownWord;
     const bool isInPositionMode = !mode() || mode() == Mode::position;
     if ((mode() == Mode::cam && refusesCams) || (!isInPositionMode && k3::number(in) == parametersLost))
-        m_mode.tell(std::nullopt);
+        tellMode(std::nullopt);
     m_asked.reset();
     if (k3::isParameterWord(out) && m_pending.erase(k3::number(out)) != 0)
         return;
@@ -384,12 +398,14 @@ int K3Knowledge::loseSight(Word out, SentBy by)
 bool K3Knowledge::losesCams(Word out, SentBy by)
 {
     const bool mayBeCamMode = mode().value_or(Mode::cam) == Mode::cam;
+    const bool mayBeOld = mayHoldOldCams();
     const bool mayLeave = m_device.mayHaveModes() && m_mode.loseSight(out);
+    m_mayHoldOldCams = m_mayHoldOldCams && !mayLeave;
     const bool isInDoubt =
         m_device.capabilities.cams &&
         m_cams.loseSight(
             {.out = out, .mayBeCamMode = mayBeCamMode, .mayLeave = mayLeave, .isOfJob = by == SentBy::job});
-    return isInDoubt && !m_othersWrite;
+    return (isInDoubt || (mayBeOld && mayLeave)) && !m_othersWrite;
 }
 
 // A word that was confirmed, and followed by another one, is certain.

@@ -81,7 +81,9 @@ private:
     void activateUnseen();
     void forgetUnseenRun();
     void observeMode(Word out, Instant now);
-    void leaveCams(bool isCertain);
+    void tellMode(std::optional<Mode> mode, std::optional<unsigned> camProgram = {});
+    bool mayHoldOldCams() const;
+    void leaveCams(bool isCertain, bool mayBeOld);
     void observePreset(Word out);
     void observeManufacturerPreset();
     void countConfirmed();
@@ -109,6 +111,7 @@ private:
     std::map<unsigned, std::optional<Word>> m_unproven;
     K3Mode m_mode;
     K3CamKnowledge m_cams;
+    bool m_mayHoldOldCams = true; // a program that was changed, and not saved, before it was seen
     Instant m_modeSince{};        // anything told before that is out of date
     bool m_hasRun = false;        // what was confirmed became active, whether known or not
     bool m_answerIsFresh = false; // IN has held no read-out answer since the request was put into OUT

@@ -36,7 +36,7 @@ K3Mode::Switched K3Mode::observe(Word out)
 
 bool K3Mode::loseSight(Word out)
 {
-    const bool mayBeSwitched = isOpen() || (out != m_out && switches(out));
+    const bool mayBeSwitched = (isOpen() && leadsElsewhere(m_out)) || (out != m_out && leadsElsewhere(out));
     if (mayBeSwitched)
         tell(std::nullopt);
     return mayBeSwitched;
@@ -57,15 +57,23 @@ bool K3Mode::switches(Word out) const
     return mayBeVelocity && (out == k3::velocityOn || out == k3::velocityOff);
 }
 
+// To another mode than this one. In cam mode the word of the same program may save it.
+bool K3Mode::leadsElsewhere(Word out) const
+{
+    return switches(out) && (m_mode == Mode::cam || modeOf(out) != m_mode);
+}
+
+Mode K3Mode::modeOf(Word out)
+{
+    if (out == k3::velocityOn)
+        return Mode::velocity;
+    const bool isOfCams = k3::isProgramWord(out) && out != k3::programWord;
+    return isOfCams ? Mode::cam : Mode::position;
+}
+
 void K3Mode::switchedBy(Word out)
 {
-    const Word program = out & ~k3::programWord;
-    if (!k3::isProgramWord(out))
-        tell(out == k3::velocityOn ? Mode::velocity : Mode::position);
-    else if (program == 0)
-        tell(Mode::position);
-    else
-        tell(Mode::cam, program);
+    tell(modeOf(out), out & ~k3::programWord);
 }
 
 std::optional<Mode> modeAfterStartUp(std::int64_t startUpMode)

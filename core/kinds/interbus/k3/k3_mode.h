@@ -33,6 +33,8 @@ public:
 private:
     bool isOpen() const;
     bool switches(Word out) const;
+    bool leadsElsewhere(Word out) const;
+    static Mode modeOf(Word out);
     void switchedBy(Word out);
 
     std::optional<Mode> m_mode;

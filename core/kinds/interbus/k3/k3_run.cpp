@@ -365,6 +365,9 @@ void K3Run::complete(Outcome &outcome)
     outcome.onlyZeroSinceRun = m_reading.in == 0 && (isUnproven || job<SwitchMode>() != nullptr);
     outcome.camsRead = m_cams.read();
     outcome.camsWritten = m_cams.written();
+    std::erase_if(outcome.camsWritten, [&](const CamProgram &program) {
+        return std::ranges::count(outcome.inDoubt.camPrograms, program.number) != 0; // perhaps not saved
+    });
     if (!hasRestored() || m_mismatch)
         return;
     outcome.restored = evidenceOf(outcome.written, m_encoder.device);

@@ -50,6 +50,20 @@ TEST(CliGatewayRing, FiguresAreForProgramsToo)
     EXPECT_EQ(figures[u"exceptions"].toObject(), QJsonObject());
 }
 
+TEST(CliGatewayRing, ConnectionsClosedAfterEachAnswerAreCounted)
+{
+    GatewayPeer peer(line("--devices 1 --closes 3"));
+    const CliRun run = RingProject(1).run(line("monitor 1.0 --for 1"), peer.link(line("interval=10")));
+    EXPECT_THAT(run.out, HasSubstr("The gateway closes the connection after each answer."));
+    const auto figures = RingProject(1)
+                             .run(line("monitor 1.0 --for 1 --json"), peer.link(line("interval=10")))
+                             .json()[u"figures"]
+                             .toObject();
+    EXPECT_TRUE(figures[u"closesAfterEachAnswer"].toBool());
+    EXPECT_GT(figures[u"closedAfterEachAnswer"].toInt(), 5);
+    EXPECT_GT(figures[u"connections"].toInt(), figures[u"closedAfterEachAnswer"].toInt());
+}
+
 TEST(CliGatewayRing, ReadingGoesToOperateAndBack)
 {
     GatewayPeer peer;
@@ -128,6 +142,22 @@ TEST(CliGatewayRing, AnAlarmStopSaysThatItsZerosArrived)
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("were read back as 00000000"));
     EXPECT_GT(peer.writes(), 0);
+}
+
+// The gateway is gone once it has the zeros: what the ring told until then is not lost with it.
+TEST(CliGatewayRing, AnAlarmStopWhoseZerosAreMissingStillPrintsWhatTheRingTold)
+{
+    GatewayPeer peer(line("--pending 0200012C --vanish-behind 00000000"));
+    const CliRun run = RingProject().run(line("master alarm-stop --patience 2"), peer.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("ALARM STOP: 00000000 is sent to all devices of the ring."));
+    EXPECT_THAT(run.out, HasSubstr("Master:"));
+    EXPECT_THAT(run.out, Not(HasSubstr("have not arrived within")));
+    EXPECT_THAT(run.err, HasSubstr("The zeros of the ALARM STOP have not arrived within 2 s."));
+    GatewayPeer other(line("--pending 0200012C --vanish-behind 00000000"));
+    const CliRun json = RingProject().run(line("master alarm-stop --patience 2 --json"), other.link());
+    EXPECT_EQ(errorKey(json), "zerosMissing");
+    EXPECT_FALSE(json.json()[u"messages"].toArray().isEmpty());
 }
 
 // It hears the connection and nothing else: the first sentence comes while it is still waited for.
@@ -227,15 +257,50 @@ TEST(CliGatewayRing, WhatWasSentAndNotAnsweredIsNotKnown)
     EXPECT_EQ(run.json()[u"leftIn"].toString(), line("unknown"));
 }
 
-TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
+// The first is confirmed and waits for run, which has not been sent.
+TEST(CliGatewayRing, WhatIsConfirmedWhenTheLinkIsCutStillWaitsForRun)
 {
-    GatewayPeer peer(line("--vanish-behind 20210001"));
-    EXPECT_THAT(RingProject().run(line("read 1.0 steps"), peer.link()).out,
-                HasSubstr("OUT may still hold 20210001"));
-    GatewayPeer other(line("--vanish-behind 20210001"));
-    const CliRun run = RingProject().run(line("read 1.0 steps --json"), other.link());
+    GatewayPeer peer(line("--vanish-behind 08000064"));
+    const CliRun run = RingProject().run(line("write 1.0 steps=255 preset=100 --yes --all"), peer.link());
     EXPECT_EQ(run.exit, 1);
-    EXPECT_EQ(run.json()[u"inDoubt"].toObject()[u"out"].toArray(), QJsonArray{line("20210001")});
+    EXPECT_THAT(run.out, HasSubstr("= 255  confirmed; takes effect only with run\n"));
+    EXPECT_THAT(run.out, HasSubstr("= 100  sent: it is not known whether the encoder has it\n"));
+    EXPECT_THAT(run.out, Not(HasSubstr("did not become active")));
+}
+
+TEST(CliGatewayRing, APresetThatIsCutSaysOneThingOfThePosition)
+{
+    const RingProject project;
+    const auto cutBehind = [&](const char *word) {
+        GatewayPeer peer(line("--vanish-behind ") + line(word));
+        return project.run(line("preset 1.0 100 --in-position-mode"), peer.link());
+    };
+    const CliRun sent = cutBehind("40000000");
+    EXPECT_THAT(sent.out, HasSubstr("It is not known whether the encoder has this: position. It cannot be"));
+    EXPECT_THAT(sent.out, Not(HasSubstr("Whether the position was set is not known: read it.")));
+    const CliRun notSent = cutBehind("80000000");
+    EXPECT_THAT(notSent.out, HasSubstr("It is not known whether the encoder has this: Preset = 100."));
+    EXPECT_THAT(notSent.out, Not(HasSubstr("position was set"))) << "40000000 was not sent";
+}
+
+TEST(CliGatewayRing, WhereAJobIsCutTheStateOfTheEncoderIsNotKnown)
+{
+    const RingProject project;
+    struct
+    {
+        const char *line;
+        const char *word;
+    } const rows[] = {
+        {"velocity 1.0 off", "20800000"}, {"preset 1.0 100 --in-position-mode", "08000064"},
+        {"reset 1.0 --yes", "0E000000"},  {"words 1.0 0200012C", "0200012C"},
+        {"read 1.0 steps", "20210001"},
+    };
+    for (const auto &row : rows) {
+        GatewayPeer peer(line("--vanish-behind ") + line(row.word));
+        EXPECT_THAT(project.run(line(row.line), peer.link()).err,
+                    HasSubstr(" In which state the encoder is, is not known until it is seen again."))
+            << row.line;
+    }
 }
 
 QString camsOfTest(const RingProject &project)
@@ -247,6 +312,58 @@ QString camsOfTest(const RingProject &project)
         R"({"format": "codewheel-cams", "version": 1, "device": "fraba-ocd-ib", "programs": [)"
         R"({"program": 1, "shift": 0, "cams": [{"cam": 0, "start": 100, "stop": 200, "active": true}]}]})");
     return name;
+}
+
+QJsonObject firstAccountOf(const RingProject &project)
+{
+    const CliRun ledger = runLine(line("ledger --json --ledger ") + project.path(line("ledger.sqlite")));
+    return ledger.json()[u"accounts"].toArray().first().toObject();
+}
+
+// It was perhaps in a cam program that was changed, and is stored when it is left.
+TEST(CliGatewayRing, LeavingAModeThatIsNotKnownPerhapsCostAWrite)
+{
+    struct
+    {
+        const char *line;
+        const char *told;
+        int writes;
+    } const rows[] = {
+        {"velocity 1.0 off", "Position mode: 1000\nEEPROM writes:   0, perhaps 1 more\n", 0},
+        {"reset 1.0 --yes", "EEPROM writes:   1, perhaps 1 more\n", 1},
+        {"cams 1.0 read --program 2 --to-position", "EEPROM writes:   0, perhaps 1 more\n", 0},
+    };
+    for (const auto &row : rows) {
+        GatewayPeer peer;
+        const RingProject project;
+        const CliRun run = project.run(line(row.line), peer.link());
+        EXPECT_EQ(run.exit, 0) << run.err;
+        EXPECT_THAT(run.out, HasSubstr(row.told)) << row.line;
+        const QJsonObject account = firstAccountOf(project);
+        EXPECT_EQ(account[u"writes"].toInt(), row.writes) << row.line;
+        EXPECT_EQ(account[u"perhaps"].toInt(), 1) << row.line;
+    }
+}
+
+TEST(CliGatewayRing, ProgramsAreToldWhatAllJobsOfACallPerhapsCost)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    const QString write = QStringLiteral("cams 1.0 write %1 --yes --json").arg(camsOfTest(project));
+    const QJsonObject json = project.run(write, peer.link()).json();
+    EXPECT_EQ(json[u"eepromWrites"].toInt(), 1);
+    EXPECT_EQ(json[u"inDoubt"].toObject()[u"eepromWrites"].toInt(), 1);
+}
+
+TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
+{
+    GatewayPeer peer(line("--vanish-behind 20210001"));
+    EXPECT_THAT(RingProject().run(line("read 1.0 steps"), peer.link()).out,
+                HasSubstr("OUT may still hold 20210001"));
+    GatewayPeer other(line("--vanish-behind 20210001"));
+    const CliRun run = RingProject().run(line("read 1.0 steps --json"), other.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.json()[u"inDoubt"].toObject()[u"out"].toArray(), QJsonArray{line("20210001")});
 }
 
 TEST(CliGatewayRing, CamsThatAreCutSayWhatTheyLeaveInOut)
@@ -285,15 +402,14 @@ TEST(CliGatewayRing, CamsThatAreCutBehindTheWordThatStoresThemPerhapsCostAWrite)
     GatewayPeer peer(line("--vanish-behind 20800000 --vanish-at 2"));
     const CliRun run = project.run(write, peer.link());
     EXPECT_EQ(run.exit, 1);
-    EXPECT_THAT(run.out,
-                HasSubstr("Written and read back: cam program 1. EEPROM writes: 0, perhaps 1 more.\n"));
+    EXPECT_THAT(run.out, HasSubstr("EEPROM writes:   0, perhaps 1 more\n"));
+    EXPECT_THAT(run.out, Not(HasSubstr("Written and read back"))) << "it is not known whether it is saved";
     EXPECT_THAT(run.out, HasSubstr("It is not known whether the encoder has this: cam program 1."));
     EXPECT_THAT(run.out, HasSubstr("OUT may still hold 20800000"));
     EXPECT_THAT(run.out, HasSubstr("In which mode the encoder is now is not known."));
-    const CliRun ledger = runLine(line("ledger --json --ledger ") + project.path(line("ledger.sqlite")));
-    const QJsonObject account = ledger.json()[u"accounts"].toArray().first().toObject();
+    const QJsonObject account = firstAccountOf(project);
     EXPECT_EQ(account[u"writes"].toInt(), 0);
-    EXPECT_EQ(account[u"perhaps"].toInt(), 1);
+    EXPECT_EQ(account[u"perhaps"].toInt(), 2) << "and the mode it was in was not known";
 }
 
 // Nobody can ask an encoder behind a gateway for its mode.
@@ -305,6 +421,9 @@ TEST(CliGatewayRing, AfterCamsItIsToldInWhichModeTheEncoderIs)
     EXPECT_EQ(stays.exit, 0) << stays.err;
     EXPECT_THAT(stays.out, HasSubstr("The encoder is now in cam mode, program 2; in which mode it was before "
                                      "is not known. With --to-position it is in position mode afterwards."));
+    EXPECT_THAT(project.run(line("cams 1.0 read --program 2 --stay"), peer.link()).out,
+                HasSubstr("program 2; in which mode it was before is not known.\n"))
+        << "who says where to is given no hint";
     const CliRun goes = project.run(line("cams 1.0 read --program 2 --to-position"), peer.link());
     EXPECT_EQ(goes.exit, 0) << goes.err;
     EXPECT_THAT(goes.out, HasSubstr("The encoder is now in position mode; in which mode it was before is not "

@@ -380,6 +380,20 @@ TEST(LostGateway, BehindAWordThatSwitchesTheModeItIsNotKnown)
     EXPECT_GE(unknown, 1);
 }
 
+TEST(LostGateway, AWordThatLeadsToTheModeItIsInLeavesItKnown)
+{
+    int lost = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        if (!gateway.lostAt(write, lostFraba, SendWords{{0x2040'0000}}))
+            break;
+        ++lost;
+        EXPECT_EQ(gateway.session.encoder(lostFraba).latest().mode, Mode::position);
+    }
+    EXPECT_GE(lost, 1);
+}
+
 TEST(LostGateway, AServiceOfARodIsInDoubt)
 {
     int inDoubt = 0;

@@ -3,6 +3,7 @@
 // run.
 #include "tests/kinds/interbus/words/driver_table.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -74,6 +75,45 @@ TEST_F(K3Modes, PositionModeCanBeReachedFromAModeThatIsNotKnown)
     m_table.repeat(2, {0x0000'0000, pos});
     expectSuccess();
     EXPECT_EQ(m_table.driver().reading().mode, Mode::position);
+}
+
+// It was perhaps in a cam program that was changed, which is stored when it is left (FRABA manual 5.4.4).
+TEST_F(K3Modes, LeavingAModeThatIsNotKnownPerhapsCostsAWriteOnce)
+{
+    for (const int perhaps : {1, 0}) {
+        ASSERT_TRUE(m_table.begin(SwitchMode{Mode::cam, 2}));
+        m_table.play({{0x0000'0000, pos}});
+        m_table.repeat(3, {0x2080'0002, posInCamMode});
+        m_table.repeat(2, {0x0000'0000, posInCamMode});
+        expectSuccess();
+        EXPECT_EQ(m_table.outcome()->inDoubt.eepromWrites, perhaps);
+    }
+}
+
+TEST_F(K3Modes, LeavingPositionModeCostsNoWrite)
+{
+    isInPositionMode();
+    ASSERT_TRUE(m_table.begin(SwitchMode{Mode::cam, 2}));
+    m_table.play({{0x0000'0000, pos}});
+    m_table.repeat(3, {0x2080'0002, posInCamMode});
+    m_table.repeat(2, {0x0000'0000, posInCamMode});
+    expectSuccess();
+    EXPECT_EQ(m_table.outcome()->inDoubt.eepromWrites, 0);
+}
+
+TEST_F(K3Modes, AModeThatIsLeftOutOfSightPerhapsCostsAWrite)
+{
+    for (const int cycles : {0, 1, 5}) {
+        DriverTable table{u"fraba-ocd-ib"};
+        ASSERT_TRUE(table.begin(SwitchMode{Mode::cam, 2}));
+        table.play({{0x0000'0000, pos}});
+        table.repeat(std::min(cycles, 3), {0x2080'0002, posInCamMode});
+        table.repeat(std::max(cycles - 3, 0), {0x0000'0000, posInCamMode});
+        table.driver().stop({RefusalKind::link, RefusalId::connectionClosed, {}}, {});
+        ASSERT_TRUE(table.outcome()) << cycles;
+        EXPECT_EQ(table.outcome()->eepromWrites, 0) << cycles;
+        EXPECT_EQ(table.outcome()->inDoubt.eepromWrites, 1) << cycles;
+    }
 }
 
 TEST_F(K3Modes, CamModeIsLeftBeforeTheWordOfVelocityMode)
