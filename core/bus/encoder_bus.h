@@ -56,6 +56,8 @@ public:
     WordChannel *channel(NodeId node) const { return channelAt(node); }
     WordChannel *channel(Place place) const { return place.bus == m_id ? channelAt(place.node) : nullptr; }
 
+    // What passes is shown by a terminal of its kind, and encoders take requests instead of words.
+    virtual bool hasTerminal() const { return false; }
     // What its rows of traffic contain, in the order shown.
     std::span<const TrafficColumn> trafficColumns() const { return m_trafficColumns; }
 

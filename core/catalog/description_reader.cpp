@@ -35,6 +35,7 @@ constexpr NamedValue<RefusalId> errorMeanings[] = {
 
 constexpr std::int64_t highestNumber = 15; // of an error, D28..D25
 constexpr std::int64_t mostHexDigits = 8;
+constexpr int longestText = 255;
 constexpr std::int64_t mostStepsPerTurn = 1 << 25;
 constexpr std::int64_t mostTurns = 1 << 25;
 constexpr std::int64_t mostWrites = 1'000'000'000;
@@ -179,9 +180,15 @@ ParameterDescription DescriptionReader::readParameter(const JsonObject &row, con
     if (!isOnWire && !parameter.onLabel && !tellsReach)
         row.report("number", tr("A parameter needs a number to write it, a readOut code to read it, both, or "
                                 "onLabel; on a serial line the commands read or write."));
-    parameter.minimum = row.number("minimum");
-    parameter.maximum = row.number("maximum");
-    parameter.factory = row.optionalNumber("factory");
+    parameter.textLength = row.numberOr("text", 0, 1, longestText);
+    if (parameter.isText() && !protocolRules(device.profile).hasTexts())
+        row.report("text", tr("An encoder of the profile %1 has only numbers. Leave it out.")
+                               .arg(profileName(device.profile)));
+    if (!parameter.isText()) {
+        parameter.minimum = row.number("minimum");
+        parameter.maximum = row.number("maximum");
+        parameter.factory = row.optionalNumber("factory");
+    }
     parameter.unit = row.has("unit") ? row.oneOf("unit", units) : Unit::none;
     parameter.stored = row.flagOr("stored", parameter.canBeWritten);
     parameter.chapter = row.localTextOr("chapter", {});
@@ -205,7 +212,8 @@ void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription
     for (const JsonObject &row :
          json.array("parameters",
                     {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum", "maximum",
-                     "factory", "unit", "stored", "onLabel", "choices", "chapter", "read", "write", "bit"})) {
+                     "factory", "unit", "stored", "onLabel", "choices", "chapter", "read", "write", "bit",
+                     "text"})) {
         const ProtocolRules &rules = protocolRules(device.profile);
         ParameterDescription parameter = readParameter(row, device);
         refuseTaken(row, parameter, device);

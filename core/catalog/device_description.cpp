@@ -21,6 +21,8 @@ const Row *findBy(const std::vector<Row> &rows, const Key &value, Member member)
 
 bool ParameterDescription::takes(const Value &value) const
 {
+    if (isText())
+        return value.isText() && value.toString().size() <= textLength;
     const auto number = value.asNumber();
     return choices.empty() ? number && *number >= minimum && *number <= maximum
                            : findChoice(value) != nullptr;

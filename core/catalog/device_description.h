@@ -69,10 +69,12 @@ struct ParameterDescription
     std::vector<Choice> choices;     // empty: any value within the range
     LocalText chapter{};             // of the manual; may be empty
     bool isDetail = false;           // read only if it is asked for, and folded away: a register of a chip
+    int textLength = 0;              // a text of so many characters at most; 0: a number
     int hexDigits = 0;               // shown as hexadecimal number with so many digits; 0: decimal
     const ValueForm *form = nullptr; // null: a number
 
-    // One of the choices if there are any, otherwise any value within the range.
+    bool isText() const { return textLength > 0; }
+    // A text that is short enough, one of the choices if there are any, otherwise any value within the range.
     bool takes(const Value &value) const;
     const Choice *findChoice(const Value &value) const;
     const Choice *findChoice(QStringView key) const;

@@ -37,6 +37,8 @@ public:
     virtual bool measuresLength() const { return false; }
     // What an encoder takes is valid only after run, not at once.
     virtual bool activatesByRun() const { return false; }
+    // What is in force is kept without supply only after a step that stores it.
+    virtual bool storesByStep() const { return false; }
     // Earlier values can be written again only behind a run, which first makes valid what was taken.
     virtual bool restoresBehindRun(const DeviceDescription & /*device*/) const { return false; }
     // Its positions have one coding, which nobody has to be told.
@@ -47,8 +49,11 @@ public:
     virtual bool hasFixedCoding() const { return false; }
     // Whether the service or command that sets the position carries the value; a K3 has it as a parameter.
     virtual bool presetsByCommand() const { return false; }
-    // The largest that can be sent to an encoder. All values start at 0.
+    // The numbers that can be sent to an encoder.
+    virtual std::int64_t smallestData() const { return 0; }
     virtual std::int64_t largestData() const { return 0; }
+    // Parameters may be texts.
+    virtual bool hasTexts() const { return false; }
 
     // What a row may say of how its parameter is reached, whatever the protocol.
     static constexpr std::array reachKeys{"number", "readOut", "read", "write", "bit"};

@@ -119,6 +119,11 @@ QString valueText(const ParameterDescription &parameter, const Value &value,
     return value.isText() ? plainText(value) : numberText(parameter, value.number(), options);
 }
 
+QString textLimit(const ParameterDescription &parameter)
+{
+    return QCoreApplication::translate("Value", "a text of at most %1 characters").arg(parameter.textLength);
+}
+
 QString unitText(Unit unit, const std::optional<Value> &of)
 {
     const bool isOne = of == 1;

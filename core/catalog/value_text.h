@@ -18,6 +18,9 @@ QString choiceName(const ParameterDescription &parameter, const Value &value);
 QString valueText(const ParameterDescription &parameter, const Value &value,
                   const std::optional<ValueOptions> &options = {});
 
+// "a text of at most 16 characters"
+QString textLimit(const ParameterDescription &parameter);
+
 // The unit that goes with valueText(): "steps", "°C"; empty if there is none. `of` this number: "1
 // revolution".
 QString unitText(Unit unit, const std::optional<Value> &of = {});

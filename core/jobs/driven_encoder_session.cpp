@@ -178,7 +178,7 @@ std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
     std::vector<Parameter> parameters;
     for (const ParameterDescription &its : m_description.parameters) {
         const bool isValue =
-            its.canBeWritten && (m_inDoubt.reset || valueOf(m_inDoubt.values, its.parameter));
+            its.canBeWritten && (m_inDoubt.reset || findValue(m_inDoubt.values, its.parameter));
         const bool isOfPosition = m_inDoubt.position && its.parameter == Parameter::zeroOffset;
         if (its.canBeRead && (isValue || isOfPosition) && !known(its.parameter))
             parameters.push_back(its.parameter);

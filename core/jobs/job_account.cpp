@@ -29,14 +29,14 @@ void JobAccount::notWritten(Parameter parameter)
 bool JobAccount::knowsBefore(const ParameterValues &taken) const
 {
     return std::ranges::all_of(
-        taken, [this](const ParameterValue &value) { return valueOf(before, value.parameter).has_value(); });
+        taken, [this](const ParameterValue &value) { return findValue(before, value.parameter).has_value(); });
 }
 
 ParameterValues JobAccount::valuesBefore(const ParameterValues &taken) const
 {
     ParameterValues values;
     for (const ParameterValue &value : taken)
-        if (const std::int64_t was = *valueOf(before, value.parameter); was != value.value)
+        if (const Value was = *findValue(before, value.parameter); was != value.value)
             values.push_back({value.parameter, was});
     return values;
 }

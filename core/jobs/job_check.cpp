@@ -132,6 +132,14 @@ Result<void> checkJob(const DeviceDescription &device, const Job &job,
     return std::visit(Input{device, options}, job);
 }
 
+Result<void> checkText(const ParameterDescription &parameter, const Value &value)
+{
+    if (parameter.takes(value))
+        return {};
+    return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
+                  {parameter.parameter, value.toString(), textLimit(parameter)});
+}
+
 Result<void> checkRange(const ParameterDescription &parameter, const Value &value)
 {
     const auto number = value.asNumber();
@@ -163,6 +171,8 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
     if (!parameter->canBeWritten)
         return refuse(RefusalKind::badInput, RefusalId::parameterReadOnly,
                       {value.parameter, device.fullName()});
+    if (parameter->isText())
+        return checkText(*parameter, value.value);
     if (!parameter->choices.empty()) {
         if (parameter->findChoice(value.value) == nullptr)
             return refuse(RefusalKind::badInput, RefusalId::valueNotAllowed,
@@ -171,10 +181,10 @@ Result<void> checkValue(const DeviceDescription &device, const ParameterValue &v
         return checked;
     }
     // Whatever the description says: the word would carry a different value.
-    const std::int64_t largest = protocolRules(device.profile).largestData();
-    if (value.value.number() < 0 || value.value.number() > largest)
+    const ProtocolRules &rules = protocolRules(device.profile);
+    if (value.value.number() < rules.smallestData() || value.value.number() > rules.largestData())
         return refuse(RefusalKind::badInput, RefusalId::valueOutOfRange,
-                      {value.parameter, value.value.number(), std::int64_t{0}, largest});
+                      {value.parameter, value.value.number(), rules.smallestData(), rules.largestData()});
     return {};
 }
 

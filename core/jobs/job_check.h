@@ -14,6 +14,8 @@ Result<void> checkJob(const DeviceDescription &device, const Job &job,
 
 Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value,
                         const std::optional<ValueOptions> &options = {});
+// Whether the value is a text that is short enough.
+Result<void> checkText(const ParameterDescription &parameter, const Value &value);
 // Whether the value is a number between the minimum and the maximum.
 Result<void> checkRange(const ParameterDescription &parameter, const Value &value);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cams/cam_fields.h"
-#include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/position_scale.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/event.h"
@@ -133,6 +133,17 @@ public:
     // Where a preset is kept when the scaling changes; empty: nowhere.
     virtual std::optional<Parameter> presetOffset() const { return Parameter::zeroOffset; }
 };
+
+// A protocol of encoders: the profile that descriptions name it by, and what knows it. Both outlive the
+// program.
+struct ProtocolKind
+{
+    Profile profile;
+    const ProtocolRules &rules;
+    const Protocol &protocol;
+};
+// Those of kinds/protocols.cpp, and any that were added, before descriptions are read.
+void addProtocol(const ProtocolKind &kind);
 
 // That of its profile; noProtocol() if no kind has it.
 const Protocol &protocolOf(const DeviceDescription &device);

@@ -2,6 +2,7 @@
 #include "jobs/values_to_write.h"
 
 #include "catalog/preset_storage.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
 #include "jobs/shown_error.h"
 
@@ -112,7 +113,7 @@ std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const Para
     if (!hasLostParameters(encoder))
         return lost;
     for (const ParameterDescription &its : encoder.device().parameters)
-        if (its.isNeededAfterLoss && !valueOf(values, its.parameter))
+        if (its.isNeededAfterLoss && !findValue(values, its.parameter))
             lost.push_back(its.parameter);
     return lost;
 }
@@ -145,7 +146,7 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
     }
     const ParameterValues written = job.values;
     for (const ParameterValue &wanted : wish.wanted)
-        if (!valueOf(written, wanted.parameter) &&
+        if (!findValue(written, wanted.parameter) &&
             protocolOf(encoder.device()).goesAlong(wanted.parameter, written))
             job.values.push_back(wanted);
     return job;
@@ -202,7 +203,7 @@ bool takesValue(const Step &step)
 
 bool writesValue(const Step &step)
 {
-    return step.parameter && takesValue(step);
+    return !step.parameters.empty() && takesValue(step);
 }
 
 bool readsCams(const Step &step)
@@ -212,8 +213,10 @@ bool readsCams(const Step &step)
 
 int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device)
 {
+    const bool storesWhatItTakes = !protocolRules(device.profile).storesByStep();
     return static_cast<int>(std::ranges::count_if(steps, [&](const Step &step) {
-        return takesValue(step) || (step.effect == Effect::setsPosition && mayStorePreset(device));
+        return step.effect == Effect::stores || (takesValue(step) && storesWhatItTakes) ||
+               (step.effect == Effect::setsPosition && mayStorePreset(device));
     }));
 }
 

@@ -55,13 +55,14 @@ std::vector<Known> allKnown(const EncoderSession &encoder);
 // Whether the encoder takes anything with this step, a value or a position that becomes its preset: its
 // EEPROM is written.
 bool takesValue(const Step &step);
-// Whether that is a value of the step's parameter.
+// Whether that is values of the step's parameters.
 bool writesValue(const Step &step);
 
 // Whether the step only reads cams, or ends such a read-out.
 bool readsCams(const Step &step);
 
-// EEPROM writes these steps will cost at most: one per value, and the preset if it may be stored.
+// EEPROM writes these steps will cost at most: one per value, or per step that stores, and the preset if it
+// may be stored.
 int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device);
 
 } // namespace codewheel

@@ -27,13 +27,15 @@ std::vector<WriteRow>::iterator rowOf(std::vector<WriteRow> &rows, Parameter par
 // A value that was not wanted was computed: it exists only in the request.
 void addSent(std::vector<WriteRow> &rows, const Step &step, const ParameterValues &allWanted)
 {
-    const Parameter parameter = *step.parameter;
-    const auto wanted = valueOf(allWanted, parameter);
-    if (const auto row = rowOf(rows, parameter); row != rows.end())
-        row->step = step;
-    else if (wanted || step.data)
-        rows.push_back(
-            {.wanted = {parameter, wanted ? *wanted : *step.data}, .step = step, .goesAlong = !wanted});
+    for (const Parameter parameter : step.parameters) {
+        const auto wanted = findValue(allWanted, parameter);
+        if (const auto row = rowOf(rows, parameter); row != rows.end())
+            row->step = step;
+        else if (wanted || step.data)
+            rows.push_back({.wanted = {parameter, wanted ? *wanted : Value(*step.data)},
+                            .step = step,
+                            .goesAlong = !wanted});
+    }
 }
 
 std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &plan,
@@ -50,7 +52,7 @@ std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &pla
         row.known = encoder.known(row.wanted.parameter);
         if (const auto checked = checkValue(encoder.device(), row.wanted, encoder.valueOptions()); !checked)
             row.hindrance = checked.error();
-        row.isThere = !row.step && !row.hindrance && !valueOf(plan.job.values, row.wanted.parameter);
+        row.isThere = !row.step && !row.hindrance && !findValue(plan.job.values, row.wanted.parameter);
     }
     return rows;
 }

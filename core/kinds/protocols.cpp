@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace codewheel {
 
@@ -44,30 +45,20 @@ std::span<const PlaceFormat> placeFormats()
 
 namespace {
 
-struct ProtocolRow
+std::vector<ProtocolKind> &protocolKinds()
 {
-    Profile profile;
-    const ProtocolRules &rules;
-    const Protocol &protocol;
-};
-
-std::span<const ProtocolRow> protocolRows()
-{
-    static const std::array rows{
-        ProtocolRow{profile::k1, k1Rules(), k3Protocol()},
-        ProtocolRow{profile::k2, k2Rules(), k3Protocol()},
-        ProtocolRow{profile::k3, k3Rules(), k3Protocol()},
-        ProtocolRow{profile::k4, k4Rules(), k3Protocol()},
-        ProtocolRow{profile::la66, la66Rules(), la66Protocol()},
-        ProtocolRow{profile::esc, escRules(), escProtocol()},
+    static std::vector<ProtocolKind> kinds{
+        {profile::k1, k1Rules(), k3Protocol()},       {profile::k2, k2Rules(), k3Protocol()},
+        {profile::k3, k3Rules(), k3Protocol()},       {profile::k4, k4Rules(), k3Protocol()},
+        {profile::la66, la66Rules(), la66Protocol()}, {profile::esc, escRules(), escProtocol()},
     };
-    return rows;
+    return kinds;
 }
 
-const ProtocolRow *rowOf(Profile profile)
+const ProtocolKind *kindOf(Profile profile)
 {
-    const auto found = std::ranges::find(protocolRows(), profile, &ProtocolRow::profile);
-    return found == protocolRows().end() ? nullptr : &*found;
+    const auto found = std::ranges::find(protocolKinds(), profile, &ProtocolKind::profile);
+    return found == protocolKinds().end() ? nullptr : &*found;
 }
 
 } // namespace
@@ -75,16 +66,21 @@ const ProtocolRow *rowOf(Profile profile)
 std::vector<Profile> allProfiles()
 {
     std::vector<Profile> profiles;
-    for (const ProtocolRow &row : protocolRows())
-        profiles.push_back(row.profile);
+    for (const ProtocolKind &kind : protocolKinds())
+        profiles.push_back(kind.profile);
     return profiles;
+}
+
+void addProtocol(const ProtocolKind &kind)
+{
+    protocolKinds().push_back(kind);
 }
 
 const ProtocolRules &protocolRules(Profile profile)
 {
     static const ProtocolRules ofNone;
-    const ProtocolRow *row = rowOf(profile);
-    return row != nullptr ? row->rules : ofNone;
+    const ProtocolKind *kind = kindOf(profile);
+    return kind != nullptr ? kind->rules : ofNone;
 }
 
 QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter)
@@ -112,8 +108,8 @@ QString effectInCamMode(std::optional<Word> out)
 
 const Protocol &protocolOf(const DeviceDescription &device)
 {
-    const ProtocolRow *row = rowOf(device.profile);
-    return row != nullptr ? row->protocol : noProtocol();
+    const ProtocolKind *kind = kindOf(device.profile);
+    return kind != nullptr ? kind->protocol : noProtocol();
 }
 
 } // namespace codewheel

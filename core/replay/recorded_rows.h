@@ -19,6 +19,7 @@ public:
 
     virtual ~RecordedRows() = default;
     virtual std::span<const TrafficColumn> columns() const = 0;
+    virtual bool areOfTerminal() const { return false; } // EncoderBus::hasTerminal()
     virtual TrafficRow explained(TrafficRow row, const EncoderAt &encoder) = 0;
     virtual void restart() = 0; // what comes does not follow what came
 };

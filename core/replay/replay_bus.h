@@ -43,6 +43,7 @@ public:
     BusState state() const override { return m_isOpen ? BusState::open : BusState::closed; }
     bool isSimulated() const override { return false; }
     bool isReplay() const override { return true; }
+    bool hasTerminal() const override { return m_rows->areOfTerminal(); }
     bool isRunning() const override { return m_isOpen; }
     bool isOperating() const override { return false; }
     Instant now() const override { return m_shownAt; }

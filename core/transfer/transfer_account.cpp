@@ -15,16 +15,16 @@ Became becameOf(const WriteRow &row, const std::vector<Outcome> &outcomes)
 {
     Became became = row.isThere ? Became::alreadyThere : Became::notDone;
     for (const Outcome &outcome : outcomes) {
-        if (const auto written = valueOf(outcome.written, row.wanted.parameter)) {
+        if (const auto written = findValue(outcome.written, row.wanted.parameter)) {
             if (*written == row.wanted.value)
                 became = Became::written;
             else if (!outcome.result)
                 became = Became::restored;
-        } else if (valueOf(outcome.confirmed, row.wanted.parameter) == row.wanted.value) {
+        } else if (findValue(outcome.confirmed, row.wanted.parameter) == row.wanted.value) {
             became = Became::confirmed;
-        } else if (valueOf(outcome.notActive, row.wanted.parameter) == row.wanted.value) {
+        } else if (findValue(outcome.notActive, row.wanted.parameter) == row.wanted.value) {
             became = Became::notActive;
-        } else if (valueOf(outcome.alreadyThere, row.wanted.parameter) == row.wanted.value) {
+        } else if (findValue(outcome.alreadyThere, row.wanted.parameter) == row.wanted.value) {
             became = Became::alreadyThere;
         }
     }
@@ -33,8 +33,8 @@ Became becameOf(const WriteRow &row, const std::vector<Outcome> &outcomes)
 
 bool mayHaveSent(const Outcome &outcome, Parameter parameter)
 {
-    return valueOf(outcome.written, parameter) || valueOf(outcome.confirmed, parameter) ||
-           valueOf(outcome.notActive, parameter) || valueOf(outcome.inDoubt.values, parameter);
+    return findValue(outcome.written, parameter) || findValue(outcome.confirmed, parameter) ||
+           findValue(outcome.notActive, parameter) || findValue(outcome.inDoubt.values, parameter);
 }
 
 // What a job read before anything was sent, otherwise what was known when the plan was made.
@@ -42,7 +42,7 @@ std::optional<Known> valueBefore(const WriteRow &row, const std::vector<Outcome>
 {
     const Parameter parameter = row.wanted.parameter;
     for (const Outcome &outcome : outcomes) {
-        if (const auto read = valueOf(outcome.read, parameter))
+        if (const auto read = findValue(outcome.read, parameter))
             return Known{.parameter = parameter, .value = *read, .evidence = Evidence::read};
         if (mayHaveSent(outcome, parameter))
             break;
@@ -127,7 +127,7 @@ void addPresetThatIsLeft(EncoderAccount &account, const EncoderPlan &plan, const
     const ParameterValue preset{Parameter::preset, plan.position.value_or(0)};
     const bool isShown = std::ranges::find(account.rows, preset, &AccountRow::wanted) != account.rows.end();
     const bool wasWritten = std::ranges::any_of(outcomes, [&](const Outcome &outcome) {
-        return valueOf(outcome.written, preset.parameter) == preset.value;
+        return findValue(outcome.written, preset.parameter) == preset.value;
     });
     const bool isLeft = !account.positionSet || account.why;
     if (plan.position && isLeft && wasWritten && !isShown)

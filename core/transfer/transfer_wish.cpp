@@ -16,24 +16,27 @@ bool takeTheSame(const DeviceDescription &a, const DeviceDescription &b)
            a.parameters == b.parameters;
 }
 
+bool isOfItsPlace(Parameter parameter)
+{
+    return parameter == Parameter::lineAddress || parameter == Parameter::baudRate;
+}
+
 } // namespace
 
 ParameterValues withoutItsPlace(ParameterValues values)
 {
-    std::erase_if(values, [](const ParameterValue &value) {
-        return value.parameter == Parameter::lineAddress || value.parameter == Parameter::baudRate;
-    });
+    std::erase_if(values, [](const ParameterValue &value) { return isOfItsPlace(value.parameter); });
     return values;
 }
 
 bool isSetting(const DeviceDescription *device, const ParameterValue &value)
 {
     const Parameter parameter = value.parameter;
-    const bool isOfAny = parameter < Parameter::rodLength ||
-                         (parameter >= Parameter::lowerLimit && parameter <= Parameter::scalingFactor);
+    if (isOfItsPlace(parameter))
+        return false;
     const ParameterDescription *its = device ? device->find(parameter) : nullptr;
-    if (!isOfAny || its == nullptr)
-        return isOfAny;
+    if (its == nullptr)
+        return parameter < Parameter::lineAddress && parameter != Parameter::rodLength;
     return its->canBeWritten && its->takes(value.value);
 }
 

@@ -20,7 +20,7 @@ FindValuesBefore valuesBeforeOf(const LedgerKeeper &keeper)
             const DeviceDescription *device = keeper.bus().catalog().find(entry.device);
             for (const Ledger::Value &known : entry.before)
                 if (const ParameterValue value{known.parameter, known.value};
-                    isSetting(device, value) && (!entry.settled || valueOf(entry.written, value.parameter)))
+                    isSetting(device, value) && (!entry.settled || findValue(entry.written, value.parameter)))
                     one.values.push_back(value);
             if (!one.values.empty())
                 all.push_back(std::move(one));

@@ -7,7 +7,9 @@
 
 #include <QByteArray>
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace codewheel {
 
@@ -22,6 +24,7 @@ enum class Effect : std::uint8_t {
     byHand,       // a word of the user, whatever it does
     takesByHand,  // one that gives the encoder a value
     activates,    // what it has taken is in force from now on
+    stores,       // what is in force is kept without supply: one EEPROM write, where taking costs none
     setsPosition, // to what it has as a preset
     switchesMode, // a cam program that was changed is stored
 };
@@ -29,11 +32,18 @@ enum class Effect : std::uint8_t {
 struct Step
 {
     Effect effect = Effect::none;
-    OwnKind kind{};                       // of its protocol
-    Word out = 0;                         // the word this step puts into OUT
-    std::optional<Parameter> parameter{}; // that it reads or writes, where the description names it
-    QByteArray line{};                    // what is sent instead of a word: "03GP00005200"
-    std::optional<std::int64_t> data{};   // the value that a line writes, as sent
+    OwnKind kind{};                      // of its protocol
+    Word out = 0;                        // the word this step puts into OUT
+    std::vector<Parameter> parameters{}; // that it reads or writes, where the description names them
+    QByteArray line{};                   // what is sent instead of a word: "03GP00005200"
+    std::optional<std::int64_t> data{};  // the value that a line writes, as sent
+
+    bool carries(Parameter parameter) const { return std::ranges::count(parameters, parameter) > 0; }
+    // For protocols whose steps carry one at most.
+    std::optional<Parameter> parameter() const
+    {
+        return parameters.empty() ? std::nullopt : std::optional(parameters.front());
+    }
 
     friend bool operator==(const Step &, const Step &) = default;
 };

@@ -89,9 +89,9 @@ protected:
         while (wizard().page() < page && !HasFailure())
             press(button("wizardNext"));
     }
-    NumberInput &steps()
+    ValueInput &steps()
     {
-        return *wizard().findChild<ValuesPage *>()->findChild<NumberInput *>(QStringLiteral("steps"));
+        return *wizard().findChild<ValuesPage *>()->findChild<ValueInput *>(QStringLiteral("steps"));
     }
 
     const StepTable &handshake()
@@ -178,7 +178,7 @@ protected:
     StructureView &tree() { return *window().findChild<StructureView *>(); }
     ParameterPanel &panel() { return *window().findChild<ParameterPanel *>(); }
     ParameterTable &table() { return *panel().findChild<ParameterTable *>(); }
-    NumberInput *field() { return table().viewport()->findChild<NumberInput *>(); }
+    ValueInput *field() { return table().viewport()->findChild<ValueInput *>(); }
     ParameterValues wanted(Place place) { return shown->project().device(place).wanted; }
     void clickInTree(Place place)
     {
@@ -240,9 +240,9 @@ protected:
         steps().setFocus();
     }
     ParameterWizard &wizard() { return *window().findChild<ParameterWizard *>(); }
-    NumberInput &steps()
+    ValueInput &steps()
     {
-        return *wizard().findChild<ValuesPage *>()->findChild<NumberInput *>(QStringLiteral("steps"));
+        return *wizard().findChild<ValuesPage *>()->findChild<ValueInput *>(QStringLiteral("steps"));
     }
     bool isWanted() { return !shown->project().device(test::fraba).wanted.empty(); }
 };

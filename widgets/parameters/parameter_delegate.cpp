@@ -175,8 +175,8 @@ QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionView
     const ParameterDescription &parameter = model.rowAt(index.row()).parameter;
     QWidget *editor = makeValueInput(parameter, tr("unchanged"), parent);
     editor->setAccessibleName(tr("Wanted: %1").arg(parameterName(parameter.parameter)));
-    if (auto *number = qobject_cast<NumberInput *>(editor)) {
-        connect(number, &NumberInput::inputChecked, this, [this, number, &model](const QString &wrong) {
+    if (auto *number = qobject_cast<ValueInput *>(editor)) {
+        connect(number, &ValueInput::inputChecked, this, [this, number, &model](const QString &wrong) {
             const auto value = inputValue(*number);
             Q_EMIT inputChecked(value && *value ? model.whyTaken({number->parameter(), **value}) : wrong);
         });
@@ -205,7 +205,7 @@ void ParameterDelegate::updateEditorGeometry(QWidget *editor, const QStyleOption
 // What the user is typing is not overwritten by what comes from the bus.
 void ParameterDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const
 {
-    if (const auto *number = qobject_cast<NumberInput *>(editor); number && number->isModified())
+    if (const auto *number = qobject_cast<ValueInput *>(editor); number && number->isModified())
         return;
     const QVariant value = index.data(Qt::EditRole);
     setInputValue(*editor, valueFromVariant(value));

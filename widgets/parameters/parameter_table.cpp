@@ -47,7 +47,7 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
 
 bool ParameterTable::finishEditing()
 {
-    for (NumberInput *input : viewport()->findChildren<NumberInput *>())
+    for (ValueInput *input : viewport()->findChildren<ValueInput *>())
         if (input->isVisible() && !input->value()) {
             input->setFocus();
             return false;
@@ -58,7 +58,7 @@ bool ParameterTable::finishEditing()
 
 std::optional<ParameterTable::Typed> ParameterTable::typed() const
 {
-    for (const NumberInput *input : viewport()->findChildren<NumberInput *>())
+    for (const ValueInput *input : viewport()->findChildren<ValueInput *>())
         if (input->isVisible() && input->isModified())
             return Typed{input->parameter(), input->text()};
     return {};
@@ -70,7 +70,7 @@ void ParameterTable::goOn(const Typed &typed)
         if (m_model.rowAt(row).isHead() || m_model.rowAt(row).parameter.parameter != typed.parameter)
             continue;
         edit(m_model.index(row, ParameterModel::wantedColumn));
-        for (NumberInput *input : viewport()->findChildren<NumberInput *>()) {
+        for (ValueInput *input : viewport()->findChildren<ValueInput *>()) {
             input->setText(typed.text);
             input->setModified(true);
         }

@@ -18,6 +18,8 @@ struct ParameterWords
 
 QString range(const ParameterDescription &parameter)
 {
+    if (parameter.isText())
+        return ParameterWords::tr("Range: %1.").arg(textLimit(parameter));
     if (parameter.choices.empty())
         return ParameterWords::tr("Range: %1 to %2.")
             .arg(valueText(parameter, parameter.minimum), valueText(parameter, parameter.maximum));

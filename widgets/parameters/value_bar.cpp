@@ -48,8 +48,8 @@ void ValueBar::ask(Question question, const std::optional<Value> &value)
     m_take->show();
     static_cast<QGridLayout *>(layout())->addWidget(m_input, 1, 0);
     setTabOrder(m_input, m_take);
-    if (auto *number = qobject_cast<NumberInput *>(m_input))
-        connect(number, &NumberInput::inputChecked, this, &ValueBar::checkInput);
+    if (auto *number = qobject_cast<ValueInput *>(m_input))
+        connect(number, &ValueInput::inputChecked, this, &ValueBar::checkInput);
     checkInput();
     show();
     m_input->setFocus();

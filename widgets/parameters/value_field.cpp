@@ -32,7 +32,7 @@ ValueField::ValueField(const ParameterDescription &parameter, const QString &ifE
     m_input->setObjectName(parameterKey(parameter.parameter));
     layOutRow(this, {m_input}, {.margins = QMargins()});
     setFocusProxy(m_input);
-    if (auto *number = qobject_cast<NumberInput *>(m_input)) {
+    if (auto *number = qobject_cast<ValueInput *>(m_input)) {
         m_input->installEventFilter(this);
         connect(number, &QLineEdit::textEdited, this, [this] { m_isTyped = true; });
         connect(number, &QLineEdit::textChanged, this, [this] {
@@ -61,14 +61,14 @@ void ValueField::setValue(const std::optional<Value> &value)
 {
     const QSignalBlocker quiet(this);
     setInputValue(*m_input, value);
-    if (const auto *number = qobject_cast<NumberInput *>(m_input))
+    if (const auto *number = qobject_cast<ValueInput *>(m_input))
         m_taken = number->text();
 }
 
 // The field handles Esc if something was typed; otherwise its surroundings do.
 bool ValueField::eventFilter(QObject *input, QEvent *event)
 {
-    auto *number = qobject_cast<NumberInput *>(input);
+    auto *number = qobject_cast<ValueInput *>(input);
     const bool gives = number != nullptr && event->type() == QEvent::KeyPress &&
                        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape && number->text() != m_taken;
     if (!gives)
@@ -80,7 +80,7 @@ bool ValueField::eventFilter(QObject *input, QEvent *event)
 
 void ValueField::takeTyped()
 {
-    auto *number = qobject_cast<NumberInput *>(m_input);
+    auto *number = qobject_cast<ValueInput *>(m_input);
     if (number == nullptr)
         return;
     const QString text = number->text();
@@ -93,7 +93,7 @@ void ValueField::takeTyped()
 
 bool ValueField::isBeingTyped() const
 {
-    const auto *number = qobject_cast<NumberInput *>(m_input);
+    const auto *number = qobject_cast<ValueInput *>(m_input);
     return number != nullptr && number->text() != m_taken;
 }
 

@@ -2,6 +2,7 @@
 #include "widgets/parameters/value_input.h"
 
 #include "catalog/value_text.h"
+#include "jobs/job_check.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/rod_scale.h"
@@ -83,7 +84,7 @@ tl::expected<std::int64_t, QString> inputNumber(const ParameterDescription &para
 class RangeCheck final : public QValidator
 {
 public:
-    explicit RangeCheck(NumberInput &input)
+    explicit RangeCheck(ValueInput &input)
         : QValidator(&input)
         , m_input(input)
     {}
@@ -91,32 +92,37 @@ public:
     State validate(QString &, int &) const override { return m_input.value() ? Acceptable : Intermediate; }
 
 private:
-    const NumberInput &m_input;
+    const ValueInput &m_input;
 };
 
 } // namespace
 
-NumberInput::NumberInput(ParameterDescription parameter, QWidget *parent)
+ValueInput::ValueInput(ParameterDescription parameter, QWidget *parent)
     : QLineEdit(parent)
     , m_parameter(std::move(parameter))
     , m_mark(*this)
 {
     setFont(numberFont());
-    setAlignment(Qt::AlignRight);
+    setAlignment(m_parameter.isText() ? Qt::AlignLeft : Qt::AlignRight);
     setToolTip(parameter_words::rangeAndFactory(m_parameter));
     setValidator(new RangeCheck(*this));
-    connect(this, &QLineEdit::textChanged, this, &NumberInput::check);
+    connect(this, &QLineEdit::textChanged, this, &ValueInput::check);
 }
 
-void NumberInput::setValue(const std::optional<Value> &value)
+void ValueInput::setValue(const std::optional<Value> &value)
 {
-    setText(value ? inputText(m_parameter, value->number()) : QString());
+    if (value && value->isText())
+        setText(value->toString());
+    else
+        setText(value ? inputText(m_parameter, value->number()) : QString());
 }
 
-Result<std::optional<Value>> NumberInput::value() const
+Result<std::optional<Value>> ValueInput::value() const
 {
     if (text().trimmed().isEmpty())
         return std::optional<Value>();
+    if (m_parameter.isText())
+        return checkText(m_parameter, Value(text())).map([this] { return std::optional<Value>(text()); });
     const auto number = inputNumber(m_parameter, text());
     const auto argument = [this](std::int64_t value) {
         return m_parameter.unit == Unit::micrometres
@@ -135,13 +141,13 @@ Result<std::optional<Value>> NumberInput::value() const
                    argument(m_parameter.maximum)});
 }
 
-QSize NumberInput::minimumSizeHint() const
+QSize ValueInput::minimumSizeHint() const
 {
     const QSize least = QLineEdit::minimumSizeHint();
     return {least.width() + fontMetrics().horizontalAdvance(placeholderText()), least.height()};
 }
 
-void NumberInput::check()
+void ValueInput::check()
 {
     const auto checked = value();
     const QString wrong = checked ? QString() : refusalText(checked.error());
@@ -153,7 +159,7 @@ QWidget *makeValueInput(const ParameterDescription &parameter, const QString &if
 {
     QWidget *input = nullptr;
     if (parameter.choices.empty()) {
-        auto *number = new NumberInput(parameter, parent);
+        auto *number = new ValueInput(parameter, parent);
         number->setPlaceholderText(ifEmpty);
         input = number;
     } else {
@@ -170,7 +176,7 @@ QWidget *makeValueInput(const ParameterDescription &parameter, const QString &if
 
 void setInputValue(QWidget &input, const std::optional<Value> &value)
 {
-    if (auto *number = qobject_cast<NumberInput *>(&input))
+    if (auto *number = qobject_cast<ValueInput *>(&input))
         number->setValue(value);
     else if (auto *choices = qobject_cast<QComboBox *>(&input))
         choices->setCurrentIndex(value ? std::max(choices->findData(qlonglong{value->number()}), 0) : 0);
@@ -192,7 +198,7 @@ std::optional<Value> valueFromVariant(const QVariant &variant)
 
 Result<std::optional<Value>> inputValue(const QWidget &input)
 {
-    if (const auto *number = qobject_cast<const NumberInput *>(&input))
+    if (const auto *number = qobject_cast<const ValueInput *>(&input))
         return number->value();
     const QVariant chosen = static_cast<const QComboBox &>(input).currentData();
     return chosen.isValid() ? std::optional<Value>(chosen.toLongLong()) : std::nullopt;

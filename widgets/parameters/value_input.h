@@ -12,14 +12,14 @@ class QComboBox;
 
 namespace codewheel {
 
-// A field for one number of an encoder, decimal or hexadecimal, or a length in mm, that says while you type
-// what is wrong. May be empty: no value.
-class NumberInput : public QLineEdit
+// A field for one value of an encoder that is typed: a number, decimal or hexadecimal, a length in mm, or a
+// text. It says while you type what is wrong. May be empty: no value.
+class ValueInput : public QLineEdit
 {
     Q_OBJECT
 
 public:
-    NumberInput(ParameterDescription parameter, QWidget *parent = nullptr);
+    ValueInput(ParameterDescription parameter, QWidget *parent = nullptr);
 
     Parameter parameter() const { return m_parameter.parameter; }
     void setValue(const std::optional<Value> &value);
@@ -37,7 +37,7 @@ private:
     InputMark m_mark;
 };
 
-// For item delegates, the "tell" row and forms: a NumberInput, or a combo box for the choices the device has.
+// For item delegates, the "tell" row and forms: a ValueInput, or a combo box for the choices the device has.
 // ifEmpty stands for no value: "as it is".
 QWidget *makeValueInput(const ParameterDescription &parameter, const QString &ifEmpty, QWidget *parent);
 void setInputValue(QWidget &input, const std::optional<Value> &value);

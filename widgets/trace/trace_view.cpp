@@ -119,7 +119,7 @@ void TraceView::watchEncoders()
         connect(bus, &EncoderBus::trafficPassed, this, &TraceView::add, Qt::UniqueConnection);
         connect(bus, &EncoderBus::trafficRestarted, this, &TraceView::beginAnew, Qt::UniqueConnection);
         for (const Place place : bus->places())
-            if (const EncoderSession *encoder = bus->encoder(place); encoder && encoder->device().hasWords())
+            if (const EncoderSession *encoder = bus->encoder(place); encoder && !bus->hasTerminal())
                 collect(*encoder);
     }
 }
@@ -196,16 +196,22 @@ void TraceView::beginAnew()
 void TraceView::setEncoder(EncoderSession *encoder, std::optional<Place> offline)
 {
     watchEncoders();
-    m_shown = encoder && encoder->device().hasWords() ? model(encoder->place()) : nullptr;
+    m_shown = encoder && !hasTerminal(*encoder) ? model(encoder->place()) : nullptr;
     m_message->withdraw();
     m_goTo->setPlace(m_shown ? std::optional(encoder->place()) : std::nullopt);
     showModel();
     showWhyEmpty(encoder, offline);
 }
 
+bool TraceView::hasTerminal(const EncoderSession &encoder) const
+{
+    const EncoderBus *bus = m_buses.busOf(encoder.place());
+    return bus != nullptr && bus->hasTerminal();
+}
+
 void TraceView::showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline)
 {
-    const bool onLine = encoder && !encoder->device().hasWords();
+    const bool onLine = encoder && hasTerminal(*encoder);
     if (onLine)
         m_empty->setTexts(tr("%1 is on a serial line").arg(encoder->place().shown()),
                           tr("It has no words. The traffic of its line is in the terminal."));

@@ -70,6 +70,7 @@ private:
     void beginAnew(); // of the bus that says so
     void makeTable();
     void makeTools();
+    bool hasTerminal(const EncoderSession &encoder) const;
     void showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline);
     void showModel();
     void makeRoom(int first, int last); // for these rows

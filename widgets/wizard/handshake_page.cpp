@@ -37,9 +37,9 @@ ParameterValues valuesToRestore(const HandshakeRecord &record)
 {
     ParameterValues values;
     for (const ParameterValue &taken : record.taken()) {
-        auto before = record.outcome ? valueOf(record.outcome->read, taken.parameter) : std::nullopt;
+        auto before = record.outcome ? findValue(record.outcome->read, taken.parameter) : std::nullopt;
         if (!before)
-            before = valueOf(valuesOf(record.before), taken.parameter);
+            before = findValue(valuesOf(record.before), taken.parameter);
         if (!before)
             return {};
         values.push_back({taken.parameter, *before});

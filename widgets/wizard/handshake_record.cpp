@@ -23,8 +23,9 @@ ParameterValues HandshakeRecord::taken() const
         const Step &step = progress.steps[static_cast<std::size_t>(i)];
         if (!writesValue(step))
             continue;
-        if (const auto value = valueOf(job.values, *step.parameter))
-            values.push_back({*step.parameter, *value});
+        for (const Parameter parameter : step.parameters)
+            if (const auto value = findValue(job.values, parameter))
+                values.push_back({parameter, *value});
     }
     return values;
 }

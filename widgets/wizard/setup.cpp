@@ -17,7 +17,7 @@ void Setup::want(const Wishes &wishes)
 {
     ParameterValues values = wish.wanted;
     for (const auto &[parameter, value] : wishes) {
-        const auto before = valueOf(wish.wanted, parameter);
+        const auto before = findValue(wish.wanted, parameter);
         if (before == value)
             continue;
         putWanted(values, parameter, value);
@@ -32,7 +32,7 @@ QStringList Setup::changed() const
 {
     QStringList names;
     for (const auto &[parameter, change] : given)
-        if (change.now != change.before && valueOf(wish.wanted, parameter) == change.now)
+        if (change.now != change.before && findValue(wish.wanted, parameter) == change.now)
             names << parameterName(parameter);
     return names;
 }
@@ -44,7 +44,7 @@ void Setup::takeBack()
     takeWanted();
     ParameterValues values = wish.wanted;
     for (const auto &[parameter, change] : given)
-        if (valueOf(wish.wanted, parameter) == change.now)
+        if (findValue(wish.wanted, parameter) == change.now)
             putWanted(values, parameter, change.before);
     wanted.replace(encoder->place(), std::move(values),
                    SetupTexts::tr("Wizard for %1 cancelled").arg(encoder->place().shown()));

@@ -65,7 +65,7 @@ void ValuesPage::enter()
     if (m_rowsOf != m_setup.encoder->device().key)
         makeRows();
     for (const auto &[parameter, row] : m_rows)
-        row.field->setValue(valueOf(m_setup.wish.wanted, parameter));
+        row.field->setValue(findValue(m_setup.wish.wanted, parameter));
     showSetting();
     showKnown();
     takeFields();
@@ -184,8 +184,8 @@ void ValuesPage::showWanted()
     const ParameterValues wanted = m_setup.wanted.values(m_setup.encoder->place());
     for (const auto &[parameter, row] : m_rows) {
         const auto shown = row.field->value();
-        if (!row.field->isBeingTyped() && shown && *shown != valueOf(wanted, parameter))
-            row.field->setValue(valueOf(wanted, parameter));
+        if (!row.field->isBeingTyped() && shown && *shown != findValue(wanted, parameter))
+            row.field->setValue(findValue(wanted, parameter));
     }
     checkFields();
 }

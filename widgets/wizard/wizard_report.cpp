@@ -61,7 +61,7 @@ ReportSection valueSection(const HandshakeRecord &record, const DeviceDescriptio
     for (const ParameterDescription &parameter : device.parameters) {
         if (!parameter.canBeWritten)
             continue;
-        const auto wanted = valueOf(record.job.values, parameter.parameter);
+        const auto wanted = findValue(record.job.values, parameter.parameter);
         table.rows.push_back({{parameterName(parameter.parameter),
                                knownText(device, knownIn(record.before, parameter.parameter)),
                                wanted ? valueWithUnit(device, {parameter.parameter, *wanted}) : QString(),

@@ -89,17 +89,22 @@ QJsonObject parameterJson(const DeviceDescription &device, const ParameterDescri
     const auto letters = [&device](const QString &text) {
         return device.hasWords() || text.isEmpty() ? QJsonValue() : QJsonValue(text);
     };
-    return {{QStringLiteral("parameter"), parameterKey(parameter.parameter)},
-            {QStringLiteral("number"), code(reach.write)},
-            {QStringLiteral("readOut"), code(reach.read)},
-            {QStringLiteral("writeCommand"), letters(reach.write)},
-            {QStringLiteral("readCommand"), letters(reach.read)},
-            {QStringLiteral("minimum"), static_cast<qint64>(parameter.minimum)},
-            {QStringLiteral("maximum"), static_cast<qint64>(parameter.maximum)},
-            {QStringLiteral("factory"), numberJson(parameter.factory)},
-            {QStringLiteral("unit"), unitKey(parameter.unit)},
-            {QStringLiteral("chapter"), parameter.chapter.toString()},
-            {QStringLiteral("choices"), choices}};
+    QJsonObject json{{QStringLiteral("parameter"), parameterKey(parameter.parameter)},
+                     {QStringLiteral("number"), code(reach.write)},
+                     {QStringLiteral("readOut"), code(reach.read)},
+                     {QStringLiteral("writeCommand"), letters(reach.write)},
+                     {QStringLiteral("readCommand"), letters(reach.read)},
+                     {QStringLiteral("factory"), numberJson(parameter.factory)},
+                     {QStringLiteral("unit"), unitKey(parameter.unit)},
+                     {QStringLiteral("chapter"), parameter.chapter.toString()},
+                     {QStringLiteral("choices"), choices}};
+    if (parameter.isText()) {
+        json.insert(QStringLiteral("text"), parameter.textLength);
+        return json;
+    }
+    json.insert(QStringLiteral("minimum"), static_cast<qint64>(parameter.minimum));
+    json.insert(QStringLiteral("maximum"), static_cast<qint64>(parameter.maximum));
+    return json;
 }
 
 QString errorLines(const DeviceDescription &device)

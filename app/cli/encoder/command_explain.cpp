@@ -122,7 +122,7 @@ Checked<std::optional<PositionCoding>> codingOf(const Call &call, const DeviceDe
     for (const DeviceDescription &other : call.catalog.devices())
         if (!withCoding->find(Parameter::coding))
             withCoding = &other;
-    const auto value = valueFrom(*withCoding->find(Parameter::coding), *given);
+    const auto value = numberFrom(*withCoding->find(Parameter::coding), *given);
     if (!value)
         return tl::unexpected(value.error());
     return protocolOf(*withCoding).codingFor(*withCoding, *value);

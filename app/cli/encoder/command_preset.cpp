@@ -51,7 +51,7 @@ Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
     if (!preset)
         return tl::unexpected(
             complaintAbout({RefusalKind::notSupported, RefusalId::presetNotSupported, {device.fullName()}}));
-    const auto value = valueFrom(*preset, call.arguments.rest[1]);
+    const auto value = numberFrom(*preset, call.arguments.rest[1]);
     if (!value)
         return tl::unexpected(value.error());
     job.value = *value;

@@ -77,11 +77,20 @@ tl::unexpected<Complaint> givenTwice(Parameter parameter)
 
 } // namespace
 
-Checked<std::int64_t> valueFrom(const ParameterDescription &parameter, const QString &text)
+Checked<Value> valueFrom(const ParameterDescription &parameter, const QString &text)
+{
+    if (parameter.isText())
+        return Value(text);
+    return numberFrom(parameter, text).map([](std::int64_t number) { return Value(number); });
+}
+
+Checked<std::int64_t> numberFrom(const ParameterDescription &parameter, const QString &text)
 {
     if (const Choice *choice = parameter.findChoice(QStringView(text)))
         return choice->value;
-    const auto number = parseNumber(text);
+    const bool isBelowZero = parameter.minimum < 0 && text.startsWith(u'-');
+    const auto magnitude = parseNumber(QStringView(text).sliced(isBelowZero ? 1 : 0));
+    const auto number = magnitude && isBelowZero ? std::optional(-*magnitude) : magnitude;
     const bool isChoice = parameter.choices.empty() || (number && parameter.findChoice(*number));
     if (number && isChoice)
         return *number;
@@ -127,7 +136,7 @@ Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QS
         const auto value = valueFrom(**parameter, assignment.sliced(equals + 1));
         if (!value)
             return tl::unexpected(value.error());
-        if (valueOf(values, (*parameter)->parameter))
+        if (findValue(values, (*parameter)->parameter))
             return givenTwice((*parameter)->parameter);
         values.push_back({(*parameter)->parameter, *value});
     }

@@ -16,8 +16,9 @@ Checked<std::vector<Parameter>> parametersToRead(const DeviceDescription &device
 // "steps=255", "direction=cw": the values in the order given. Ranges are the driver's to check.
 Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QStringList &assignments);
 
-// A value as the user types it: a number, or the key of a choice.
-Checked<std::int64_t> valueFrom(const ParameterDescription &parameter, const QString &text);
+// A value as the user types it: a text, a number, or the key of a choice.
+Checked<Value> valueFrom(const ParameterDescription &parameter, const QString &text);
+Checked<std::int64_t> numberFrom(const ParameterDescription &parameter, const QString &text);
 
 // The device with this key; the complaint lists the existing keys.
 Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QString &key);

@@ -31,6 +31,8 @@ static bool isShownOtherwise(const ParameterDescription &parameter)
 
 QString rangeText(const ParameterDescription &parameter)
 {
+    if (parameter.isText())
+        return textLimit(parameter);
     if (parameter.choices.empty() && isShownOtherwise(parameter))
         return QStringLiteral("%1..%2").arg(valueText(parameter, parameter.minimum),
                                             valueText(parameter, parameter.maximum));

@@ -22,15 +22,15 @@ WriteAccount::WriteAccount(const EncoderSession &encoder, const ParameterValues 
 
 QString WriteAccount::fateOf(const ParameterValue &value) const
 {
-    if (valueOf(outcome().written, value.parameter)) {
+    if (findValue(outcome().written, value.parameter)) {
         const auto known = m_encoder.known(value.parameter);
         return known && known->evidence == Evidence::read
                    ? CommandLine::tr("written, and read back")
                    : CommandLine::tr("written, confirmed by the handshake");
     }
-    if (valueOf(outcome().alreadyThere, value.parameter))
+    if (findValue(outcome().alreadyThere, value.parameter))
         return CommandLine::tr("already there");
-    if (valueOf(outcome().inDoubt.values, value.parameter))
+    if (findValue(outcome().inDoubt.values, value.parameter))
         return CommandLine::tr("sent: it is not known whether the encoder has it");
     if (valueOf(outcome().confirmed, value.parameter))
         return CommandLine::tr("confirmed; takes effect only with run");
@@ -42,7 +42,7 @@ bool WriteAccount::wasBegun(Parameter parameter) const
     const Progress &last = lastStep();
     const auto begun = std::min(last.steps.size(), static_cast<std::size_t>(last.index) + 1);
     return std::ranges::any_of(std::span(last.steps).first(begun), [&](const Step &step) {
-        return takesValue(step) && step.parameter == parameter;
+        return takesValue(step) && step.carries(parameter);
     });
 }
 

@@ -94,7 +94,7 @@ protected:
     void want(Parameter parameter, const QString &text)
     {
         clickWanted(parameter);
-        auto *field = panel.findChild<NumberInput *>();
+        auto *field = panel.findChild<ValueInput *>();
         ASSERT_NE(field, nullptr);
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
@@ -322,7 +322,7 @@ TEST_F(Parameters, AnEncoderWithoutReadOutSaysSoInsteadOfOfferingIt)
 TEST_F(Parameters, TypingIsCheckedAtTheFieldAndBadInputStaysThere)
 {
     clickWanted(Parameter::revolutions);
-    QPointer<NumberInput> field = panel.findChild<NumberInput *>();
+    QPointer<ValueInput> field = panel.findChild<ValueInput *>();
     ASSERT_NE(field, nullptr);
     QTest::keyClicks(field, QStringLiteral("4097"));
     EXPECT_TRUE(message().contains(QStringLiteral("out of range"))) << message().toStdString();
@@ -343,7 +343,7 @@ TEST_F(Parameters, TypingIsCheckedAtTheFieldAndBadInputStaysThere)
 TEST_F(Parameters, EscapeGivesBadInputUp)
 {
     clickWanted(Parameter::steps);
-    auto *field = panel.findChild<NumberInput *>();
+    auto *field = panel.findChild<ValueInput *>();
     ASSERT_NE(field, nullptr);
     QTest::keyClicks(field, QStringLiteral("none"));
     EXPECT_NE(message(), QString());
@@ -363,12 +363,12 @@ TEST_F(Parameters, KeysAloneEnterOneValueAfterTheOther)
 {
     table().setFocus();
     QTest::keyClick(&table(), Qt::Key_Return);
-    auto *field = panel.findChild<NumberInput *>();
+    auto *field = panel.findChild<ValueInput *>();
     ASSERT_NE(field, nullptr);
     QTest::keyClicks(field, QStringLiteral("FFh"));
     QTest::keyClick(field, Qt::Key_Tab);
     settle();
-    field = panel.findChild<NumberInput *>();
+    field = panel.findChild<ValueInput *>();
     ASSERT_NE(field, nullptr);
     QTest::keyClicks(field, QStringLiteral("1"));
     QTest::keyClick(field, Qt::Key_Return);
@@ -481,7 +481,7 @@ TEST_F(Parameters, AValueIsToldAndTakenAsWanted)
     table().setCurrentIndex(indexOf(Parameter::steps, ParameterModel::wantedColumn));
     QMenu *menu = panel.findChild<QMenu *>(QStringLiteral("moreMenu"));
     menu->actions().at(0)->trigger();
-    auto *field = panel.findChild<NumberInput *>(QStringLiteral("toldValue"));
+    auto *field = panel.findChild<ValueInput *>(QStringLiteral("toldValue"));
     ASSERT_NE(field, nullptr);
     QTest::keyClicks(field, QStringLiteral("4096"));
     QTest::keyClick(field, Qt::Key_Return);
@@ -652,12 +652,12 @@ TEST_F(Parameters, EveryControlHasANameAndATip)
 }
 
 // The tree and the manual write it in hexadecimal.
-TEST(NumberInput, AnAddressOfTwoDigitsSaysWhichNumberItIs)
+TEST(ValueInput, AnAddressOfTwoDigitsSaysWhichNumberItIs)
 {
     const Catalog catalog = Catalog::builtIn();
     const DeviceDescription *device = catalog.find(QStringLiteral("kuebler-esc-rs485"));
     ASSERT_NE(device, nullptr);
-    NumberInput input(*device->find(Parameter::lineAddress));
+    ValueInput input(*device->find(Parameter::lineAddress));
     input.setValue(18);
     EXPECT_EQ(input.text(), QStringLiteral("12h"));
     for (const auto &[text, value] : {std::pair("12h", 18), std::pair("0Ch", 12), std::pair("0x0C", 12),

@@ -61,7 +61,7 @@ protected:
     void want(Parameter parameter, const QString &text)
     {
         table().edit(indexOf(parameter, ParameterModel::wantedColumn));
-        auto *field = panel.findChild<NumberInput *>();
+        auto *field = panel.findChild<ValueInput *>();
         ASSERT_NE(field, nullptr);
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);

@@ -67,7 +67,7 @@ protected:
         const QModelIndex cell = indexOf(parameter, ParameterModel::wantedColumn);
         table().scrollTo(cell);
         QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(cell).center());
-        auto *field = table().viewport()->findChild<NumberInput *>();
+        auto *field = table().viewport()->findChild<ValueInput *>();
         ASSERT_NE(field, nullptr);
         field->selectAll();
         QTest::keyClicks(field, text);
@@ -159,7 +159,7 @@ TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
     ring.controls->moveMagnetTo(rodPlace.node, 200);
     ring.bus.advance(50);
     set->trigger();
-    auto *field = panel.findChild<NumberInput *>(QStringLiteral("toldValue"));
+    auto *field = panel.findChild<ValueInput *>(QStringLiteral("toldValue"));
     auto *take = panel.findChild<QPushButton *>(QStringLiteral("takeValue"));
     EXPECT_FALSE(take->isEnabled()) << "without a value nothing is set";
     QTest::keyClicks(field, QStringLiteral("1000"));

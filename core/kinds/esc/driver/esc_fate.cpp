@@ -25,7 +25,7 @@ bool wasSentOnEsc(const Progress &job, std::optional<Parameter> parameter)
     const auto begun =
         std::span(job.steps).first(std::min(job.steps.size(), static_cast<std::size_t>(job.index) + 1));
     return std::ranges::any_of(
-        begun, [parameter](const Step &step) { return takesValue(step) && step.parameter == parameter; });
+        begun, [parameter](const Step &step) { return takesValue(step) && step.parameter() == parameter; });
 }
 
 bool isFateUnknownOnEsc(const EncoderSession &encoder, std::optional<Parameter> parameter,

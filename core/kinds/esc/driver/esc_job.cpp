@@ -134,7 +134,7 @@ void EscJob::readAnswered(const esc::ExchangeResult &result, Instant now)
 
 void EscJob::readAgreed(Instant now)
 {
-    const Parameter parameter = *m_steps.current().parameter;
+    const Parameter parameter = *m_steps.current().parameter();
     m_encoder.take(m_steps.current().request.command, m_reads.last(), now);
     const ParameterValue value{parameter, *m_encoder.values.value(parameter)};
     m_account.read(value);
@@ -149,7 +149,7 @@ void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
     if (heard == Heard::value) {
         m_encoder.take(m_steps.current().request.command, m_reads.last(), now);
         noteWhatWasSetAlong();
-        if (m_steps.current().parameter == Parameter::preset)
+        if (m_steps.current().parameter() == Parameter::preset)
             (m_proof.sentAt ? m_proof.valueAfter : m_proof.valueBefore) = m_reads.last().value;
     }
     m_steps.goOn();
@@ -158,7 +158,7 @@ void EscJob::refreshAnswered(const esc::ExchangeResult &result, Instant now)
 // Writing the steps sets the revolutions, unless these were written too (escSetAlong).
 void EscJob::noteWhatWasSetAlong()
 {
-    const Parameter parameter = m_steps.current().parameter.value_or(Parameter::preset);
+    const Parameter parameter = m_steps.current().parameter().value_or(Parameter::preset);
     const auto now = m_encoder.values.value(parameter);
     const bool isSetAlong = now && parameter == Parameter::revolutions &&
                             valueOf(m_account.outcome.written, Parameter::steps) &&
@@ -240,7 +240,7 @@ Refusal EscJob::whyNotRead(Heard heard, const esc::ExchangeResult &result) const
     };
     return {RefusalKind::device,
             RefusalId::escReadsDisagree,
-            {m_steps.current().parameter.value_or(Parameter::preset), shown(m_reads.first()),
+            {m_steps.current().parameter().value_or(Parameter::preset), shown(m_reads.first()),
              shown(m_reads.last())}};
 }
 

@@ -15,14 +15,14 @@ using Sent = std::span<const EscStep>;
 bool wasWritten(Sent sent, Parameter parameter)
 {
     return std::ranges::any_of(sent, [&](const EscStep &step) {
-        return step.task == EscStep::Task::write && step.parameter == parameter;
+        return step.task == EscStep::Task::write && step.parameter() == parameter;
     });
 }
 
 bool wasScalingWritten(Sent sent)
 {
     return std::ranges::any_of(sent, [](const EscStep &step) {
-        return step.task == EscStep::Task::write && step.parameter && isEscScaling(*step.parameter);
+        return step.task == EscStep::Task::write && step.parameter() && isEscScaling(*step.parameter());
     });
 }
 
@@ -44,12 +44,12 @@ bool tellsOf(Sent sent, const EscStep &step)
     case EscStep::Task::positionAfter:
         return wasAnythingWritten(sent);
     case EscStep::Task::refresh:
-        if (step.parameter == Parameter::preset)
+        if (step.parameter() == Parameter::preset)
             return wasPresetSent(sent);
-        return step.parameter && isEscScaling(*step.parameter) && wasScalingWritten(sent);
+        return step.parameter() && isEscScaling(*step.parameter()) && wasScalingWritten(sent);
     case EscStep::Task::readBack:
     case EscStep::Task::search:
-        return step.parameter && wasWritten(sent, *step.parameter);
+        return step.parameter() && wasWritten(sent, *step.parameter());
     case EscStep::Task::read:
     case EscStep::Task::write:
     case EscStep::Task::positionBefore:
@@ -119,7 +119,7 @@ void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
     EscSteps left(sent.begin(), sent.end());
     for (EscStep step : Sent(m_steps.all).subspan(first)) {
         const bool isWritten =
-            step.parameter && step.parameter != refused && wasWritten(sent, *step.parameter);
+            step.parameter() && step.parameter() != refused && wasWritten(sent, *step.parameter());
         if (step.task == EscStep::Task::readBack && !isWritten)
             step.task = EscStep::Task::refresh;
         if (tellsOf(sent, step) && (isWritten || step.task != EscStep::Task::search))

@@ -37,7 +37,7 @@ void EscJob::beginSearch()
 {
     const auto wanted = m_steps.current().value;
     m_rateBefore = m_encoder.wantedBaudRate ? m_encoder.wantedBaudRate : m_encoder.baudRate;
-    Places places = m_steps.current().parameter == Parameter::lineAddress
+    Places places = m_steps.current().parameter() == Parameter::lineAddress
                         ? placesOfAddress({static_cast<std::uint8_t>(wanted)}, m_encoder.address,
                                           m_encoder.wantedBaudRate)
                         : placesOfBaudRate(static_cast<int>(wanted), m_rateBefore, m_encoder.address);
@@ -58,9 +58,9 @@ void EscJob::searchAnswered(const esc::ExchangeResult &result, Instant now)
         m_encoder.wantedBaudRate = m_rateBefore;
         if (m_unanswered)
             m_encoder.values.countEepromWrite();
-        m_encoder.values.forget(*m_steps.current().parameter);
+        m_encoder.values.forget(*m_steps.current().parameter());
         fail({RefusalKind::device, RefusalId::escNotFoundAgain, {search.placesText()}});
-    } else if (m_steps.current().parameter == Parameter::lineAddress) {
+    } else if (m_steps.current().parameter() == Parameter::lineAddress) {
         foundAtAddress(search.place().address, now);
     } else {
         foundAtBaudRate(search.place().baudRate, now);

@@ -22,11 +22,11 @@ void EscJob::accepted(Instant now)
     const EscStep &step = m_steps.current();
     m_encoder.mayHaveChanged(step.request.command);
     m_encoder.values.countEepromWrite();
-    if (step.parameter) {
-        m_account.written({*step.parameter, step.value});
+    if (step.parameter()) {
+        m_account.written({*step.parameter(), step.value});
         std::erase_if(m_account.outcome.setAlong,
-                      [&](const ParameterValue &along) { return along.parameter == *step.parameter; });
-        m_encoder.values.learn({*step.parameter, step.value, Evidence::echoed, now});
+                      [&](const ParameterValue &along) { return along.parameter == *step.parameter(); });
+        m_encoder.values.learn({*step.parameter(), step.value, Evidence::echoed, now});
     }
     m_steps.goOn();
 }
@@ -38,12 +38,12 @@ void EscJob::notAnswered()
     m_unanswered = step;
     m_encoder.mayHaveChanged(step.request.command);
     m_steps.goOn();
-    const bool isNext = !m_steps.atEnd() && m_steps.current().parameter == step.parameter &&
+    const bool isNext = !m_steps.atEnd() && m_steps.current().parameter() == step.parameter() &&
                         m_steps.current().task == EscStep::Task::readBack;
     const bool isLookedFor = std::ranges::any_of(m_steps.all, [&](const EscStep &other) {
-        return other.task == EscStep::Task::search && other.parameter == step.parameter;
+        return other.task == EscStep::Task::search && other.parameter() == step.parameter();
     });
-    if (step.parameter && !isNext && !isLookedFor)
+    if (step.parameter() && !isNext && !isLookedFor)
         m_steps.all.insert(m_steps.rest(), m_encoder.plan().readBack(step));
 }
 
@@ -60,12 +60,12 @@ void EscJob::readBackAgreed(Instant now)
 {
     const EscStep step = m_steps.current();
     m_encoder.take(step.request.command, m_reads.last(), now);
-    const std::int64_t has = *m_encoder.values.value(*step.parameter);
+    const std::int64_t has = *m_encoder.values.value(*step.parameter());
     if (has != step.value) {
         isNotThere(has);
         return;
     }
-    isThere({*step.parameter, has});
+    isThere({*step.parameter(), has});
     m_steps.goOn();
 }
 
@@ -81,13 +81,13 @@ void EscJob::isThere(const ParameterValue &value)
 void EscJob::isNotThere(std::int64_t has)
 {
     const EscStep step = m_steps.current();
-    m_account.notWritten(*step.parameter);
-    if (m_unanswered && isBoundToEscFactor(*step.parameter))
+    m_account.notWritten(*step.parameter());
+    if (m_unanswered && isBoundToEscFactor(*step.parameter()))
         failAsUnknown(); // if carried out, it would show once the factor is sent, and not before
     else if (m_unanswered)
         fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
     else
-        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter, step.value, has}});
+        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter(), step.value, has}});
 }
 
 void EscJob::notRead(const Refusal &why)
@@ -113,7 +113,7 @@ void EscJob::fail(Refusal why)
 {
     const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escNotFoundAgain;
     const std::optional<Parameter> refused =
-        m_steps.current().task == EscStep::Task::write ? m_steps.current().parameter : std::nullopt;
+        m_steps.current().task == EscStep::Task::write ? m_steps.current().parameter() : std::nullopt;
     m_unanswered.reset();
     m_steps.goOn();
     if (isSilent)

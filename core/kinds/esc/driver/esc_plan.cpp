@@ -143,10 +143,10 @@ void EscPlan::appendScaling(EscSteps &steps, const ParameterValues &values) cons
 
 EscStep EscPlan::readBack(const EscStep &write) const
 {
-    const Parameter parameter = write.parameter.value_or(Parameter::preset);
+    const Parameter parameter = write.parameter().value_or(Parameter::preset);
     EscStep step = movesTheEncoder(parameter) ? reading(EscStep::Task::search, Parameter::serialNumber)
                                               : reading(EscStep::Task::readBack, parameter);
-    step.parameter = parameter;
+    step.parameters = {parameter};
     step.value = write.value;
     return step;
 }
@@ -164,7 +164,7 @@ EscStep EscPlan::reading(EscStep::Task task, Parameter parameter) const
     const ParameterDescription *description = m_device.find(parameter);
     const auto command = description != nullptr ? escReadCommand(*description) : std::nullopt;
     EscStep read = step(task, command.value_or(esc::Command::serialNumber));
-    read.parameter = parameter;
+    read.parameters = {parameter};
     return read;
 }
 
@@ -174,7 +174,7 @@ EscStep EscPlan::writing(const ParameterValue &value) const
     EscStep write =
         step(EscStep::Task::write, escWriteCommand(description).value_or(esc::Command::writePreset),
              escData(description, value.value.number()));
-    write.parameter = value.parameter;
+    write.parameters = {value.parameter};
     write.value = value.value.number();
     return write;
 }

@@ -10,6 +10,7 @@ class ByteRows final : public RecordedRows
 {
 public:
     std::span<const TrafficColumn> columns() const override { return lineTrafficColumns; }
+    bool areOfTerminal() const override { return true; }
     TrafficRow explained(TrafficRow row, const EncoderAt &) override
     {
         if (row.kind)

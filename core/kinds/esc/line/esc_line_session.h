@@ -100,6 +100,7 @@ public:
     void setOperate(bool on) override;
     // Ends all jobs, drops what was typed but not yet sent, ends a scan.
     void alarmStop() override;
+    bool hasTerminal() const override { return true; }
     void scan(const ScanWish &wish);
     void cancelScan();
     // Sends what was typed, once, in its turn; ends with typedAnswered, which says if it was refused.

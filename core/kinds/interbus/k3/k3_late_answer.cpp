@@ -7,12 +7,12 @@ namespace codewheel {
 
 std::optional<ParameterValue> valueGivenBy(const K3Step &step)
 {
-    if (!step.parameter)
+    if (!step.parameter())
         return std::nullopt;
     if (step.kind == StepKind::parameter)
-        return ParameterValue{*step.parameter, step.value};
+        return ParameterValue{*step.parameter(), step.value};
     if (step.kind == StepKind::word)
-        return ParameterValue{*step.parameter, k3::data(step.out)};
+        return ParameterValue{*step.parameter(), k3::data(step.out)};
     return std::nullopt;
 }
 

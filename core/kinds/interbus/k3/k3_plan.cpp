@@ -92,7 +92,7 @@ K3Steps K3Plan::plan(const SendWords &job) const
         step.standsUntilItActs = job.presetStandsUntilItActs && word == k3::initialisePreset;
         if (k3::isParameterWord(word))
             if (const ParameterDescription *parameter = findNumber(m_device, k3::number(word)))
-                step.parameter = parameter->parameter;
+                step.parameters = {parameter->parameter};
         steps.push_back(step);
     }
     return steps;
@@ -160,7 +160,7 @@ void K3Plan::appendRead(K3Steps &steps, Parameter parameter, std::optional<std::
     if (description == nullptr || !description->canBeRead)
         return;
     K3Step read = k3Step(StepKind::readOut, k3::readOutWord(*wordReach(*description).readOut));
-    read.parameter = parameter;
+    read.parameters = {parameter};
     read.expected = expected;
     steps.push_back(read);
     steps.push_back(k3Step(StepKind::endReadOut, k3::normalRunning));
@@ -172,7 +172,7 @@ void K3Plan::appendWrites(K3Steps &steps, const ParameterValues &values) const
         return;
     for (const ParameterValue &value : values) {
         K3Step step = k3Step(StepKind::parameter, parameterWord(value.parameter, value.value.number()));
-        step.parameter = value.parameter;
+        step.parameters = {value.parameter};
         step.value = value.value.number();
         steps.push_back(step);
     }
@@ -185,7 +185,7 @@ void K3Plan::appendPresetRead(K3Steps &steps) const
 {
     const bool isKnown =
         m_knowledge.value(Parameter::preset) ||
-        std::ranges::any_of(steps, [](const K3Step &step) { return step.parameter == Parameter::preset; });
+        std::ranges::any_of(steps, [](const K3Step &step) { return step.parameter() == Parameter::preset; });
     if (!isKnown)
         appendRead(steps, Parameter::preset);
 }

@@ -16,14 +16,14 @@ void leaveOut(JobSteps<K3Step> &steps, ParameterValues &alreadyThere, ParameterV
 {
     std::vector<K3Step> &all = steps.all;
     const auto write = std::find_if(steps.rest(), all.end(), [&](const K3Step &step) {
-        return isWrite(step) && step.parameter == value.parameter && step.value == value.value;
+        return isWrite(step) && step.parameter() == value.parameter && step.value == value.value;
     });
     if (write == all.end())
         return;
     all.erase(write);
     replaceValue(alreadyThere, value);
     const auto verify = std::find_if(steps.rest(), all.end(), [&](const K3Step &step) {
-        return step.parameter == value.parameter && step.expected.has_value();
+        return step.parameter() == value.parameter && step.expected.has_value();
     });
     if (verify != all.end())
         all.erase(verify, verify + 2); // including the end of its read-out
@@ -50,11 +50,11 @@ void refine(JobSteps<K3Step> &steps, JobAccount &account, const Job &job, const 
 
     const bool keepsValue = isPreset && preset != nullptr && !preset->value;
     for (auto step = steps.rest(); step != steps.all.end(); ++step) {
-        if (!isWrite(*step) || !step->parameter)
+        if (!isWrite(*step) || !step->parameter())
             continue;
-        if (keepsValue && step->parameter == read.parameter)
+        if (keepsValue && step->parameter() == read.parameter)
             step->value = read.value.number();
-        step->out = encoder.plan.parameterWord(*step->parameter, step->value);
+        step->out = encoder.plan.parameterWord(*step->parameter(), step->value);
     }
     const auto *write = std::get_if<WriteParameters>(&job);
     if (!rearms && (preset != nullptr || (write != nullptr && write->onlyWhatDiffers)))

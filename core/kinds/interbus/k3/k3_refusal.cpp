@@ -48,8 +48,8 @@ std::vector<RefusalArgument> suspects(const K3Circumstances &at)
     if (k3::isParameterWord(step.out)) {
         if (!at.isConfirmed && !at.confirmed.empty())
             suspects.emplace_back(at.confirmed.back().parameter);
-        if (step.parameter)
-            suspects.emplace_back(*step.parameter);
+        if (step.parameter())
+            suspects.emplace_back(*step.parameter());
         else
             suspects.emplace_back(std::int64_t{k3::number(step.out)});
         return suspects;

@@ -141,8 +141,8 @@ void K3Run::stepDone(Word in)
         judgePreset(in);
     switch (step.kind.as<StepKind>()) {
     case StepKind::parameter:
-        if (step.parameter)
-            replaceValue(m_confirmed.values, {*step.parameter, step.value});
+        if (step.parameter())
+            replaceValue(m_confirmed.values, {*step.parameter(), step.value});
         else
             m_confirmed.reset = true;
         break;
@@ -217,17 +217,17 @@ void K3Run::readDone(const K3Step &step, Word in)
         return;
     }
     m_readAgain = 0;
-    const auto value = m_encoder.knowledge.valueOfReadOut(*step.parameter, k3::data(in));
+    const auto value = m_encoder.knowledge.valueOfReadOut(*step.parameter(), k3::data(in));
     if (!value)
         return;
     if (step.expected) {
         verify(step, *value);
         return;
     }
-    m_account.read({*step.parameter, *value});
-    if (*step.parameter == Parameter::presetFlag)
+    m_account.read({*step.parameter(), *value});
+    if (*step.parameter() == Parameter::presetFlag)
         presetFlagRead(*value);
-    refine(m_steps, m_account, m_whatIsDone, m_encoder, {*step.parameter, *value});
+    refine(m_steps, m_account, m_whatIsDone, m_encoder, {*step.parameter(), *value});
 }
 
 // Behind another read-out, so that the same answer cannot be the same torn word.
@@ -253,7 +253,7 @@ void K3Run::readAgain(const K3Step &step)
 // A difference is a failure, but the others are read all the same, so that it is known what the encoder has.
 void K3Run::verify(const K3Step &step, std::int64_t value)
 {
-    const Parameter parameter = *step.parameter;
+    const Parameter parameter = *step.parameter();
     if (value == *step.expected) {
         if (!valueOf(m_account.outcome.alreadyThere, parameter))
             m_account.written({parameter, value});

@@ -82,7 +82,7 @@ void K3Run::doubtStep(InDoubt &doubt, const K3Step &step)
     if (const auto value = valueGivenBy(step))
         replaceValue(doubt.values, *value);
     else
-        doubt.reset = doubt.reset || (step.kind == StepKind::parameter && !step.parameter);
+        doubt.reset = doubt.reset || (step.kind == StepKind::parameter && !step.parameter());
     doubt.position = doubt.position || setsPosition(step);
     if (step.kind == StepKind::camParameter)
         doubt.camPrograms = {step.camProgram};

@@ -14,18 +14,18 @@ void append(La66Steps &steps, const La66Steps &more)
 }
 
 // Service and data, then the service bit, then the service bit back.
-La66Steps service(Word request, std::optional<Parameter> parameter)
+La66Steps service(Word request, const std::vector<Parameter> &parameters)
 {
     La66Step data;
     data.kind = StepKind::service;
     data.out = request;
-    data.parameter = parameter;
+    data.parameters = parameters;
     La66Step bit = data;
     bit.kind = StepKind::serviceBit;
     bit.out = request | la66::serviceBit;
     bit.effect = effectOf(StepKind::serviceBit, bit.out);
     La66Step end = La66Plan::endOfService(request);
-    end.parameter = parameter;
+    end.parameters = parameters;
     if (bit.effect ==
         Effect::reads) // an LA-66 is read by services as well, with their words before and after
         data.effect = end.effect = Effect::reads;
@@ -36,14 +36,15 @@ La66Steps writing(const ParameterDescription &parameter, std::int64_t value)
 {
     La66Steps steps =
         service(la66::writeWord(wordReach(parameter).number.value_or(0), static_cast<Word>(value)),
-                parameter.parameter);
+                {parameter.parameter});
     steps[1].value = value;
     return steps;
 }
 
 La66Steps reading(const ParameterDescription &parameter, std::optional<std::int64_t> expected = {})
 {
-    La66Steps steps = service(la66::readWord(wordReach(parameter).readOut.value_or(0)), parameter.parameter);
+    La66Steps steps =
+        service(la66::readWord(wordReach(parameter).readOut.value_or(0)), {parameter.parameter});
     steps[1].expected = expected;
     return steps;
 }

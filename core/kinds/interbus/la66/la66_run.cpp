@@ -113,10 +113,10 @@ void La66Run::stepDone(Word in)
 
 void La66Run::serviceDone(const La66Step &step, Word in)
 {
-    if (!step.parameter)
+    if (!step.parameter())
         return;
     if (la66::isWrite(step.out))
-        m_account.written({*step.parameter, step.value});
+        m_account.written({*step.parameter(), step.value});
     else
         readDone(step, la66::data(in));
 }
@@ -126,22 +126,22 @@ void La66Run::readDone(const La66Step &step, std::int64_t value)
     if (step.expected) {
         if (value == *step.expected)
             return;
-        m_account.notWritten(*step.parameter);
-        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter, *step.expected, value}});
+        m_account.notWritten(*step.parameter());
+        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter(), *step.expected, value}});
         return;
     }
-    m_account.read({*step.parameter, value});
+    m_account.read({*step.parameter(), value});
     if (const auto *write = job<WriteParameters>();
-        write != nullptr && valueOf(write->values, *step.parameter) == value) {
-        replaceValue(m_account.outcome.alreadyThere, {*step.parameter, value});
-        leaveOut(*step.parameter);
+        write != nullptr && valueOf(write->values, *step.parameter()) == value) {
+        replaceValue(m_account.outcome.alreadyThere, {*step.parameter(), value});
+        leaveOut(*step.parameter());
     }
 }
 
 // What is already there is neither written nor read back. The step that ends the reading stays.
 void La66Run::leaveOut(Parameter parameter)
 {
-    const auto isOfIt = [&](const La66Step &step) { return step.parameter == parameter; };
+    const auto isOfIt = [&](const La66Step &step) { return step.parameter() == parameter; };
     m_steps.all.erase(std::remove_if(m_steps.rest() + 1, m_steps.all.end(), isOfIt), m_steps.all.end());
 }
 
@@ -214,10 +214,10 @@ void La66Run::doubt(InDoubt &doubt, bool nextMayBeSent)
     const La66Step &step = m_steps.current();
     doubt.eepromWrites = 1;
     doubt.position = job<SetPreset>() != nullptr;
-    if (!step.parameter)
+    if (!step.parameter())
         return;
-    doubt.values = {{*step.parameter, step.value}};
-    m_encoder.forget(*step.parameter);
+    doubt.values = {{*step.parameter(), step.value}};
+    m_encoder.forget(*step.parameter());
 }
 
 // OUT is 0 again.

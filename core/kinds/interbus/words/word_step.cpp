@@ -65,9 +65,9 @@ QString wordStepText(const DeviceDescription &device, const Step &step)
     case StepKind::initialisePreset:
         return StepText::tr("Set the position to the preset");
     case StepKind::readOut:
-        if (step.parameter == Parameter::multiTurnAndStepsMinusOne)
+        if (step.parameter() == Parameter::multiTurnAndStepsMinusOne)
             return StepText::tr("Read whether the encoder counts steps minus 1");
-        return step.parameter ? StepText::tr("Read %1").arg(parameterNameInText(*step.parameter))
+        return step.parameter() ? StepText::tr("Read %1").arg(parameterNameInText(*step.parameter()))
                               : StepText::tr("Read out");
     case StepKind::endReadOut:
         return StepText::tr("End the read-out");

@@ -314,7 +314,7 @@ TEST_F(EscLineInWindow, AnAddressThatAnotherEncoderHasIsToldWhileItIsTyped)
     };
     const auto type = [&](const QString &text) {
         table.edit(table.currentIndex().siblingAtColumn(ParameterModel::wantedColumn));
-        auto *field = qobject_cast<NumberInput *>(QApplication::focusWidget());
+        auto *field = qobject_cast<ValueInput *>(QApplication::focusWidget());
         ASSERT_NE(field, nullptr);
         field->selectAll();
         QTest::keyClicks(field, text);
