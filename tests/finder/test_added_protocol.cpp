@@ -4,7 +4,7 @@
 #include "finder/listening.h"
 #include "finder/port_finder.h"
 #include "tests/kinds/esc/line/scripted_line.h"
-#include "tests/support/plain_bus.h"
+#include "tests/kinds/plain/plain_kind.h"
 
 #include <gtest/gtest.h>
 

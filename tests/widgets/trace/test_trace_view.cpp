@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
 #include "tests/support/old_file.h"
-#include "tests/support/plain_bus.h"
 #include "tests/widgets/training_bus_session.h"
 #include "widgets/look/empty_state.h"
 #include "widgets/look/inline_message.h"
@@ -358,37 +357,6 @@ TEST_F(TraceViewTest, WhatIsClearedIsBounded)
     model().bringBack();
     EXPECT_EQ(model().rowCount(), mostRows);
     EXPECT_EQ(model().rowAt(0).what.cycle, 100'000U);
-}
-
-// A kind of bus unknown when the view was written.
-TEST_F(TraceViewTest, AnyBusShowsWhatItTellsOfItsTraffic)
-{
-    test::PlainBus plain(ring.catalog);
-    ring.buses.add(plain);
-    view.setEncoder(plain.encoder(test::plainGate));
-    TrafficModel &rows = model(test::plainGate);
-    const test::ModelTester tester(rows);
-    plain.tellTraffic({.at = 1'500ms,
-                       .place = test::plainGate,
-                       .kind = TrafficKind::sent,
-                       .bytes = "\x10\xAB",
-                       .meaning = [] { return QStringLiteral("gate, open"); }});
-    plain.tellTraffic({.place = test::plainHoist, .meaning = {}});
-    ASSERT_EQ(rows.rowCount(), 1);
-    EXPECT_EQ(table.model(), &rows);
-    QStringList titles;
-    QStringList cells;
-    for (int column = 0; column < rows.columnCount(); ++column) {
-        titles << rows.headerData(column, Qt::Horizontal).toString();
-        cells << rows.index(0, column).data().toString();
-    }
-    EXPECT_EQ(titles.join(u'|'), QStringLiteral("Time|\u0394 ms|\u2195|Hex|Meaning|Remark"));
-    EXPECT_EQ(cells.join(u'|'), QStringLiteral("14:02:01.500||sent|10 AB|gate, open|"));
-    EXPECT_EQ(QString::fromUtf8(rows.csv(test::plainGate)),
-              QStringLiteral("time,since_last_ms,direction,bytes,meaning,remark,bus,place\r\n"
-                             "2026-03-01T14:02:01.500Z,,\"sent\",10 AB,\"gate, open\",\"\",9,n:2\r\n"));
-    view.setEncoder(nullptr);
-    ring.buses.remove(&plain);
 }
 
 TEST_F(TraceViewTest, GoesToTheEncoderWhoseTraceItIs)

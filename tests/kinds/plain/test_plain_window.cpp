@@ -4,14 +4,21 @@
 #include "app/window/kinds/window_kinds.h"
 #include "project/bus_plans.h"
 #include "tests/app/window_test.h"
-#include "tests/support/plain_bus.h"
+#include "tests/kinds/plain/plain_bus.h"
 #include "widgets/dial/code_disc.h"
+#include "widgets/parameters/parameter_model.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_table.h"
+#include "widgets/parameters/value_input.h"
+#include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
+#include "widgets/wizard/parameter_wizard.h"
 
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QTreeView>
 
@@ -128,6 +135,73 @@ TEST_F(PlainBusInWindow, ItsKindBringsAPanel)
     EXPECT_TRUE((*page)->isVisible());
     EXPECT_FALSE((*page)->visibleRegion().isEmpty());
     EXPECT_NE(window().findChild<QDockWidget *>(QStringLiteral("plainDock")), nullptr);
+}
+
+TEST_F(PlainBusInWindow, ItsValuesAreTypedReviewedAndWritten)
+{
+    auto &its = *static_cast<test::PlainBus *>(plain()->bus());
+    its.setOperate(true);
+    tree().choose(test::plainHoist);
+    auto &panel = *window().findChild<ParameterPanel *>();
+    auto &table = *panel.findChild<ParameterTable *>();
+    const auto want = [&](Parameter parameter, const QString &text) {
+        panel.showParameter(parameter);
+        table.edit(table.currentIndex().siblingAtColumn(ParameterModel::wantedColumn));
+        auto *field = qobject_cast<ValueInput *>(QApplication::focusWidget());
+        ASSERT_NE(field, nullptr);
+        field->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCoreApplication::processEvents();
+    };
+    const auto says = [&](const QString &text) {
+        return std::ranges::any_of(panel.findChildren<QLabel *>(), [&](const QLabel *label) {
+            return label->isVisibleTo(&panel) && label->text().contains(text);
+        });
+    };
+    want(test::plainFilter(), QStringLiteral("-5"));
+    want(test::plainName(), QStringLiteral("Hoist 2"));
+    for (auto *button : panel.findChildren<QPushButton *>())
+        if (button->text() == QStringLiteral("&Write…"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    advance(50);
+    EXPECT_TRUE(its.node(test::plainHoist).heard().empty()) << "it is only reviewed";
+    QTest::mouseClick(panel.findChild<QPushButton *>(QStringLiteral("confirmWrite")), Qt::LeftButton);
+    advance(100);
+    EXPECT_EQ(its.node(test::plainHoist).inForce("2000:1"), "-5");
+    EXPECT_EQ(its.node(test::plainHoist).inForce("1008"), "Hoist%202");
+    EXPECT_EQ(its.node(test::plainHoist).writes(), 1);
+    EXPECT_TRUE(says(QStringLiteral("Filter, Node name")) || says(QStringLiteral("Node name, Filter")));
+}
+
+TEST_F(PlainBusInWindow, TheWizardTakesItStepByStep)
+{
+    auto &its = *static_cast<test::PlainBus *>(plain()->bus());
+    its.setOperate(true);
+    const auto click = [this](const char *button) {
+        const auto all =
+            window().findChild<ParameterWizard *>()->findChildren<QAbstractButton *>(QLatin1String(button));
+        ASSERT_FALSE(all.empty()) << button;
+        ASSERT_TRUE(all.front()->isVisible() && all.front()->isEnabled()) << button;
+        all.front()->click();
+        advance(50);
+    };
+    tree().choose(test::plainHoist);
+    window().findChild<WantedValues *>()->set(test::plainHoist, test::plainFilter(), -5);
+    actions().wizard->trigger();
+    click("wizardNext");
+    click("readAll");
+    const auto *nextStep = window().findChild<QAbstractButton *>(QStringLiteral("nextStep"));
+    for (int page = 0; page < 6 && !nextStep->isVisible(); ++page)
+        click("wizardNext");
+    for (const QByteArray &line : its.node(test::plainHoist).heard())
+        EXPECT_TRUE(line.startsWith("get ")) << line.toStdString();
+    for (int step = 0; step < 3; ++step) // set, go, keep
+        click("nextStep");
+    advance(200);
+    ASSERT_FALSE(window().findChild<ParameterWizard *>()->isBusy());
+    EXPECT_EQ(its.node(test::plainHoist).inForce("2000:1"), "-5");
+    EXPECT_EQ(its.node(test::plainHoist).writes(), 1);
 }
 
 // Nothing meant for other kinds is done to it.

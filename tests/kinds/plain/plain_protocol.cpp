@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/kinds/plain/plain_protocol.h"
+
+#include "catalog/json_object.h"
+#include "catalog/protocol_rules.h"
+#include "catalog/value_text.h"
+#include "jobs/job_check.h"
+#include "jobs/planned_by.h"
+#include "jobs/protocol.h"
+
+#include <algorithm>
+
+namespace codewheel::test {
+namespace {
+
+constexpr std::size_t valuesOfALine = 3;
+
+enum class Module : std::uint8_t { twoBytes, threeBytes };
+
+class PlainRules final : public ProtocolRules
+{
+public:
+    bool hasParameters() const override { return true; }
+    bool activatesByRun() const override { return true; }
+    bool presetsByCommand() const override { return true; }
+    bool storesByStep() const override { return true; }
+    std::int64_t smallestData() const override { return -0x8000'0000ll; }
+    std::int64_t largestData() const override { return 0xFFFF'FFFFll; }
+    bool hasTexts() const override { return true; }
+    int positionBits(const DeviceDescription &device) const override
+    {
+        return device.dialect.as<Module>() == Module::threeBytes ? 24 : 16;
+    }
+    void readDialect(const JsonObject &json, DeviceDescription &device) const override
+    {
+        constexpr NamedValue<Module> modules[] = {{"P16", Module::twoBytes}, {"P24", Module::threeBytes}};
+        device.dialect = json.oneOf("dialect", modules);
+    }
+    void readReach(const JsonObject &row, ParameterDescription &parameter,
+                   const DeviceDescription & /*before*/) const override
+    {
+        parameter.canBeRead = row.has("read");
+        parameter.canBeWritten = row.has("write");
+    }
+    void checkParameter(const JsonObject & /*row*/, const ParameterDescription & /*parameter*/,
+                        const DeviceDescription & /*device*/) const override
+    {}
+    ReachText reachText(const ParameterDescription &parameter) const override
+    {
+        const QString key = parameterKey(parameter.parameter);
+        return {.write = parameter.canBeWritten ? key : QString(),
+                .read = parameter.canBeRead ? key : QString()};
+    }
+};
+
+class PlainProtocol final : public Protocol
+{
+public:
+    Result<std::vector<Step>> planned(const DeviceDescription &device, const Job &job,
+                                      const PlanBasis & /*basis*/) const override
+    {
+        if (const auto checked = checkJob(device, job); !checked)
+            return tl::unexpected(checked.error());
+        const auto steps = plainSteps(device, job);
+        return std::vector<Step>(steps.begin(), steps.end());
+    }
+    QString presetCommand() const override { return QStringLiteral("to"); }
+};
+
+// A line has no spaces but those between values.
+QByteArray textOf(const Value &value)
+{
+    return value.isText() ? value.toString().toUtf8().toPercentEncoding() : value.toString().toLatin1();
+}
+
+PlainStep step(PlainStep::Task task, Effect effect, const QByteArray &line)
+{
+    PlainStep step;
+    step.task = task;
+    step.effect = effect;
+    step.line = line;
+    return step;
+}
+
+PlainStep reading(PlainStep::Task task, Parameter parameter)
+{
+    PlainStep made = step(task, Effect::reads, "get " + plainKey(parameter));
+    made.parameters = {parameter};
+    return made;
+}
+
+} // namespace
+
+Parameter plainFilter()
+{
+    return Parameter::of(u"2000:1");
+}
+
+Parameter plainName()
+{
+    return Parameter::of(u"1008");
+}
+
+QByteArray plainKey(Parameter parameter)
+{
+    return parameterKey(parameter).toLatin1();
+}
+
+Value plainValue(const ParameterDescription &parameter, const QByteArray &text)
+{
+    return parameter.isText() ? Value(QString::fromUtf8(QByteArray::fromPercentEncoding(text)))
+                              : Value(text.toLongLong());
+}
+
+std::vector<PlainStep> plainWrites(const DeviceDescription &device, const ParameterValues &values)
+{
+    std::vector<PlainStep> steps;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i % valuesOfALine == 0)
+            steps.push_back(step(PlainStep::Task::set, Effect::takes, "set"));
+        PlainStep &line = steps.back();
+        line.line += ' ' + plainKey(values[i].parameter) + '=' + textOf(values[i].value);
+        line.parameters.push_back(values[i].parameter);
+        line.values.push_back(values[i]);
+    }
+    if (values.empty())
+        return steps;
+    steps.push_back(step(PlainStep::Task::go, Effect::activates, "go"));
+    steps.push_back(step(PlainStep::Task::keep, Effect::stores, "keep"));
+    for (const ParameterValue &value : values)
+        if (device.find(value.parameter)->canBeRead) {
+            steps.push_back(reading(PlainStep::Task::check, value.parameter));
+            steps.back().values = {value};
+        }
+    return steps;
+}
+
+std::vector<PlainStep> plainSteps(const DeviceDescription &device, const Job &job)
+{
+    std::vector<PlainStep> steps;
+    if (const auto *read = std::get_if<ReadParameters>(&job))
+        for (const Parameter parameter : read->parameters)
+            steps.push_back(reading(PlainStep::Task::get, parameter));
+    if (const auto *write = std::get_if<WriteParameters>(&job)) {
+        for (const ParameterValue &value : write->values)
+            if (write->onlyWhatDiffers && device.find(value.parameter)->canBeRead)
+                steps.push_back(reading(PlainStep::Task::get, value.parameter));
+        std::ranges::copy(plainWrites(device, write->values), std::back_inserter(steps));
+    }
+    if (const auto *preset = std::get_if<SetPreset>(&job))
+        steps.push_back(step(PlainStep::Task::to, Effect::setsPosition,
+                             "to " + QByteArray::number(static_cast<qlonglong>(preset->value.value_or(0)))));
+    return steps;
+}
+
+namespace {
+
+// Before anybody reads the built-in descriptions, among which is that of plain-node.
+const bool isAdded = [] {
+    static const PlainRules rules;
+    static const PlainProtocol protocol;
+    addProtocol({plainProfile, rules, protocol});
+    return true;
+}();
+
+} // namespace
+
+} // namespace codewheel::test
