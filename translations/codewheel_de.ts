@@ -2426,6 +2426,10 @@
         <source>Printed on the label of the encoder; it is set manually, never written.</source>
         <translation>Steht auf dem Typenschild des Gebers; wird von dort eingetragen, nie geschrieben.</translation>
     </message>
+    <message>
+        <source>Range: %1.</source>
+        <translation>Bereich: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Participant</name>
@@ -3525,6 +3529,13 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>Value</name>
+    <message>
+        <source>a text of at most %1 characters</source>
+        <translation>ein Text mit höchstens %1 Zeichen</translation>
     </message>
 </context>
 <context>
@@ -8643,6 +8654,10 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>A parameter is named by small letters, digits, hyphens, colons and full stops.</source>
         <translation>Ein Parameter wird mit Kleinbuchstaben, Ziffern, Bindestrichen, Doppelpunkten und Punkten benannt.</translation>
+    </message>
+    <message>
+        <source>An encoder of the profile %1 has only numbers. Leave it out.</source>
+        <translation>Ein Geber des Profils %1 hat nur Zahlen. Weglassen.</translation>
     </message>
 </context>
 <context>

@@ -102,6 +102,7 @@ constexpr Breakage breakages[] = {
     {R"("maximum": 4096)", R"("maximum": 33554432)", 15, "parameters[0].maximum", "between 0 and 33554431"},
     {R"("maximum": 4096)", R"("maximum": 1099511627776)", 15, "parameters[0].maximum", "no room"},
     {R"("minimum": 1, )", R"("minimum": -1, )", 15, "parameters[0].minimum", "between 0 and 33554431"},
+    {R"("minimum": 1, )", R"("minimum": 1, "text": 8, )", 15, "parameters[0].text", "has only numbers"},
     // rules
     {R"("deviceCode": "0237h")", R"("deviceCode": "0236h")", 9, "deviceCode", "idCode"},
     {R"("physicalTurns": 1)", R"("coding": "gray", "physicalTurns": 1)", 13, "coding", "Only a K1 and a K2"},

@@ -179,7 +179,7 @@ TEST(EscRead, StepsAreTheRequests)
     EXPECT_EQ(bench.progress.steps[0].effect, Effect::reads);
     EXPECT_EQ(bench.progress.steps[0].line, "03D");
     EXPECT_EQ(bench.progress.steps[1].line, "03O");
-    EXPECT_EQ(bench.progress.steps[1].parameter, Parameter::direction);
+    EXPECT_EQ(bench.progress.steps[1].parameter(), Parameter::direction);
 }
 
 TEST(EscRead, ByHandNothingIsWaitedFor)

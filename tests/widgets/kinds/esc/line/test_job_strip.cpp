@@ -44,7 +44,7 @@ TEST(JobStrip, TellsWordsAsTheWizardDoes)
     EXPECT_EQ(told(encoder, {.effect = Effect::takes,
                              .kind = StepKind::parameter,
                              .out = 0x0200'00FF,
-                             .parameter = Parameter::steps}),
+                             .parameters = {Parameter::steps}}),
               QStringLiteral("Step 1 of 1: Parameter 1 steps = 255"));
     EXPECT_EQ(told(encoder, {.effect = Effect::activates, .kind = StepKind::run, .out = 0x8000'0000}),
               QStringLiteral("Step 1 of 1: Run: the values become valid"));
