@@ -292,21 +292,23 @@ private:
     std::jthread m_saysSo; // last: it uses the rest
 };
 
-// Of a ring that does not open: the gateway may hear what it does not answer.
+// The gateway may hear what it does not answer.
 Checked<void> openForZeros(const Call &call, RingAccess &access, const std::function<bool()> &goesOn,
                            std::chrono::steady_clock::time_point end)
 {
     using std::chrono::steady_clock;
     LateZeros late(call);
+    bool isSent = access.ring().sendZerosUnheard(); // before anything is asked
     Checked<void> opened = access.open();
     if (!late.end() && !opened)
         tellLateZeros(call);
-    bool isSent = false;
+    bool isTold = false;
     while (!opened && goesOn()) {
-        if (access.ring().sendZerosUnheard() && !std::exchange(isSent, true))
+        if (isSent && !std::exchange(isTold, true))
             call.terminal.complain(messageText({.id = MessageId::zerosUnheard}));
         std::this_thread::sleep_for(
             std::min<steady_clock::duration>(betweenTries, end - steady_clock::now()));
+        isSent = access.ring().sendZerosUnheard() || isSent;
         opened = access.open();
     }
     return opened;

@@ -57,7 +57,7 @@ public:
         const std::vector<Word> zeros(in.size());
         return exchange(zeros, in).map([] { return ZerosSent(); });
     }
-    // sendZeros() comes next: until then nothing is begun that would keep it waiting, a call that blocks ends
+    // sendZeros(), or open(), comes next: until then nothing is begun that would keep it waiting, a call that blocks ends
     // after the transaction under way, with a refusal of kind `stopped`. A link that never blocks may ignore
     // it. Any thread.
     virtual void hurryToZeros() {}

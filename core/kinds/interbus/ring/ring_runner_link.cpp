@@ -91,16 +91,18 @@ std::optional<Word> RingRunner::Private::wordLeftThere(std::size_t i) const
 }
 
 // That it does not open was reported when it was lost; why may have changed since. A master that was stopped
-// meanwhile is not started.
+// meanwhile is not started. Zeros go before anything is asked.
 void RingRunner::Private::tryToReopen()
 {
     reopenAt = ring.at + betweenOpenings;
+    const bool isSent = zerosAreDue && link.sendZerosUnheard();
     auto there = find();
     catchUp();
     if (!there) {
-        ring.whyLost = ofLink(there.error());
-        if (zerosAreDue)
-            sendZerosUnheard();
+        if (there.error().kind != RefusalKind::stopped)
+            ring.whyLost = ofLink(there.error());
+        if (isSent)
+            tellZerosUnheard();
         return;
     }
     sentUnheard = false;
@@ -156,17 +158,16 @@ void RingRunner::Private::tellUnheardWords()
             continue;
         tellOfDevice(
             i, {.severity = Severity::attention, .id = MessageId::outLeft, .arguments = {hexWord(image[i])}});
+        ring.devices[i].outIsKnown = false;
         if (image[i] != 0)
             ring.devices[i].leftOut = image[i];
     }
 }
 
-// Told once.
-void RingRunner::Private::sendZerosUnheard()
+// Once.
+void RingRunner::Private::tellZerosUnheard()
 {
-    const bool isSent = link.sendZerosUnheard();
-    catchUp();
-    if (isSent && !std::exchange(sentUnheard, true))
+    if (!std::exchange(sentUnheard, true))
         tellOfRing({.severity = Severity::fault, .id = MessageId::zerosUnheard});
 }
 

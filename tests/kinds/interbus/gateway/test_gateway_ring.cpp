@@ -787,6 +787,70 @@ TEST(SlowGatewayRing, OnlyTheTransactionUnderWayGoesBeforeZeros)
         }
 }
 
+// Hears, and answers nothing any more. ALARM STOP comes within a read of it.
+class MutePort final : public PassingPort
+{
+public:
+    struct Control
+    {
+        bool isMute = false;
+        std::function<void()> alarm{}; // called once
+        std::string calls{};           // since then: r, w
+    };
+
+    MutePort(std::unique_ptr<RegisterPort> port, std::shared_ptr<Control> control)
+        : PassingPort(std::move(port))
+        , m_control(std::move(control))
+    {}
+
+    Done read(RegisterArea area, int first, std::span<Register> to) override
+    {
+        m_control->calls += 'r';
+        if (m_control->isMute && m_control->alarm) {
+            std::exchange(m_control->alarm, {})();
+            m_control->calls.clear();
+        }
+        return m_control->isMute ? silence() : PassingPort::read(area, first, to);
+    }
+    Done write(int first, std::span<const Register> from) override
+    {
+        m_control->calls += 'w';
+        (void)PassingPort::write(first, from);
+        return m_control->isMute ? silence() : Done();
+    }
+
+private:
+    Done silence()
+    {
+        wait(now() + 500ms);
+        return tl::unexpected(RegisterError{RegisterError::Kind::noAnswer, 0, {}});
+    }
+
+    std::shared_ptr<Control> m_control;
+};
+
+TEST(MuteGatewayRing, ZerosOfALostLinkGoBeforeAnythingIsAsked)
+{
+    for (const Instant lostFor : {0s, 20s}) {
+        SCOPED_TRACE(lostFor.count());
+        const auto control = std::make_shared<MutePort::Control>();
+        GatewaySession mute({}, [&](std::unique_ptr<RegisterPort> port) {
+            return std::make_unique<MutePort>(std::move(port), control);
+        });
+        ASSERT_TRUE(mute.bus->open(EncoderBus::Start::operating));
+        mute.bus->advance(1s);
+        mute.gateway->setOut(0, foreignWord);
+        control->isMute = true;
+        mute.bus->advance(lostFor);
+        control->alarm = [&] { mute.bus->alarmStop(); };
+        mute.bus->advance(5s);
+        ASSERT_FALSE(control->alarm);
+        EXPECT_EQ(control->calls.front(), 'w') << control->calls;
+        EXPECT_TRUE(mute.isOutZero());
+        EXPECT_EQ(mute.countOf(MessageId::zerosUnheard), 1u);
+    }
+}
+
 // In Watch as well as in Operate. IN and OUT are read behind the write.
 TEST(SlowGatewayRing, ZerosHaveArrivedWhenTheyWereReadBack)
 {
