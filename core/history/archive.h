@@ -4,19 +4,12 @@
 #include "history/history.h"
 #include "history/mark.h"
 #include "history/shown_channels.h"
-#include "vocabulary/parameter.h"
+#include "history/values_since.h"
 #include "vocabulary/place.h"
 
 #include <QObject>
 
 namespace codewheel {
-
-// What was known of an encoder since a moment.
-struct ValuesSince
-{
-    Instant from{};
-    ParameterValues values{};
-};
 
 // Histories from another time, such as those of a recording, under places that no other encoder has.
 class Archive : public QObject

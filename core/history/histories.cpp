@@ -240,6 +240,14 @@ std::vector<ScaleSince> Histories::scales(Place place) const
     return scales;
 }
 
+std::vector<ValuesSince> Histories::known(Place place) const
+{
+    if (const auto found = m_watched.find(place); found != m_watched.end())
+        return found->second.scales.known();
+    const Archive *archive = archiveOf(place);
+    return archive == nullptr ? std::vector<ValuesSince>() : archive->known(place);
+}
+
 std::optional<TimeSpan> Histories::span() const
 {
     std::optional<TimeSpan> all;

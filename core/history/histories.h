@@ -32,6 +32,8 @@ public:
     const History *of(Place place, Channel channel) const;
     // What its steps were, with the shift of an archive. Empty: not known.
     std::vector<ScaleSince> scales(Place place) const;
+    // The values that these follow from, and what else was known meanwhile; of an archive all, as recorded.
+    std::vector<ValuesSince> known(Place place) const;
     std::optional<TimeSpan> span() const; // of all that are here
     // Oldest first, with those of the archives.
     const std::deque<Mark> &marks() const { return m_archives.empty() ? m_ownMarks : m_mixedMarks; }

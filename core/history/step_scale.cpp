@@ -3,6 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "catalog/protocol_rules.h"
+#include "jobs/value_notes.h"
+#include "jobs/values_to_write.h"
 #include "vocabulary/rod_scale.h"
 
 namespace codewheel {
@@ -65,6 +67,16 @@ void ScaleHistory::take(const EncoderSession &encoder, const std::function<Insta
     else if (m_all.back().scale != scale)
         m_all.push_back({std::max(sinceEpoch(newest.at), m_all.back().from), scale});
     m_evidence = newest.evidence;
+    m_known.resize(m_all.size());
+    m_known.back() = valuesOf(allKnown(encoder));
+}
+
+std::vector<ValuesSince> ScaleHistory::known() const
+{
+    std::vector<ValuesSince> known;
+    for (std::size_t i = 0; i < m_all.size(); ++i)
+        known.push_back({m_all[i].from, m_known[i]});
+    return known;
 }
 
 void ScaleHistory::beginAnew(Instant at)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "history/values_since.h"
 #include "jobs/position_scale.h"
 #include "vocabulary/known.h"
 
@@ -40,6 +41,8 @@ class ScaleHistory
 {
 public:
     const std::vector<ScaleSince> &all() const { return m_all; } // oldest first
+    // With all that was known of the encoder at the end of the time of each.
+    std::vector<ValuesSince> known() const;
     // As it is known of the encoder now; `sinceEpoch`: from the clock of its bus.
     void take(const EncoderSession &encoder, const std::function<Instant(Instant)> &sinceEpoch);
     // From here on it is another encoder, or one of which nothing is known as yet.
@@ -47,6 +50,7 @@ public:
 
 private:
     std::vector<ScaleSince> m_all;
+    std::vector<ParameterValues> m_known; // at each of these
     Evidence m_evidence = Evidence::told; // of the newest
     Instant m_begin = Instant::min();     // of what is known now
 };

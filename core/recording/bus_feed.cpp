@@ -2,9 +2,23 @@
 #include "recording/bus_feed.h"
 
 #include "bus/bus_outline.h"
-#include "recording/recorded_device.h"
 
 namespace codewheel {
+namespace {
+
+// When the newest became known of what was not so before; `otherwise`: nothing did, but something was
+// forgotten.
+Instant knownSince(const EncoderSession &encoder, const EncoderBus &bus, const RecordedDevice &now,
+                   const ParameterValues &before, Instant otherwise)
+{
+    std::optional<Instant> newest;
+    for (const auto &[parameter, value] : now.known)
+        if (const auto known = encoder.known(parameter); known && findValue(before, parameter) != value)
+            newest = std::max(newest, std::optional(bus.sinceEpoch(known->at)));
+    return newest.value_or(otherwise);
+}
+
+} // namespace
 
 BusFeed::BusFeed(Buses &buses, WallClockNow now, QObject *parent)
     : QObject(parent)
@@ -63,9 +77,11 @@ void BusFeed::watch(EncoderSession &encoder)
     connect(&encoder, &EncoderSession::shown, this,
             [this, &encoder](const ShownSeries &shown) { tellValues(encoder, shown); });
     connect(&encoder, &EncoderSession::knownChanged, this, [this, &encoder] {
-        if (const EncoderBus *bus = m_buses.open(encoder.place().bus);
-            bus && m_devices.contains(encoder.place()))
-            tellDevice(encoder, *bus);
+        const EncoderBus *bus = m_buses.open(encoder.place().bus);
+        if (bus == nullptr || !m_devices.contains(encoder.place()))
+            return;
+        const auto reached = m_reached.find(encoder.place().bus);
+        tellDevice(encoder, *bus, reached == m_reached.end() ? bus->sinceEpoch(bus->now()) : reached->second);
     });
 }
 
@@ -77,7 +93,7 @@ void BusFeed::tellValues(const EncoderSession &encoder, const ShownSeries &shown
         return;
     if (!m_reached.contains(place.bus))
         Q_EMIT came(RecordedBus{place.bus, bus->outline().title()});
-    tellDevice(encoder, *bus);
+    tellDevice(encoder, *bus, bus->sinceEpoch(shown.front().at));
     RecordedValues entry{place, shown};
     for (ShownValues &values : entry.values)
         values.at = bus->sinceEpoch(values.at);
@@ -85,11 +101,17 @@ void BusFeed::tellValues(const EncoderSession &encoder, const ShownSeries &shown
     Q_EMIT came(entry);
 }
 
-void BusFeed::tellDevice(const EncoderSession &encoder, const EncoderBus &bus)
+// Since it became known, which was before the window heard of it; `shown`: when it showed something last.
+void BusFeed::tellDevice(const EncoderSession &encoder, const EncoderBus &bus, Instant shown)
 {
-    const QByteArray json = toJson(recordedDevice(encoder));
-    if (QByteArray &told = m_devices[encoder.place()]; std::exchange(told, json) != json)
-        Q_EMIT came(RecordedDescription{encoder.place(), bus.sinceEpoch(bus.now()), json});
+    const RecordedDevice now = recordedDevice(encoder);
+    const auto [place, isFirst] = m_devices.try_emplace(encoder.place(), ToldDevice{{}, shown});
+    ToldDevice &told = place->second;
+    if (!isFirst && told.device == now)
+        return;
+    told.since = std::max(told.since, knownSince(encoder, bus, now, told.device.known, shown));
+    told.device = now;
+    Q_EMIT came(RecordedDescription{encoder.place(), told.since, toJson(now)});
 }
 
 // By the clock of one bus, since they may be apart.

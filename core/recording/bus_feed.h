@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/buses.h"
+#include "recording/recorded_device.h"
 #include "recording/recording_entry.h"
 
 #include <functional>
@@ -25,19 +26,25 @@ Q_SIGNALS:
     void came(const codewheel::RecordingEntry &entry);
 
 private:
+    struct ToldDevice // last
+    {
+        RecordedDevice device;
+        Instant since{};
+    };
+
     void watchAll();
     void watch(EncoderBus &bus);
     void watch(EncoderSession &encoder);
     void tellValues(const EncoderSession &encoder, const ShownSeries &shown);
-    void tellDevice(const EncoderSession &encoder, const EncoderBus &bus);
+    void tellDevice(const EncoderSession &encoder, const EncoderBus &bus, Instant shown);
     void tellClock(BusId bus);
     void tellClosed();
 
     Buses &m_buses;
     const WallClockNow m_now;
     std::set<const QObject *> m_watched;
-    std::map<BusId, Instant> m_reached;    // of each that was open: the newest time
-    std::map<Place, QByteArray> m_devices; // as last told
+    std::map<BusId, Instant> m_reached; // of each that was open: the newest time
+    std::map<Place, ToldDevice> m_devices;
 };
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 #include "recording/bus_recorder.h"
 
 #include "history/histories.h"
+#include "recording/recorded_device.h"
 
 namespace codewheel {
 namespace {
@@ -135,8 +136,10 @@ void BusRecorder::take(const RecordedClock &clock)
 
 void BusRecorder::take(const RecordedDescription &description)
 {
-    if (isWanted(description.place))
-        m_target->add(description);
+    if (!isWanted(description.place))
+        return;
+    m_described.try_emplace(description.place, description);
+    m_target->add(description);
 }
 
 void BusRecorder::endIfOver(Instant now)
@@ -175,10 +178,32 @@ void BusRecorder::addMarks(Instant until)
 void BusRecorder::addPast(Place place, Instant until)
 {
     const EncoderHistory *history = m_histories.of(place);
-    if (history == nullptr || !m_withPast.insert(place).second || until <= m_span->from)
+    if (history == nullptr || !m_withPast.insert(place).second)
+        return;
+    addEarlierDescriptions(place);
+    if (until <= m_span->from)
         return;
     for (RecordedPast &past : pastOf(place, *history, {m_span->from, until}))
         m_target->add(std::move(past));
+}
+
+// What was in force from the beginning to the first description.
+void BusRecorder::addEarlierDescriptions(Place place)
+{
+    const auto first = m_described.find(place);
+    if (first == m_described.end())
+        return;
+    const Instant until = first->second.since;
+    RecordedDevice device = recordedDeviceFromJson(first->second.json);
+    const std::vector<ValuesSince> known = m_histories.known(place);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const Instant from = std::max(known[i].from, m_span->from);
+        const Instant to = i + 1 < known.size() ? std::min(known[i + 1].from, until) : until;
+        if (from >= to)
+            continue;
+        device.known = known[i].values;
+        m_target->add(RecordedDescription{place, from, toJson(device)});
+    }
 }
 
 } // namespace codewheel

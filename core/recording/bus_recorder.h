@@ -68,6 +68,7 @@ private:
     void endIfOver(Instant now);
     void addMarks(Instant until);
     void addPast(Place place, Instant until);
+    void addEarlierDescriptions(Place place);
     void setState(State state);
 
     const Histories &m_histories;
@@ -77,7 +78,8 @@ private:
     State m_state;
     std::optional<TimeSpan> m_span;
     std::set<Place> m_withPast;
-    BusFeed m_feed; // last: tells what it knows at once
+    std::map<Place, RecordedDescription> m_described; // the first of each
+    BusFeed m_feed;                                   // last: tells what it knows at once
 };
 
 } // namespace codewheel

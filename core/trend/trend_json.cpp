@@ -150,14 +150,19 @@ QJsonArray columnsJson(const TrendExtract &extract, const HistoryOf &historyOf)
     return columns;
 }
 
-QJsonArray valuesJson(const std::vector<StoredValue> &values)
+QJsonValue evidenceJson(const std::optional<Evidence> &evidence)
+{
+    return evidence ? QJsonValue(QLatin1String(project_keys::nameOf(project_keys::evidences, *evidence)))
+                    : QJsonValue();
+}
+
+QJsonArray valuesJson(const std::vector<TrendValue> &values)
 {
     QJsonArray json;
-    for (const StoredValue &value : values)
+    for (const TrendValue &value : values)
         json.append(QJsonObject{{QStringLiteral("parameter"), parameterKey(value.parameter)},
                                 {QStringLiteral("value"), valueToJson(value.value)},
-                                {QStringLiteral("evidence"), QLatin1String(project_keys::nameOf(
-                                                                 project_keys::evidences, value.evidence))},
+                                {QStringLiteral("evidence"), evidenceJson(value.evidence)},
                                 {QStringLiteral("at"), isoText(value.at)}});
     return json;
 }

@@ -49,6 +49,14 @@ protected:
         for (int i = from; i < to; ++i)
             recording.add(RecordedValues{"1.0"_ring, {{.at = noon + i * 1s, .position = i}}});
     }
+    // A recording does not say how it was known.
+    static QJsonValue valueJson(const QString &parameter, int value, const QString &at)
+    {
+        return QJsonObject{{QStringLiteral("parameter"), parameter},
+                           {QStringLiteral("value"), value},
+                           {QStringLiteral("evidence"), QJsonValue()},
+                           {QStringLiteral("at"), at}};
+    }
     QByteArray contents(const QString &path) const
     {
         QFile its(path);
@@ -140,6 +148,11 @@ TEST_F(CliExport, WhatWasRecordedBeforeTheScaleChangedKeepsItsScale)
     const QJsonObject column = json[u"columns"].toArray().at(0).toObject();
     EXPECT_EQ(column[u"perStep"].toDouble(), 0.5);
     EXPECT_EQ(column[u"earlierScales"].toArray().size(), 1);
+    const QJsonArray values = json[u"encoders"].toArray().at(0)[u"values"].toArray();
+    EXPECT_THAT(values,
+                testing::UnorderedElementsAre(
+                    valueJson(QStringLiteral("steps"), 720, QStringLiteral("2026-03-01T12:00:05.000Z")),
+                    valueJson(QStringLiteral("revolutions"), 1, QStringLiteral("2026-03-01T12:00:00.000Z"))));
 }
 
 TEST_F(CliExport, NothingIsReplacedUnlessAsked)

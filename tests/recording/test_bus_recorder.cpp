@@ -80,6 +80,39 @@ protected:
         return samples;
     }
 
+    void setSteps(std::int64_t steps)
+    {
+        EXPECT_TRUE(ring.encoder(standing)->start(
+            WriteParameters{.values = {{Parameter::steps, steps}}, .previous = {}}));
+        advance(5s);
+        EXPECT_FALSE(ring.encoder(standing)->runningJob());
+    }
+    void tellScale()
+    {
+        for (const auto &[parameter, value] :
+             {std::pair(Parameter::startUpMode, 1), {Parameter::steps, 8'192}, {Parameter::revolutions, 1}})
+            ring.encoder(standing)->tell(parameter, value);
+        advance(1s);
+    }
+    // Since when there were how many steps per turn, where that is known.
+    std::vector<std::pair<Instant, std::int64_t>> recordedSteps() const
+    {
+        std::vector<std::pair<Instant, std::int64_t>> all;
+        const RecordingReader reader = file.reader();
+        const auto devices = reader.devices().value();
+        const auto device = std::ranges::find(devices, standing, &RecordingReader::Device::place);
+        if (device == devices.end())
+            return {};
+        const auto descriptions = reader.descriptions(*device).value();
+        for (const RecordingReader::Description &one : descriptions) {
+            const auto steps = valueOf(recordedDeviceFromJson(one.json).known, Parameter::steps);
+            if (steps && (all.empty() || all.back().second != *steps))
+                all.emplace_back(one.since, *steps);
+        }
+        return all;
+    }
+
+    const Place standing = "1.0"_ring;
     const Place turning = "4.0"_ring;
     const Place onLine = Place{firstLine, NodeId("esc:05")};
     RecordingFile file;
@@ -149,6 +182,34 @@ TEST_F(BusRecorderTest, WhatBecomesKnownOfAnEncoderIsRecorded)
             EXPECT_EQ(valueOf(recordedDeviceFromJson(all.back().json).known, Parameter::steps), 8'192);
             EXPECT_EQ(all.size(), 2U);
         }
+}
+
+TEST_F(BusRecorderTest, WhatWasInForceBeforeItBeganIsInItWithItsTime)
+{
+    tellScale();
+    setSteps(4'096);
+    const Instant changed = histories.scales(standing).back().from;
+    plan.extent.before = 6s;
+    const auto recorder = begin();
+    advance(200ms);
+    const Instant from = recorder->span()->from;
+    recorder->end();
+    ASSERT_LT(from, changed);
+    EXPECT_THAT(recordedSteps(), testing::ElementsAre(std::pair(from, std::int64_t{8'192}),
+                                                      std::pair(changed, std::int64_t{4'096})));
+}
+
+TEST_F(BusRecorderTest, WhatChangesMeanwhileIsInForceFromTheCycleThatConfirmedIt)
+{
+    tellScale();
+    const auto recorder = begin();
+    advance(100ms);
+    const Instant from = recorder->span()->from;
+    setSteps(4'096);
+    recorder->end();
+    EXPECT_THAT(recordedSteps(),
+                testing::ElementsAre(std::pair(from, std::int64_t{8'192}),
+                                     std::pair(histories.scales(standing).back().from, std::int64_t{4'096})));
 }
 
 TEST_F(BusRecorderTest, OnlyTheChosenPlacesWithoutTraffic)

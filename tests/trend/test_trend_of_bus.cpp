@@ -72,9 +72,9 @@ TEST_F(TrendOfBus, KnowsItsEncoder)
     EXPECT_EQ(told.device, encoder.device().key);
     EXPECT_EQ(told.deviceName, encoder.device().fullName());
     EXPECT_THAT(told.values,
-                testing::Contains(testing::AllOf(testing::Field(&StoredValue::parameter, Parameter::steps),
-                                                 testing::Field(&StoredValue::value, 4'096),
-                                                 testing::Field(&StoredValue::evidence, Evidence::told))));
+                testing::Contains(testing::AllOf(testing::Field(&TrendValue::parameter, Parameter::steps),
+                                                 testing::Field(&TrendValue::value, 4'096),
+                                                 testing::Field(&TrendValue::evidence, Evidence::told))));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "widgets/look/fitted_columns.h"
 
 #include "widgets/look/heading_width.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/wrapped_cells.h"
 
 #include <QEvent>
@@ -18,6 +19,7 @@ namespace {
 using Widths = WrappedCells::Widths;
 
 constexpr int mostRows = 1'000; // that are measured
+constexpr int leastElided = 10; // characters of a text that may be elided
 
 // Of columns none of which is wider than `level`, unless a word needs it.
 int widthAt(const Widths &column, int level)
@@ -51,7 +53,8 @@ std::vector<Widths> widthsOf(const QTableView &table, const WrappedCells &cells)
             columns.push_back({0, 0});
             continue;
         }
-        const int head = headingWidth(*table.horizontalHeader(), column);
+        const QHeaderView &header = *table.horizontalHeader(); // makes no column narrower than its least
+        const int head = std::max(headingWidth(header, column), header.minimumSectionSize());
         Widths widest{head, head};
         for (int row = 0; row < std::min(table.model()->rowCount(), mostRows); ++row) {
             if (table.columnSpan(row, column) > 1)
@@ -115,7 +118,12 @@ void FittedColumns::fitSoon()
 void FittedColumns::fit()
 {
     m_isDue = false;
-    const std::vector<Widths> columns = widthsOf(m_table, *m_cells);
+    std::vector<Widths> columns = widthsOf(m_table, *m_cells);
+    if (mayElide(m_table, m_stretched)) {
+        const int least = std::min(columns[static_cast<std::size_t>(m_stretched)].line,
+                                   leastElided * m_table.fontMetrics().averageCharWidth());
+        columns[static_cast<std::size_t>(m_stretched)] = {least, least};
+    }
     const int room = m_table.viewport()->width();
     const int level = highestLevel(columns, room);
     const int left = std::max(room - widthAt(columns, level), 0);

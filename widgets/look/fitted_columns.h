@@ -18,7 +18,8 @@ class FittedColumns : public QObject
     Q_OBJECT
 
 public:
-    // `stretched` has what is left over.
+    // `stretched` has what is left over. If its texts may be elided (may_elide.h, said before), they stay on
+    // one line, and the others have theirs first.
     static void useIn(QTableView &table, int stretched);
 
 protected:

@@ -2,6 +2,7 @@
 #include "widgets/look/wrapped_cells.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/wrapped_text.h"
 
 #include <QHeaderView>
@@ -65,7 +66,9 @@ void WrappedCells::paint(QPainter *painter, const QStyleOptionViewItem &given, c
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
     const QRect inside = textRect(option);
-    const QString text = std::exchange(option.text, {});
+    QString text = std::exchange(option.text, {});
+    if (mayElide(m_table, index.column()))
+        text = option.fontMetrics.elidedText(text, Qt::ElideMiddle, inside.width() - 1);
     m_table.style()->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
     const bool isSelected = option.state.testFlag(QStyle::State_Selected);
     painter->save();
@@ -83,6 +86,8 @@ QSize WrappedCells::sizeHint(const QStyleOptionViewItem &given, const QModelInde
     int room = -besideText(option);
     for (int span = 0; span < m_table.columnSpan(index.row(), index.column()); ++span)
         room += m_table.columnWidth(index.column() + span);
+    if (mayElide(m_table, index.column()))
+        room = QWIDGETSIZE_MAX;
     const int lines = WrappedText(option.text, option.font, room, option.displayAlignment).height();
     return {inOneLine.width() + grid::unit, std::max(inOneLine.height(), lines + 2 * grid::unit)};
 }

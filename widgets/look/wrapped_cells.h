@@ -7,8 +7,8 @@ class QTableView;
 
 namespace codewheel {
 
-// Wraps the texts of a table to the width of their columns, so that nothing is cut off. For tables of texts
-// only.
+// Wraps the texts of a table to the width of their columns, so that nothing is cut off; those that may be
+// elided (may_elide.h) stay on one line. For tables of texts only.
 class WrappedCells : public QStyledItemDelegate
 {
     Q_OBJECT

@@ -13,6 +13,8 @@
 #include <QStandardItemModel>
 #include <QToolButton>
 
+#include <utility>
+
 namespace codewheel {
 namespace {
 
@@ -95,7 +97,8 @@ void CurveBar::move(int by)
 
 void CurveBar::setCurve(std::optional<std::size_t> index)
 {
-    m_index = index;
+    if (std::exchange(m_index, index) != index)
+        m_travel->setValue(m_travel->value()); // what was refused was meant for the other one
     showAnew();
 }
 
@@ -131,7 +134,8 @@ QString CurveBar::whyNot(Place place, TrackUnit unit) const
 void CurveBar::showTravel(const TrendTracks::Shown &shown)
 {
     m_travel->setVisible(shown.unit == TrackUnit::millimetres && m_scales.asksForTravel(shown.track.place));
-    m_travel->setValue(m_tracks.travel(shown.track.place).value_or(0));
+    if (const double travel = m_tracks.travel(shown.track.place).value_or(0); m_travel->value() != travel)
+        m_travel->setValue(travel); // otherwise what is refused stays to be corrected
 }
 
 void CurveBar::showAnew()

@@ -101,32 +101,89 @@ Instant CurvePainter::edge(std::size_t column) const
                              static_cast<std::int64_t>(m_columns);
 }
 
-// Which of the scales the extremes of a column had that lies across a change is not known: it is drawn from
-// its first to its last sample.
-CurvePainter::Heights CurvePainter::heights(const TrendCurve &curve, std::size_t index,
-                                            const History::Column &column, const Height &y) const
+void CurvePainter::forEachPiece(const TrendCurve &curve, const Height &y, const WithPiece &with) const
 {
-    const TimeSpan span{edge(index), edge(index + 1)};
-    const Instant end = span.to - Instant(1);
-    const double first = y({span.from, column.first});
-    const double last = y({end, column.last});
-    if (curve.scale.changesIn(span)) {
-        const auto [top, bottom] = std::minmax({first, last});
-        return {first, top, bottom, last};
+    const auto sample = before(curve);
+    auto scale = sample ? std::optional(curve.scale.at(sample->at).perStep) : std::nullopt;
+    const auto tell = [&](Piece piece, Instant then) {
+        const double its = curve.scale.at(then).perStep;
+        piece.isApart = piece.isApart || (scale && *scale != its);
+        scale = its;
+        with(piece);
+    };
+    std::size_t index = 0;
+    for (const auto &column : curve.history->columns(m_span, m_columns)) {
+        const std::size_t its = index++;
+        if (hasChange(curve, its)) {
+            const bool isApart = column && column->hasGap;
+            for (const ScaledSpan &part : scaledSpans(curve.scale, {edge(its), edge(its + 1)}))
+                if (auto piece = exactPiece(curve, part.span, y))
+                    tell({x(its), piece->first, piece->top, piece->bottom, piece->last, isApart},
+                         part.span.from);
+        } else if (column) {
+            tell(pieceOf(*column, its, y), edge(its));
+        }
     }
-    const auto [top, bottom] =
-        std::minmax({y({end, column.summary.extent.least}), y({end, column.summary.extent.greatest})});
-    return {first, top, bottom, last};
 }
 
+// Samples of a recording may be found half a column before their place.
+bool CurvePainter::hasChange(const TrendCurve &curve, std::size_t column) const
+{
+    const Instant end = edge(column + 1);
+    return curve.scale.changesIn({edge(column) - Instant(1), end + (end - edge(column)) / 2 + Instant(1)});
+}
+
+CurvePainter::Piece CurvePainter::pieceOf(const History::Column &column, std::size_t index,
+                                          const Height &y) const
+{
+    const Instant then = edge(index);
+    const auto [top, bottom] =
+        std::minmax({y({then, column.summary.extent.least}), y({then, column.summary.extent.greatest})});
+    return {x(index), y({then, column.first}), top, bottom, y({then, column.last}), column.hasGap};
+}
+
+std::optional<CurvePainter::Piece> CurvePainter::exactPiece(const TrendCurve &curve, const TimeSpan &span,
+                                                            const Height &y)
+{
+    std::optional<Piece> piece;
+    const auto include = [&](const Sample &sample) {
+        const double height = y(sample);
+        if (!piece)
+            piece = {0, height, height, height, height, false};
+        piece->top = std::min(piece->top, height);
+        piece->bottom = std::max(piece->bottom, height);
+        piece->last = height;
+    };
+    const auto includeStanding = [&](Instant at) {
+        if (const auto sample = curve.history->at(at))
+            include({at, sample->value});
+    };
+    includeStanding(span.from);
+    curve.history->forEach(span, include);
+    includeStanding(span.to - Instant(1));
+    return piece;
+}
+
+// What stands on the other side of a change of the scale is taken where the area begins or ends.
 std::optional<Sample> CurvePainter::before(const TrendCurve &curve) const
 {
-    return curve.history->at(m_span.from - Instant(1));
+    const Instant last = m_span.from - Instant(1);
+    auto sample = curve.history->at(last);
+    if (sample && curve.scale.changesIn({sample->at, m_span.from}))
+        sample->at = last;
+    return sample;
 }
 
 std::optional<Sample> CurvePainter::after(const TrendCurve &curve) const
 {
-    return curve.history->after(m_span.to - Instant(1));
+    const Instant last = m_span.to - Instant(1);
+    const auto next = curve.history->after(last);
+    if (!next || !curve.scale.changesIn({last, next->at + Instant(1)}))
+        return next;
+    auto standing = curve.history->at(last);
+    if (standing)
+        standing->at = last;
+    return standing;
 }
 
 void CurvePainter::draw(const TrendCurve &curve, double low, double high)
@@ -152,19 +209,14 @@ void CurvePainter::drawLine(const TrendCurve &curve, const Height &y)
     Strokes strokes(m_painter);
     if (const auto sample = before(curve))
         strokes.to(x(sample->at), y(*sample));
-    std::size_t index = 0;
-    for (const auto &column : curve.history->columns(m_span, m_columns)) {
-        const std::size_t its = index++;
-        if (!column)
-            continue;
-        if (column->hasGap)
+    forEachPiece(curve, y, [&strokes](const Piece &piece) {
+        if (piece.isApart)
             strokes.end();
-        const Heights height = heights(curve, its, *column, y);
-        strokes.to(x(its), height.first);
-        strokes.to(x(its), height.bottom);
-        strokes.to(x(its), height.top);
-        strokes.to(x(its), height.last);
-    }
+        strokes.to(piece.x, piece.first);
+        strokes.to(piece.x, piece.bottom);
+        strokes.to(piece.x, piece.top);
+        strokes.to(piece.x, piece.last);
+    });
     if (const auto sample = after(curve))
         strokes.to(x(sample->at), y(*sample));
     strokes.end();
@@ -181,22 +233,18 @@ void CurvePainter::drawDense(const TrendCurve &curve, const Height &y)
     std::optional<QPointF> end;
     if (const auto sample = before(curve))
         end = {x(sample->at), y(*sample)};
-    std::size_t index = 0;
-    for (const auto &column : curve.history->columns(m_span, m_columns)) {
-        const std::size_t its = index++;
-        if (!column)
-            continue;
-        const double at = x(its);
-        auto [first, top, bottom, last] = heights(curve, its, *column, y);
-        if (end && !column->hasGap) {
-            if (end->x() < at - 1.5 * width)
-                m_painter.drawLine(*end, QPointF(at, first));
+    forEachPiece(curve, y, [&](const Piece &piece) {
+        double top = piece.top;
+        double bottom = piece.bottom;
+        if (end && !piece.isApart) {
+            if (end->x() < piece.x - 1.5 * width)
+                m_painter.drawLine(*end, QPointF(piece.x, piece.first));
             else
                 std::tie(top, bottom) = std::minmax({top, bottom, end->y()});
         }
-        bars.add({at - width / 2, top - 0.5, width, bottom - top + 1});
-        end = {at, last};
-    }
+        bars.add({piece.x - width / 2, top - 0.5, width, bottom - top + 1});
+        end = {piece.x, piece.last};
+    });
     bars.end();
     if (const auto sample = after(curve); sample && end)
         m_painter.drawLine(*end, QPointF(x(sample->at), y(*sample)));

@@ -24,14 +24,17 @@ public:
 
 private:
     using Height = std::function<double(const Sample &)>; // where it is
-    // What is drawn of a column.
-    struct Heights
+    // What is drawn of a column, or of the part of it that has one scale.
+    struct Piece
     {
+        double x = 0;
         double first = 0;
         double top = 0;
         double bottom = 0;
         double last = 0;
+        bool isApart = false; // from the piece before: there is a gap, or the scale changed
     };
+    using WithPiece = std::function<void(const Piece &)>;
     struct Level
     {
         double since = 0; // where it begins and ends
@@ -41,8 +44,11 @@ private:
 
     void drawLine(const TrendCurve &curve, const Height &y);
     void drawDense(const TrendCurve &curve, const Height &y); // with more samples than columns
-    Heights heights(const TrendCurve &curve, std::size_t index, const History::Column &column,
-                    const Height &y) const;
+    void forEachPiece(const TrendCurve &curve, const Height &y, const WithPiece &with) const;
+    bool hasChange(const TrendCurve &curve, std::size_t column) const; // of its scale
+    Piece pieceOf(const History::Column &column, std::size_t index, const Height &y) const;
+    // From sample to sample, of a span that has one scale, with what stands where it begins and ends.
+    static std::optional<Piece> exactPiece(const TrendCurve &curve, const TimeSpan &span, const Height &y);
     void drawLevel(const Level &level, const QColor &color);
     double x(Instant at) const;
     double x(std::size_t column) const;

@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -82,7 +83,8 @@ QAction *ShiftBar::add(QMenu &menu, const char *id, const QString &text, const Q
 
 void ShiftBar::setArchive(Archive *archive)
 {
-    m_archive = archive;
+    if (std::exchange(m_archive, archive) != archive)
+        m_shift->setValue(m_shift->value()); // what was refused was meant for the other one
     showAnew();
     setVisible(archive != nullptr);
 }
@@ -97,7 +99,8 @@ void ShiftBar::showAnew()
 {
     const QSignalBlocker quiet(m_shift);
     const Instant shift = m_archive ? m_archive->shift() : Instant();
-    m_shift->setValue(std::chrono::duration<double>(shift).count());
+    if (const double seconds = std::chrono::duration<double>(shift).count(); m_shift->value() != seconds)
+        m_shift->setValue(seconds); // otherwise what is refused stays to be corrected
     m_asRecorded->setEnabled(shift != Instant());
 }
 

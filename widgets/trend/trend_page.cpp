@@ -289,6 +289,7 @@ void TrendPage::resizeEvent(QResizeEvent *event)
 {
     Page::resizeEvent(event);
     showColumns();
+    giveTableRoom();
 }
 
 } // namespace codewheel

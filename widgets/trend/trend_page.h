@@ -84,6 +84,7 @@ private:
     void showValues();
     void showStatistics();
     void showColumns();
+    void giveTableRoom();
     void showCursors();
     void showMemory();
     void showMark(bool forward);

@@ -174,6 +174,8 @@ TrendOrigin TrendPage::origin() const
     for (const Place place : places) {
         const EncoderSession *encoder = m_buses.encoder(place);
         TrendEncoder its = encoder != nullptr ? trendEncoder(*encoder) : TrendEncoder{.place = place};
+        if (m_histories.archiveOf(place) != nullptr)
+            its.values = recordedValues(m_histories.known(place));
         its.station = m_station(place);
         its.busName = Place{place.bus, {}}.shown();
         its.stepsPerTurn = m_scales.stepsPerTurn(place);

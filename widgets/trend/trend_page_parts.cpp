@@ -9,6 +9,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/tool.h"
 #include "widgets/look/wrapped_label.h"
@@ -39,6 +40,7 @@ using namespace std::chrono_literals;
 constexpr auto rest = 150ms; // after which cursors rest
 constexpr auto oftenEnough = 200ms;
 constexpr int wideEnough = 1'000; // for all columns of the table
+constexpr int tallEnough = 450;   // for a table of three curves
 constexpr int chartShare = 70;    // of the height
 constexpr int belowShare = 30;
 
@@ -208,9 +210,8 @@ void TrendPage::makeTable()
     setUpQuietTable(*m_table, *m_values, tr("Curves"));
     m_table->setObjectName(QStringLiteral("trendTable"));
     m_table->setToolTip(tr("The curves, and what they are at the cursors"));
+    allowEliding(*m_table, TrendValuesModel::name);
     FittedColumns::useIn(*m_table, TrendValuesModel::name);
-    const int row = m_table->fontMetrics().height() + 2 * grid::unit;
-    m_table->setMinimumHeight(3 * row);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // it fits
     m_parts->addTab(tr("Values"));
     m_parts->addTab(tr("Statistics"));
@@ -240,6 +241,13 @@ void TrendPage::showColumns()
     const bool hasValues = isWide || m_parts->currentIndex() == 0;
     for (int column = TrendValuesModel::now; column < TrendValuesModel::count; ++column)
         m_table->setColumnHidden(column, column >= TrendValuesModel::least ? !hasStatistics : !hasValues);
+}
+
+void TrendPage::giveTableRoom()
+{
+    const int row = m_table->fontMetrics().height() + 2 * grid::unit;
+    const int curves = height() >= tallEnough ? 3 : 2;
+    m_table->setMinimumHeight((1 + curves) * row); // with the headings
 }
 
 void TrendPage::connectParts()

@@ -182,6 +182,8 @@ QVariant TrendValuesModel::cell(const TrendRow &row, int column, int role) const
         return numberFont();
     if (role == Qt::DecorationRole && column == name)
         return sampleOf(row.color);
+    if (role == Qt::ToolTipRole && column == name)
+        return row.name;
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {

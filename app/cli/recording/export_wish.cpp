@@ -159,6 +159,14 @@ tl::unexpected<Complaint> aboutScale(Place place, TrackUnit unit)
         {place.key()});
 }
 
+std::vector<ValuesSince> knownOf(const RecordingFacts::Encoder &encoder)
+{
+    std::vector<ValuesSince> known;
+    for (const auto &[since, device] : encoder.described)
+        known.push_back({since, device.known});
+    return known;
+}
+
 QString stationOf(const Call &call, Place place)
 {
     const ProjectDevice *planned = call.project != nullptr ? findDevice(*call.project, place) : nullptr;
@@ -208,7 +216,8 @@ std::vector<TrendEncoder> encodersOf(const Call &call, const RecordingFacts &fac
                             .busName = bus == facts.buses.end() ? QString() : bus->name,
                             .device = encoder.device.key,
                             .deviceName = encoder.device.name,
-                            .stepsPerTurn = stepsPerTurnOf(call, encoder.device)});
+                            .stepsPerTurn = stepsPerTurnOf(call, encoder.device),
+                            .values = recordedValues(knownOf(encoder))});
     }
     return encoders;
 }

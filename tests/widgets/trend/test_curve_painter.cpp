@@ -140,6 +140,44 @@ TEST_F(CurvePainterTest, WhatIsBeforeAChangeOfTheScaleIsDrawnInItsOwn)
     }
 }
 
+// The change is in a gap, and both sides of it in one column of pixels or in two.
+TEST_F(CurvePainterTest, AtAChangeOfTheScaleThereIsNoSpike)
+{
+    curve.track.channel = Channel::speed;
+    curve.scale = {TrackUnit::turns, 1.0 / 4'096, {{2'000ms, 1.0 / 8'192}}};
+    const auto stood = [](int stepsPerTurn) { return [=](int) { return 1'000LL * stepsPerTurn; }; };
+    for (const Instant shift : std::array<Instant, 6>{0ms, 1ms, 3ms, 5ms, 7ms, 9ms})
+        for (const Instant length : std::array<Instant, 3>{100ms, 4s, 40s}) {
+            history = {};
+            fill(0s, 1'995, stood(8'192));
+            history.interrupt(1'995ms);
+            fill(2'004ms, 2'000, stood(4'096));
+            const Instant from = Instant(2s) - length / 2 + shift;
+            draw({from, from + length}, 0, 120); // 60 rpm is in the middle
+            EXPECT_TRUE(hasInRow(50) || hasInRow(49));
+            for (const int y : {5, 20, 30, 40, 60, 70, 80, 95})
+                ASSERT_FALSE(hasInRow(y)) << length.count() << ", " << shift.count() << ": " << y;
+        }
+}
+
+TEST_F(CurvePainterTest, WhatStandsGoesOnInTheNextScale)
+{
+    curve.track.channel = Channel::position;
+    curve.scale = {TrackUnit::degrees, 360.0 / 8'192, {{2s, 360.0 / 4'096}}};
+    fill(0s, 4'001, [](int) { return 2'048; });
+    const auto isAt = [&](int x, int y) { return isDrawn(x, y) || isDrawn(x, y - 1); };
+    draw({1'950ms, 2'050ms}, 0, 360);
+    for (const int x : {0, 100, 198})
+        EXPECT_TRUE(isAt(x, 50)) << x << ": 180 degrees before";
+    for (const int x : {202, 300, 399})
+        EXPECT_TRUE(isAt(x, 75)) << x << ": 90 degrees behind";
+    EXPECT_FALSE(hasInRow(62)) << "no line from one to the other";
+    draw({1'000ms, 1'500ms}, 0, 360);
+    EXPECT_TRUE(isAt(0, 50) && isAt(200, 50) && isAt(398, 50));
+    draw({2'500ms, 3'000ms}, 0, 360);
+    EXPECT_TRUE(isAt(0, 75) && isAt(200, 75) && isAt(398, 75));
+}
+
 TEST_F(CurvePainterTest, ABitHasTwoLevelsAndAnUprightLineWhereItChanges)
 {
     fill(0s, 4'000, [](int index) { return std::int64_t{index < 2'000 ? 0x0000'0001 : 0x8000'0001}; });

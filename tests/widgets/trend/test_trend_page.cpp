@@ -239,6 +239,33 @@ TEST_F(TrendPageTest, WhatCameBeforeAnotherNumberOfStepsPerTurnKeepsItsScale)
     EXPECT_LT(lane(0).high, 100) << "the axis fits";
 }
 
+TEST_F(TrendPageTest, EachCurveHasOneLineOfTheTableHoweverLongItsName)
+{
+    TrendPage narrow(ring.buses, histories,
+                     [](Place) { return QStringLiteral("Hoist of the crane in hall 2"); });
+    narrow.resize(520, 600);
+    narrow.show();
+    narrow.showTrack({fraba, Channel::position, {}});
+    narrow.showTrack({baumer, Channel::speed, {}});
+    narrow.showTrack({baumer, Channel::position, {}});
+    advance(2s);
+    narrow.showFrame();
+    const TimeSpan all = *narrow.view().timeOfCurves();
+    narrow.view().setCursor(0, all.from + 100ms);
+    narrow.view().setCursor(1, all.to - 100ms);
+    narrow.bringUpToDate();
+    QCoreApplication::processEvents();
+    const QTableView &table = *narrow.findChild<QTableView *>(QStringLiteral("trendTable"));
+    for (int row = 0; row < 3; ++row) {
+        const QModelIndex name = table.model()->index(row, TrendValuesModel::name);
+        const QRect line = table.visualRect(name);
+        EXPECT_LT(line.width(), table.fontMetrics().horizontalAdvance(name.data().toString())) << row;
+        EXPECT_LT(line.height(), 2 * table.fontMetrics().height()) << row;
+        EXPECT_LE(line.bottom(), table.viewport()->rect().bottom()) << row;
+        EXPECT_EQ(name.data(Qt::ToolTipRole), name.data()) << "all of it";
+    }
+}
+
 TEST_F(TrendPageTest, MillimetresNeedTheTravelPerTurn)
 {
     page.showTrack({baumer, Channel::position, {}});
