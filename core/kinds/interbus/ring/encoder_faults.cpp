@@ -10,6 +10,7 @@
 #include "vocabulary/device_error_name.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -78,6 +79,29 @@ std::optional<Fault> leftInParameterization(const RingSession &bus, std::size_t 
     return fault;
 }
 
+// By a job that was cut off.
+std::optional<Fault> leftInMode(const RingSession &bus, std::size_t device)
+{
+    const NodeId node = bus.structure()[device].number;
+    const EncoderSession *encoder = bus.encoder(node);
+    const auto left = encoder->leftInMode();
+    if (!left || encoder->runningJob())
+        return std::nullopt;
+    const Reading &reading = encoder->latest();
+    Fault fault =
+        reading.mode
+            ? ofEncoder(node, {Role::attention, modeText(*reading.mode, std::nullopt)},
+                        sentence(EncoderFaultText::tr("%1 was left in %2: the controller gets no position.",
+                                                      "an encoder, a mode"),
+                                 {node.toString(), modeText(*reading.mode, reading.camProgram)}))
+            : ofEncoder(node, {Role::attention, EncoderFaultText::tr("mode?", "it is not known")},
+                        sentence(EncoderFaultText::tr("It is not known in which mode %1 was left: the "
+                                                      "controller may get no position."),
+                                 {node.toString()}));
+    fault.actions = {FaultAction::positionMode};
+    return fault;
+}
+
 } // namespace
 
 std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device)
@@ -98,6 +122,8 @@ std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device)
                          QStringLiteral("%1: %2").arg(node.toString(),
                                                       refusalText(shownError(encoder->device(), reading))));
     if (auto left = leftInParameterization(bus, device))
+        return left;
+    if (auto left = leftInMode(bus, device))
         return left;
     return doubt(bus, device);
 }

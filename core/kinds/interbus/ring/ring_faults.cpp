@@ -80,6 +80,12 @@ std::vector<bool> cutOffOf(const RingSession &bus)
     return cutOff;
 }
 
+// What the cable or the device at the place of a fault may have.
+QString placeText(const FaultPlace &place, const RingBreak &cable)
+{
+    return place.spot == FaultSpot::device ? deviceText(cable) : cableText(cable);
+}
+
 Fault busFail(const RingSession &bus)
 {
     const StateWord state{Role::fault, masterStateName(MasterState::busFail)};
@@ -100,9 +106,25 @@ Fault busFail(const RingSession &bus)
     const RingBreak cable = breakAt(bus.structure(), *place, cutOffOf(bus));
     fault.node = cable.behind.isEmpty() ? place->number : cable.behind;
     fault.cutOff = cable.behind;
-    fault.text = place->spot == FaultSpot::device ? deviceText(cable) : cableText(cable);
+    fault.text = placeText(*place, cable);
     if (canRunWithout(bus.structure(), cable.behind))
         fault.actions.push_back(FaultAction::switchOff);
+    return fault;
+}
+
+// With the same place and code as a fault that stopped the ring.
+Fault refusedStart(const RingSession &bus, const Refusal &why)
+{
+    Fault fault = standstill(bus.outline().state(), refusalText(why));
+    fault.actions = {FaultAction::start};
+    if (why.id == RefusalId::busFault)
+        fault.code = busFaultText(why.arguments);
+    if (const auto place = standstillPlaceOf(bus.latest())) {
+        const RingBreak cable = breakAt(bus.structure(), *place, cutOffOf(bus));
+        fault.node = cable.behind.isEmpty() ? place->number : cable.behind;
+        fault.text = placeText(*place, cable);
+    }
+    fault.text.prepend(RingFaultText::tr("The ring could not be started.") + u' ');
     return fault;
 }
 
@@ -205,6 +227,8 @@ void addOfMaster(std::vector<Fault> &faults, const RingSession &bus)
     const MasterStatus *master = bus.master();
     if (bus.latest().state == MasterState::busFail)
         faults.push_back(busFail(bus));
+    else if (bus.latest().refusedStart)
+        faults.push_back(refusedStart(bus, *bus.latest().refusedStart));
     if (master == nullptr)
         return;
     for (std::size_t i = 0; i < std::min(master->devices.size(), bus.structure().size()); ++i)

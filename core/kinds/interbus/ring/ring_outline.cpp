@@ -211,7 +211,7 @@ std::optional<StateWord> RingOutline::faultOf(std::size_t node) const
     if (master == nullptr)
         return std::nullopt;
     const NodeId number = m_bus.structure()[node].number;
-    const auto at = master->faultPlace();
+    const auto at = standstillPlaceOf(m_bus.latest());
     if (node < master->devices.size() && master->devices[node].peripheralFault)
         return StateWord{Role::fault, tr("periphery", "fault of it")};
     if (at && at->number == number)

@@ -110,7 +110,11 @@ void RingRunner::Private::carryOut(command::StartBus)
         reopenAt = ring.at;
         return;
     }
+    ring.refusedStart.reset();
     if (const auto started = startTransfer(); !started) {
+        if (master && master->status().state == MasterState::ready &&
+            started.error().kind == RefusalKind::link)
+            ring.refusedStart = started.error();
         refuseOfRing(started.error());
         return;
     }
@@ -174,10 +178,12 @@ void RingRunner::Private::carryOut(command::AlarmStop)
     if (master && ring.connected) {
         master->alarmStop();
         masterWatch.leftByService();
+        ring.refusedStart.reset();
         runsAgain = false;
     }
     ++alarmStops;
     zerosAgainAt = {};
+    reopenAt = std::min(reopenAt, ring.at);
     endJobs(RefusalId::alarmStop);
     zeroOut();
     if (!ring.connected || link.boundsWordsToCycles()) // otherwise RingSession::alarmStop() has told
@@ -509,8 +515,10 @@ void RingRunner::Private::takeDriverEvents(std::size_t device, std::optional<Wor
             std::vector<Word> &out = outcome->inDoubt.out;
             if (left && std::ranges::find(out, *left) == out.end())
                 out.push_back(*left);
-            if (!out.empty())
+            if (!out.empty()) {
                 ring.devices[device].leftOut = out.front();
+                ring.devices[device].outIsKnown = ring.devices[device].outIsKnown && ring.connected;
+            }
         }
         tell(device, std::move(event));
     }

@@ -193,6 +193,8 @@ void RingRunner::Private::lookAtStatus()
     seenOfMaster = master->statusChanges();
     const auto status = std::make_shared<const MasterStatus>(master->status());
     ring.master = status;
+    if (status->state != MasterState::ready)
+        ring.refusedStart.reset();
     if (ringIsOther) // what it says is about devices we do not have
         return;
     std::vector<NodeId> numbers;

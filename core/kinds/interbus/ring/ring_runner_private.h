@@ -51,7 +51,7 @@ struct RingRunner::Private
     void tellZerosAtDevices();
     bool ringStands() const;
     void zerosAreBlockedBy(const Refusal &why);
-    void sendZerosUnheard();
+    void tellZerosUnheard();
     void tellZeros(const ProcessDataLink::ZerosSent &zeros);
     void zeroAtRest();
     void fail(const Refusal &why);

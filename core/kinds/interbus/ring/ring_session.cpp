@@ -605,10 +605,10 @@ void RingSession::alarmStop()
         d->zerosAskedAt = d->link->now();
         d->outBeforeZeros = d->outNow();
     }
-    if (isGateway && d->latest().connected) { // at once: the bus thread may hang in a transaction
+    if (isGateway && d->latest().connected) // at once: the bus thread may hang in a transaction
         tell({.at = d->link->now(), .severity = Severity::attention, .id = MessageId::zerosAsked});
+    if (isGateway)
         d->link->hurryToZeros();
-    }
     post(command::AlarmStop{});
 }
 

@@ -22,10 +22,12 @@ struct RingState
     std::uint64_t cycle = 0;
     Instant at{};
     MasterState state = MasterState::ready;
-    bool operate = false;              // writing is allowed
-    bool zerosAreDue = false;          // of an ALARM STOP: they have not arrived yet
-    bool outputsAreBlocked = false;    // by the gateway, it seems: its watchdog has tripped
-    std::optional<ToldRing> told{};    // by a gateway; empty: it does not tell
+    bool operate = false;           // writing is allowed
+    bool zerosAreDue = false;       // of an ALARM STOP: they have not arrived yet
+    bool outputsAreBlocked = false; // by the gateway, it seems: its watchdog has tripped
+    std::optional<ToldRing> told{}; // by a gateway; empty: it does not tell
+    // The fault that the last start met in READY, where the master does not look at the ring.
+    std::optional<Refusal> refusedStart{};
     Instant awakeSince{};              // the computer slept until then; 0: not since the bus was opened
     Instant linkBackSince{};           // it was lost before; 0: never since the bus was opened
     std::uint64_t lateCycles = 0;      // counted by the paced thread since it started

@@ -34,6 +34,12 @@ QString nameOf(std::uint16_t errorCode)
     }
 }
 
+std::uint16_t registerAt(const std::vector<RefusalArgument> &arguments, std::size_t index)
+{
+    const auto *word = index < arguments.size() ? std::get_if<Word>(&arguments[index]) : nullptr;
+    return static_cast<std::uint16_t>(word ? *word : 0);
+}
+
 } // namespace
 
 std::optional<FaultPlace> faultPlaceOf(std::uint16_t diagnosticParameter)
@@ -87,13 +93,14 @@ QString busFaultText(std::uint16_t errorCode, std::uint16_t diagnosticParameter)
                  : code + QStringLiteral(" – ") + name;
 }
 
+std::uint16_t diagnosticParameterOf(const std::vector<RefusalArgument> &codeAndParameter)
+{
+    return registerAt(codeAndParameter, 1);
+}
+
 QString busFaultText(const std::vector<RefusalArgument> &codeAndParameter)
 {
-    const auto number = [&](std::size_t i) {
-        const auto *word = i < codeAndParameter.size() ? std::get_if<Word>(&codeAndParameter[i]) : nullptr;
-        return static_cast<std::uint16_t>(word ? *word : 0);
-    };
-    return busFaultText(number(0), number(1));
+    return busFaultText(registerAt(codeAndParameter, 0), diagnosticParameterOf(codeAndParameter));
 }
 
 } // namespace codewheel

@@ -41,6 +41,7 @@ QString faultPlaceText(const FaultPlace &place);
 // known text is given as its number and where to look it up.
 QString busFaultText(std::uint16_t errorCode, std::uint16_t diagnosticParameter);
 // The same for a message or refusal that has both as its arguments.
+std::uint16_t diagnosticParameterOf(const std::vector<RefusalArgument> &codeAndParameter);
 QString busFaultText(const std::vector<RefusalArgument> &codeAndParameter);
 
 } // namespace codewheel

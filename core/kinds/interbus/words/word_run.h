@@ -69,6 +69,8 @@ public:
             doubt(inDoubt, hasGoneOut());
             inDoubt.out.clear(); // 00000000 follows, or the word of somebody else stands there
         }
+        if (m_reading.state == EncoderState::readOut) // which 00000000 ends
+            this->leaveOutOfSight();
         finish(tl::unexpected(why));
     }
 
@@ -80,6 +82,7 @@ protected:
     using Base::goesByItself;
     using Base::m_account;
     using Base::m_cancelled;
+    using Base::m_reading;
     using Base::m_steps;
     using Base::reportProgress;
     using Base::result;

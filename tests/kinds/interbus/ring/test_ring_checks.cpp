@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why there is no data of a ring: what each cause makes differ first, and what is said about it.
+#include "bus/bus_outline.h"
 #include "bus/data_check.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/places.h"
+#include "vocabulary/refusal_text.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -153,6 +155,41 @@ TEST_F(RingChecks, AWireBreakIsToldWithItsPlaceAndWhatIsBehindItIsNotKnown)
     EXPECT_TRUE(findCheck(checks, DataCheck::Id::position)->came.isEmpty());
 }
 
+TEST_F(RingChecks, AFaultThatAStartHasMetIsToldUntilItChanges)
+{
+    befall(TrainingFault::wireBreak, "1.0"_ring);
+    training.controls->setFault(TrainingFault::wireBreak, "1.0"_ring.node, 0);
+    frames();
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    bus.setRunning(true);
+    frames();
+    expectFirst("2.0"_ring, DataCheck::Id::running,
+                "The ring could not be started. The cable between 3.0 and 4.0 is interrupted",
+                DataCheck::Action::start);
+    EXPECT_EQ(firstDifference(of("2.0"_ring))->came,
+              QStringLiteral("READY at 4.0 (0D10 at outgoing remote bus of 3.0 (see IBS SYS FW G4 UM))"));
+    training.controls->setFault(TrainingFault::wireBreak, "4.0"_ring.node, 0);
+    bus.setRunning(true);
+    frames();
+    EXPECT_EQ(firstDifference(of("2.0"_ring)), nullptr);
+}
+
+TEST_F(RingChecks, AnotherDeviceThatAStartHasMetIsTold)
+{
+    befall(TrainingFault::wireBreak, "1.0"_ring);
+    training.controls->setFault(TrainingFault::wireBreak, "1.0"_ring.node, 0);
+    frames();
+    befall(TrainingFault::wrongDevice, "5.0"_ring);
+    bus.setRunning(true);
+    frames();
+    expectFirst("2.0"_ring, DataCheck::Id::running, "The ring could not be started. 5.0: configured is",
+                DataCheck::Action::start);
+    bus.alarmStop();
+    frames();
+    expectFirst("2.0"_ring, DataCheck::Id::running, "ALARM STOP has stopped the ring.",
+                DataCheck::Action::start);
+}
+
 TEST_F(RingChecks, ADeviceThatIsSwitchedOffIsNotReached)
 {
     befall(TrainingFault::wireBreak, "4.0"_ring);
@@ -250,6 +287,84 @@ TEST_F(RingChecks, ADeviceThatIsOnlyPlannedIsNotThere)
 {
     frames();
     expectFirst("99.0"_ring, DataCheck::Id::reached, "99.0 is not in the ring", DataCheck::Action::compare);
+}
+
+// Nobody has chosen that mode, and the controller takes the cams for a position.
+TEST_F(RingChecks, AnEncoderThatAJobHasLeftInCamModeShowsNoPosition)
+{
+    const Place fraba = "1.0"_ring;
+    EncoderSession &encoder = *bus.encoder(fraba);
+    const auto alarmStopInCamMode = [&](const Job &job) {
+        ASSERT_TRUE(encoder.start(job));
+        for (int i = 0; i < 300 && encoder.latest().mode != Mode::cam; ++i)
+            bus.advance(1);
+        ASSERT_EQ(encoder.latest().mode, Mode::cam);
+        bus.alarmStop();
+        frames();
+        bus.setRunning(true);
+        frames();
+    };
+    encoder.tell(Parameter::startUpMode, 1);
+    QStringList told;
+    QObject::connect(&bus, &EncoderBus::messaged, &bus,
+                     [&](const Message &message) { told << messageText(message); });
+    frames();
+    alarmStopInCamMode(WriteCams{
+        .programs = {CamProgram{}}, .onlyWhatDiffers = true, .afterwards = SwitchMode{Mode::position}});
+    EXPECT_EQ(encoder.leftInMode(), (LeftMode{Mode::cam, 1}));
+    EXPECT_TRUE(told.contains(QStringLiteral("The encoder was left in cam mode, program 1: the controller "
+                                             "gets no position. Switch it back to position mode.")))
+        << told.join(u'\n').toStdString();
+    expectFirst(fraba, DataCheck::Id::position, "The encoder was left in cam mode, program 1",
+                DataCheck::Action::none);
+    const auto faults = bus.outline().faults();
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults.front().actions, std::vector{FaultAction::positionMode});
+
+    bus.setOperate(true);
+    ASSERT_TRUE(encoder.start(SwitchMode{Mode::position}));
+    frames();
+    EXPECT_FALSE(encoder.leftInMode());
+    EXPECT_EQ(firstDifference(of(fraba)), nullptr);
+    EXPECT_TRUE(bus.outline().faults().empty());
+}
+
+// ALARM STOP came while the word that switches it was on its way.
+TEST_F(RingChecks, AModeThatIsNotKnownAfterAnAlarmStopIsNotClaimed)
+{
+    const Place fraba = "1.0"_ring;
+    EncoderSession &encoder = *bus.encoder(fraba);
+    encoder.tell(Parameter::startUpMode, 1);
+    frames();
+    ASSERT_TRUE(encoder.start(ReadCams{.programs = {1}, .afterwards = SwitchMode{Mode::position}}));
+    for (int i = 0; i < 20 && bus.channel(fraba)->out() != 0x2080'0001; ++i)
+        bus.advance(1);
+    bus.alarmStop();
+    frames();
+    bus.setRunning(true);
+    frames();
+    EXPECT_EQ(encoder.leftInMode(), LeftMode());
+    ASSERT_EQ(bus.outline().faults().size(), 1u);
+    EXPECT_TRUE(
+        bus.outline().faults().front().text.startsWith(QStringLiteral("It is not known in which mode 1.0")));
+    expectFirst(fraba, DataCheck::Id::position, "IN may be a position", DataCheck::Action::positionMode);
+
+    encoder.tell(Parameter::startUpMode, 1);
+    frames();
+    EXPECT_TRUE(bus.outline().faults().empty());
+}
+
+TEST_F(RingChecks, CamModeThatWasAskedForIsNoDifference)
+{
+    const Place fraba = "1.0"_ring;
+    EncoderSession &encoder = *bus.encoder(fraba);
+    encoder.tell(Parameter::startUpMode, 1);
+    frames();
+    ASSERT_TRUE(encoder.start(SwitchMode{Mode::cam, 1}));
+    frames();
+    ASSERT_EQ(encoder.latest().mode, Mode::cam);
+    EXPECT_EQ(firstDifference(of(fraba)), nullptr);
+    EXPECT_TRUE(bus.outline().faults().empty());
 }
 
 } // namespace
