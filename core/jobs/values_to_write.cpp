@@ -171,6 +171,21 @@ std::vector<Job> jobsForWish(const EncoderSession &encoder, const WriteWish &wis
     return jobs;
 }
 
+namespace {
+
+// What comes behind a new address is sent to that.
+void moveTo(PlanBasis &basis, const Job &job)
+{
+    const auto *write = std::get_if<WriteParameters>(&job);
+    const auto address = write ? valueOf(write->values, Parameter::lineAddress) : std::nullopt;
+    if (!address)
+        return;
+    std::erase_if(basis.known, [](const Known &known) { return known.parameter == Parameter::lineAddress; });
+    basis.known.push_back({Parameter::lineAddress, *address, Evidence::told, {}});
+}
+
+} // namespace
+
 // Each job leaves 00000000 in OUT.
 Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std::vector<Job> &jobs, Word out)
 {
@@ -182,6 +197,7 @@ Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std:
         if (!steps)
             return steps;
         basis.out = 0;
+        moveTo(basis, job);
         all.insert(all.end(), steps->begin(), steps->end());
     }
     return all;

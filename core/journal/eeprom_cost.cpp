@@ -10,6 +10,8 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <functional>
+#include <span>
 
 namespace codewheel {
 namespace {
@@ -57,8 +59,22 @@ struct Cost
     // Leaving cam mode stores a program that was changed.
     int operator()(const SwitchMode &) const { return mayBeInCamMode(encoder) ? 1 : 0; }
     int operator()(const ResetToDefault &) const { return 1 + (*this)(SwitchMode{}); }
-    int operator()(const ReadCams &job) const { return size(job.programs) + 1; }
-    int operator()(const WriteCams &job) const { return size(job.programs) + 1; }
+    int operator()(const ReadCams &job) const
+    {
+        return size(job.programs) + (leavesAnother(job.programs, std::identity()) ? 1 : 0);
+    }
+    int operator()(const WriteCams &job) const
+    {
+        return size(job.programs) + (leavesAnother(job.programs, &CamProgram::number) ? 1 : 0);
+    }
+
+    // Besides its own programs: the one it is in, or perhaps is in, which may have been changed.
+    template <typename Number>
+    bool leavesAnother(const auto &programs, Number number) const
+    {
+        const auto current = encoder.latest().camProgram;
+        return mayBeInCamMode(encoder) && !(current && std::ranges::count(programs, *current, number) > 0);
+    }
 };
 
 QString countedBy(const EepromCount &count)
@@ -89,6 +105,17 @@ QString dateText(const QDateTime &at)
     return QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat);
 }
 
+// What is written along with the earlier values of these steps, and what the encoder sets along with them.
+int writtenAlong(const Protocol &protocol, std::span<const Step> steps)
+{
+    ParameterValues taken;
+    for (const Step &step : steps)
+        if (takesValue(step))
+            for (const Parameter parameter : step.parameters)
+                replaceValue(taken, {parameter, step.data.value_or(0)});
+    return protocol.writtenBesides(taken) + static_cast<int>(protocol.setAlong(taken, {}).size());
+}
+
 } // namespace
 
 int mostEepromWrites(const EncoderSession &encoder, const Job &job)
@@ -101,15 +128,16 @@ int mostEepromWrites(const EncoderSession &encoder, Word word)
     return protocolOf(encoder.device()).eepromWrites(encoder.device(), {&word, 1}, mayBeInCamMode(encoder));
 }
 
-int mostWritesToRestore(const Progress &progress)
+int mostWritesToRestore(const EncoderSession &encoder, const Progress &progress)
 {
     const auto done = std::min(std::ssize(progress.steps), std::ptrdiff_t{progress.index} + 1);
-    const auto end = progress.steps.begin() + done;
-    const auto count = [&](auto counts) { return std::count_if(progress.steps.begin(), end, counts); };
+    const std::span steps = std::span(progress.steps).first(static_cast<std::size_t>(done));
+    const auto count = [&](auto counts) { return std::ranges::count_if(steps, counts); };
     const auto values = count([](const Step &step) { return takesValue(step); });
     const auto cams = count([](const Step &step) { return step.effect == Effect::takesCams; });
     const auto programs = count([](const Step &step) { return step.effect == Effect::switchesMode; });
-    return static_cast<int>(values + (cams > 0 ? std::max(programs, std::ptrdiff_t{1}) : 0));
+    return static_cast<int>(values + (cams > 0 ? std::max(programs, std::ptrdiff_t{1}) : 0)) +
+           writtenAlong(protocolOf(encoder.device()), steps);
 }
 
 void askFromEepromShare(int percent)

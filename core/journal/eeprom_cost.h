@@ -11,7 +11,7 @@ int mostEepromWrites(const EncoderSession &encoder, const Job &job);
 // 0 or 1: for a word sent by hand.
 int mostEepromWrites(const EncoderSession &encoder, Word word);
 // What a running job costs in addition if it is cancelled and the previous values are written again.
-int mostWritesToRestore(const Progress &progress);
+int mostWritesToRestore(const EncoderSession &encoder, const Progress &progress);
 
 // What has to be said or asked before this many writes are added to the existing ones, according to the
 // manual of the encoder.

@@ -394,7 +394,7 @@ std::optional<qint64> LedgerKeeper::beginEntry(Watched &watched, int planned)
 void LedgerKeeper::planToRestore(Place place)
 {
     const Watched &watched = m_watched[place];
-    const int more = mostWritesToRestore(watched.progress);
+    const int more = watched.encoder ? mostWritesToRestore(*watched.encoder, watched.progress) : 0;
     if (watched.job && more > 0)
         m_book->plan(*watched.job, more);
 }
@@ -475,14 +475,14 @@ void LedgerKeeper::settleDoubtful(Place place)
 }
 
 // While a job is under way, what it may still write is no doubt about the past. What stands in OUT, by hand
-// or since a job waits for the user, may have been written.
+// or since a job that has sent a value waits for the user, may have been written.
 void LedgerKeeper::showCount(Place place)
 {
     const Watched &watched = m_watched[place];
     if (!watched.encoder || ledger() == nullptr)
         return;
     std::vector<qint64> running;
-    if (watched.job && !watched.progress.waitsForUser)
+    if (watched.job && !(watched.progress.waitsForUser && watched.progress.hasTaken))
         running.push_back(*watched.job);
     if (watched.byHand && watched.byHand->awaited > 0)
         running.push_back(watched.byHand->id);

@@ -87,6 +87,23 @@ TEST_F(EepromCost, IsTheMostAJobMayWrite)
     EXPECT_EQ(of(2, SwitchMode{}), 0);
 }
 
+// As the simulated encoder counts: a program that was changed is stored when it is left.
+TEST_F(EepromCost, OfCamsIsThatOfTheProgramsThatAreLeft)
+{
+    constexpr int fraba = 1;
+    const auto isIn = [&](std::int64_t startUpMode) {
+        bus.encoder("1.0"_ring)->tell(Parameter::startUpMode, startUpMode);
+        bus.advance(std::chrono::milliseconds(50));
+    };
+    const WriteCams third{{CamProgram{.number = 3}}, true, {}};
+    isIn(1); // position mode
+    EXPECT_EQ(of(fraba, third), 1);
+    isIn(5); // cam program 3
+    EXPECT_EQ(of(fraba, third), 1);
+    isIn(6);
+    EXPECT_EQ(of(fraba, third), 2) << "and program 4, which may have been changed";
+}
+
 // No kind of job is left out: new ones state their highest cost here.
 TEST_F(EepromCost, IsStatedForEachKindOfJob)
 {
@@ -175,12 +192,12 @@ TEST_F(EepromCost, OfWritingBackWhatWasBefore)
                       .steps = {step(StepKind::readOut, 0x20210001), step(StepKind::parameter, 0x020000FF),
                                 step(StepKind::parameter, 0x04000001), step(StepKind::parameter, 0x06000003)},
                       .confirmed = {}};
-    EXPECT_EQ(mostWritesToRestore(progress), 2); // including the one under way
+    EXPECT_EQ(mostWritesToRestore(*bus.encoder("2.0"_ring), progress), 2); // including the one under way
     progress.index = 4;
-    EXPECT_EQ(mostWritesToRestore(progress), 3);
-    EXPECT_EQ(mostWritesToRestore(Progress{}), 0);
+    EXPECT_EQ(mostWritesToRestore(*bus.encoder("2.0"_ring), progress), 3);
+    EXPECT_EQ(mostWritesToRestore(*bus.encoder("2.0"_ring), Progress{}), 0);
     progress.steps = {step(StepKind::switchMode, 0x20800001), step(StepKind::camParameter, 0x46000015)};
-    EXPECT_EQ(mostWritesToRestore(progress), 1);
+    EXPECT_EQ(mostWritesToRestore(*bus.encoder("2.0"_ring), progress), 1);
 }
 
 TEST_F(EepromCost, SaysWhoseWritesAndByWhat)

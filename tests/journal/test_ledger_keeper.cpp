@@ -109,6 +109,21 @@ TEST_F(LedgerKeeperTest, AReplacementLeavesTheCountToThePreviousEncoder)
     EXPECT_EQ(countAt(fraba).writes, 1);
 }
 
+TEST_F(LedgerKeeperTest, AJobThatWaitsForItsFirstStepHasWrittenNothing)
+{
+    keep(DatabasePlace::memory());
+    EncoderSession &encoder = *bus.encoder(fraba);
+    bool waits = false;
+    QObject::connect(&encoder, &EncoderSession::progressed, &encoder,
+                     [&](const Progress &progress) { waits = progress.waitsForUser; });
+    ASSERT_TRUE(
+        encoder.start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}, Pace::byHand));
+    bus.advance(50);
+    ASSERT_TRUE(waits);
+    ASSERT_EQ(bus.channel(fraba)->out(), 0U);
+    EXPECT_EQ(countAt(fraba).atMost(), 0);
+}
+
 // What it has sent so far may have been written, whatever it does next.
 TEST_F(LedgerKeeperTest, AJobThatWaitsForItsUserCountsAsPerhaps)
 {

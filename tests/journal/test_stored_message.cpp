@@ -3,10 +3,14 @@
 #include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "tests/support/places.h"
+#include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 
+#include <QLocale>
+
 #include <gtest/gtest.h>
+#include <span>
 
 namespace codewheel {
 namespace {
@@ -52,16 +56,27 @@ TEST(StoredMessage, KeepsCodesAndNoText)
               QStringLiteral("{\"arguments\":[],\"code\":\"parametersLost\",\"kind\":\"device\"}"));
 }
 
+struct StoredRow
+{
+    MessageId id;
+    std::vector<RefusalArgument> arguments;
+    const char *stored;
+    const char *text;
+};
+
+void expectStoredAndTold(std::span<const StoredRow> rows)
+{
+    for (const StoredRow &row : rows) {
+        const StoredMessage stored =
+            storedMessage({.id = row.id, .arguments = row.arguments}, noonAndSevenMs);
+        EXPECT_EQ(stored.arguments.toStdString(), row.stored);
+        EXPECT_EQ(messageText(stored).toStdString(), row.text);
+    }
+}
+
 TEST(StoredMessage, KeepsKeysOfWhatATrainerDidAndOfAMode)
 {
-    struct Row
-    {
-        MessageId id;
-        std::vector<RefusalArgument> arguments;
-        const char *stored;
-        const char *text;
-    };
-    const Row rows[] = {
+    const StoredRow rows[] = {
         {MessageId::training, ringAct(RingAct::shaftTurns, {1'234.5}), R"(["shaftTurns",{"double":1234.5}])",
          "Shaft turns at 1234.5 rpm."},
         {MessageId::training, ringAct(RingAct::magnetMovedTo, {12.5}), R"(["magnetMovedTo",{"double":12.5}])",
@@ -88,12 +103,99 @@ TEST(StoredMessage, KeepsKeysOfWhatATrainerDidAndOfAMode)
          R"(["Drehzahlbetrieb"])",
          "The encoder was switched: Drehzahlbetrieb."},
     };
-    for (const Row &row : rows) {
-        const StoredMessage stored =
-            storedMessage({.id = row.id, .arguments = row.arguments}, noonAndSevenMs);
-        EXPECT_EQ(stored.arguments.toStdString(), row.stored);
-        EXPECT_EQ(messageText(stored).toStdString(), row.text);
-    }
+    expectStoredAndTold(rows);
+}
+
+TEST(StoredMessage, KeepsWhatAMessageListsAsValuesAndKeys)
+{
+    MessageItems values{std::int64_t{2}, std::int64_t{2}};
+    addItem(values, Parameter::steps, std::int64_t{7200});
+    addItem(values, Parameter::direction, QStringLiteral("cw"));
+    MessageItems doubts{std::int64_t{4}, std::int64_t{1}};
+    addItem(doubts, MessageItem::factorySettings);
+    addItem(doubts, MessageItem::position);
+    addItem(doubts, MessageItem::camProgram, {std::int64_t{3}});
+    addItem(doubts, MessageItem::typed, {QStringLiteral("05GP00001770"), std::int64_t{24}});
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    const StoredRow rows[] = {
+        {MessageId::parametersWritten, values,
+         R"([2,2,{"parameter":"steps"},7200,{"parameter":"direction"},"cw"])",
+         "Written and activated: Steps = 7.200, Direction = cw (parameters: 2, EEPROM writes: 2)."},
+        {MessageId::restoredReadBack, values,
+         R"([2,2,{"parameter":"steps"},7200,{"parameter":"direction"},"cw"])",
+         "The earlier values were written again and read back: Steps = 7.200, Direction = cw (EEPROM "
+         "writes: 2)."},
+        {MessageId::inDoubt, doubts,
+         R"([4,1,"factorySettings","position","camProgram",3,"typed","05GP00001770",24])",
+         "It is not known whether the encoder has this: factory settings, position, cam program 3, 05: set "
+         "preset to 1770h = 6.000 (05GP00001770). Read it to know."},
+        {MessageId::typedWritten,
+         {QStringLiteral("05GP00001770"), std::int64_t{24}},
+         R"(["05GP00001770",24])",
+         "Written by hand: 05: set preset to 1770h = 6.000 (05GP00001770). EEPROM writes: 1."},
+        {MessageId::outLeft,
+         {QStringLiteral("02000100"), QStringLiteral("80000000")},
+         R"(["02000100","80000000"])",
+         "OUT may still hold 02000100 or 80000000: the encoder may give no position. Bring it back once the "
+         "bus runs again."},
+        {MessageId::recordingEnded,
+         {QStringLiteral("/tmp/a.cwrec"), std::int64_t{614'400}},
+         R"(["/tmp/a.cwrec",614400])",
+         "The recording has ended: /tmp/a.cwrec, 614,4 kB."},
+        {MessageId::lineOpened,
+         {QStringLiteral("training"), std::int64_t{19'200}},
+         R"(["training",19200])",
+         "The serial line training line is open at 19.200 Bd."},
+    };
+    expectStoredAndTold(rows);
+    QLocale::setDefault(before);
+}
+
+TEST(StoredMessage, ShowsTheTextsOfAnEarlierVersionAsTheyAre)
+{
+    const StoredRow rows[] = {
+        {MessageId::parametersWritten,
+         {std::int64_t{1}, std::int64_t{1}, QStringLiteral("Schritte = 7.200")},
+         R"([1,1,"Schritte = 7.200"])",
+         "Written and activated: Schritte = 7.200 (parameters: 1, EEPROM writes: 1)."},
+        {MessageId::restoredConfirmed,
+         {QStringLiteral("Nockenprogramm 1, 3"), std::int64_t{2}},
+         R"(["Nockenprogramm 1, 3",2])",
+         "The earlier values were written again, confirmed and activated, but cannot be read: "
+         "Nockenprogramm 1, 3 (EEPROM writes: 2)."},
+        {MessageId::inDoubt,
+         {QStringLiteral("position"), std::int64_t{1}},
+         R"(["position",1])",
+         "It is not known whether the encoder has this: position. Read it to know."},
+        {MessageId::typedWritten,
+         {QStringLiteral("05: Preset auf 1770h = 6.000 setzen (05GP00001770)")},
+         R"x(["05: Preset auf 1770h = 6.000 setzen (05GP00001770)"])x",
+         "Written by hand: 05: Preset auf 1770h = 6.000 setzen (05GP00001770). EEPROM writes: 1."},
+        {MessageId::outLeft,
+         {QStringLiteral("02000100 oder 80000000")},
+         R"(["02000100 oder 80000000"])",
+         "OUT may still hold 02000100 oder 80000000: the encoder may give no position. Bring it back once "
+         "the bus runs again."},
+        {MessageId::recordingEnded,
+         {QStringLiteral("/tmp/a.cwrec"), QStringLiteral("614,4 kB")},
+         R"(["/tmp/a.cwrec","614,4 kB"])",
+         "The recording has ended: /tmp/a.cwrec, 614,4 kB."},
+        {MessageId::valuesRestored,
+         {QStringLiteral("29.11.26 14:02"), std::int64_t{3}},
+         R"(["29.11.26 14:02",3])",
+         "Values of 29.11.26 14:02 were restored: 3."},
+    };
+    expectStoredAndTold(rows);
+}
+
+TEST(StoredMessage, TellsTheTimeOfRestoredValuesInTheLanguageOfItsReader)
+{
+    const QDateTime at(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
+    const QString told = messageText(
+        {.id = MessageId::valuesRestored, .arguments = {at.toString(Qt::ISODate), std::int64_t{3}}});
+    EXPECT_EQ(told, QStringLiteral("Values of %1 were restored: 3.")
+                        .arg(QLocale().toString(at.toLocalTime(), QLocale::ShortFormat)));
 }
 
 TEST(StoredMessage, ShowsACodeThisVersionDoesNotKnow)

@@ -59,28 +59,28 @@ void NowAndThen::setEncoder(EncoderSession &encoder)
 }
 
 void NowAndThen::setThen(std::optional<std::int64_t> position, const QString &whyNot,
-                         const std::optional<ShaftScale> &scale)
+                         const ValueOf &valueThen)
 {
     m_then = position;
     m_whyNot = position ? QString() : whyNot;
-    m_scaleThen = scale;
+    m_valueThen = valueThen;
     draw();
 }
 
-void NowAndThen::setThenByPreset(const ValueOf &valueOf, const std::optional<ShaftScale> &scale)
+void NowAndThen::setThenByPreset(const ValueOf &valueThen)
 {
     if (!m_encoder)
         return;
     const DeviceDescription &device = m_encoder->device();
     std::vector<Parameter> unknown;
     for (const Parameter parameter : {Parameter::preset, Parameter::offset, Parameter::coding})
-        if (device.find(parameter) != nullptr && !valueOf(parameter))
+        if (device.find(parameter) != nullptr && !valueThen(parameter))
             unknown.push_back(parameter);
-    const auto then = presetPosition(device, valueOf, m_encoder->latest().coding);
+    const auto then = presetPosition(device, valueThen, m_encoder->latest().coding);
     setThen(then ? std::optional(then->position) : std::nullopt,
             unknown.empty() ? tr("What it will show then is not known.")
                             : tr("What it will show then is not known. Missing: %1.").arg(namesOf(unknown)),
-            scale);
+            valueThen);
 }
 
 void NowAndThen::knownChanged()
@@ -109,15 +109,29 @@ void NowAndThen::draw()
 void NowAndThen::drawRod()
 {
     RodState state = rodReading(*m_encoder, m_known, m_missing);
-    state.then = RodState::Then{m_then};
+    state.then = rodThen();
     tellWhyNot(state, m_whyNot);
     m_rod->setState(state);
+}
+
+RodState::Then NowAndThen::rodThen() const
+{
+    const RodState rod = m_valueThen ? rodWith(m_encoder->device(), m_valueThen) : m_known;
+    return {m_then, rod.length, rod.scale, rod.countsUpToTheEnd};
+}
+
+std::optional<ShaftScale> NowAndThen::shaftThen() const
+{
+    if (!m_valueThen)
+        return m_scale;
+    const auto then = scaleOf(m_encoder->device(), m_valueThen);
+    return then ? std::optional(ShaftScale{then->resolution(), then->clockwise}) : std::nullopt;
 }
 
 void NowAndThen::drawShaft()
 {
     DialState state = shaftState(*m_encoder, m_scale, m_missing);
-    const auto &scale = m_scaleThen ? m_scaleThen : m_scale;
+    const auto scale = shaftThen();
     state.then =
         DialState::Then{m_then, m_then && scale ? std::optional(scale->turnFraction(*m_then)) : std::nullopt};
     tellWhyNot(state, m_whyNot);

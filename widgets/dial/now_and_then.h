@@ -25,23 +25,26 @@ public:
     explicit NowAndThen(QWidget *parent = nullptr);
 
     void setEncoder(EncoderSession &encoder);
-    // Empty: it is not known; `whyNot` says so. `scale`: of then, if it is another one than now.
+    // Empty: it is not known; `whyNot` says so. `valueThen`: the values of then, if they may be others than
+    // those of now.
     void setThen(std::optional<std::int64_t> position, const QString &whyNot = {},
-                 const std::optional<ShaftScale> &scale = {});
+                 const ValueOf &valueThen = {});
     // By its programmed preset, with these values.
-    void setThenByPreset(const ValueOf &valueOf, const std::optional<ShaftScale> &scale = {});
+    void setThenByPreset(const ValueOf &valueThen);
 
 private:
     void knownChanged();
     void draw();
     void drawRod();
     void drawShaft();
+    RodState::Then rodThen() const;
+    std::optional<ShaftScale> shaftThen() const;
 
     QPointer<EncoderSession> m_encoder;
     std::optional<std::int64_t> m_then;
     QString m_whyNot;
     std::optional<ShaftScale> m_scale;
-    std::optional<ShaftScale> m_scaleThen;
+    ValueOf m_valueThen; // empty: as now
     RodState m_known;
     QString m_missing;
     AgeTimer *m_age;

@@ -49,26 +49,27 @@ QString scaleNumber(const RodState &state, double share)
 
 namespace {
 
-std::optional<double> placeOn(const RodState &state, std::optional<qint64> position)
+// On the rod of now, or on that of then.
+std::optional<double> placeOn(const auto &rod)
 {
-    if (!position || !state.length || *state.length < 1 || !state.countsUpToTheEnd)
+    if (!rod.position || !rod.length || *rod.length < 1 || !rod.countsUpToTheEnd)
         return {};
-    const double share = static_cast<double>(*position) / static_cast<double>(*state.length);
+    const double share = static_cast<double>(*rod.position) / static_cast<double>(*rod.length);
     if (share < 0 || share > 1)
         return {};
-    return *state.countsUpToTheEnd ? share : 1 - share;
+    return *rod.countsUpToTheEnd ? share : 1 - share;
 }
 
 } // namespace
 
 std::optional<double> magnetPlace(const RodState &state)
 {
-    return placeOn(state, state.position);
+    return placeOn(state);
 }
 
 std::optional<double> magnetPlaceThen(const RodState &state)
 {
-    return placeOn(state, state.then ? state.then->position : std::nullopt);
+    return state.then ? placeOn(*state.then) : std::nullopt;
 }
 
 int RodPicture::height()

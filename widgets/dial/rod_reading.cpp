@@ -55,14 +55,19 @@ RodState rodStateOf(const EncoderSession &encoder, const RodState &known, const 
 
 RodState knownOfRod(const EncoderSession &encoder)
 {
-    RodState known;
-    known.length = knownNumber(encoder, Parameter::measuringLength);
-    known.scale = rodScale(encoder);
-    const ParameterDescription *direction = encoder.device().find(Parameter::direction);
-    if (const auto value = knownNumber(encoder, Parameter::direction); value && direction != nullptr)
+    return rodWith(encoder.device(), [&](Parameter parameter) { return knownNumber(encoder, parameter); });
+}
+
+RodState rodWith(const DeviceDescription &device, const ValueOf &valueOf)
+{
+    RodState rod;
+    rod.length = valueOf(Parameter::measuringLength);
+    rod.scale = rodScale(rod.length, valueOf(Parameter::rodLength));
+    const ParameterDescription *direction = device.find(Parameter::direction);
+    if (const auto value = valueOf(Parameter::direction); value && direction != nullptr)
         if (const Choice *choice = direction->findChoice(*value))
-            known.countsUpToTheEnd = choice->key == QStringLiteral("increasing");
-    return known;
+            rod.countsUpToTheEnd = choice->key == QStringLiteral("increasing");
+    return rod;
 }
 
 RodState rodReading(const EncoderSession &encoder, const RodState &known, const QString &missing)

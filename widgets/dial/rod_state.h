@@ -27,6 +27,9 @@ struct RodState
     struct Then
     {
         std::optional<qint64> position = {}; // empty: it is not known
+        std::optional<qint64> length = {};   // the scale of then, which may be another one than now
+        std::optional<RodScale> scale = {};
+        std::optional<bool> countsUpToTheEnd = {};
 
         friend bool operator==(const Then &, const Then &) = default;
     };

@@ -144,23 +144,24 @@ void RodView::drawNumbersOfNow(QPainter &painter) const
 void RodView::drawNowAndThen(QPainter &painter) const
 {
     const QColor now = roleColor(m_state.isLastKnown ? Role::inactive : m_state.role, palette());
-    then_mark::paintLegend(painter, palette(), numberFont(),
-                           {m_number, then_mark::nowText(inBoth(m_state.position), m_state.age), now});
+    then_mark::paintLegend(
+        painter, palette(), numberFont(),
+        {m_number, then_mark::nowText(inBoth(m_state.position, m_state.scale), m_state.age), now});
     then_mark::paintLegend(painter, palette(), numberFont(), {m_millimetres, thenText(), {}});
 }
 
 // "12 500 (125.0 mm)"
-QString RodView::inBoth(std::optional<qint64> position) const
+QString RodView::inBoth(std::optional<qint64> position, const std::optional<RodScale> &scale) const
 {
     if (!position)
         return {};
     const QString steps = locale().toString(*position);
-    return m_state.scale ? QStringLiteral("%1 (%2)").arg(steps, m_state.scale->text(*position)) : steps;
+    return scale ? QStringLiteral("%1 (%2)").arg(steps, scale->text(*position)) : steps;
 }
 
 QString RodView::thenText() const
 {
-    return then_mark::thenText(inBoth(m_state.then->position));
+    return then_mark::thenText(inBoth(m_state.then->position, m_state.then->scale));
 }
 
 QString RodView::positionText() const

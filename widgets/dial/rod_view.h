@@ -38,7 +38,7 @@ private:
     void drawNumbers(QPainter &painter) const;
     void drawNumbersOfNow(QPainter &painter) const;
     void drawNowAndThen(QPainter &painter) const;
-    QString inBoth(std::optional<qint64> position) const;
+    QString inBoth(std::optional<qint64> position, const std::optional<RodScale> &scale) const;
     QString thenText() const;
     QString positionText() const;
     QString shownPosition() const;

@@ -34,10 +34,18 @@ private:
 
 } // namespace
 
+CheckedDelegate::CheckedDelegate(QObject *parent)
+    : CheckedDelegate(Complaint(), parent)
+{}
+
 CheckedDelegate::CheckedDelegate(Complaint complaint, QObject *parent)
     : QStyledItemDelegate(parent)
     , m_complaint(std::move(complaint))
-{}
+{
+    // Before the view closes it.
+    connect(this, &QAbstractItemDelegate::closeEditor, this,
+            [this](QWidget *editor) { m_taken = qobject_cast<QLineEdit *>(editor); });
+}
 
 QWidget *CheckedDelegate::createEditor(QWidget *parent, const QStyleOptionViewItem &option,
                                        const QModelIndex &index) const

@@ -21,7 +21,7 @@ public:
     // What is wrong with the text for this cell; empty: nothing is.
     using Complaint = std::function<QString(const QModelIndex &index, const QString &text)>;
 
-    using QStyledItemDelegate::QStyledItemDelegate;
+    explicit CheckedDelegate(QObject *parent = nullptr);
     // For text fields made by Qt.
     CheckedDelegate(Complaint complaint, QObject *parent);
 

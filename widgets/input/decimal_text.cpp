@@ -19,6 +19,11 @@ struct DecimalText
     Q_DECLARE_TR_FUNCTIONS(codewheel::DecimalText)
 };
 
+QString withoutSpaces(QString text)
+{
+    return text.remove(u' ').remove(QChar(QChar::Nbsp)).remove(narrowSpace);
+}
+
 // "1,000" or "12.000.000" could be grouped thousands; "0,001" and "1,25" could not.
 bool mayBeGrouped(const QString &text)
 {
@@ -52,7 +57,7 @@ tl::expected<double, QString> readDecimal(const QString &text, const QLocale &lo
     const bool isForeign = (hasPoint || hasComma) && locale.decimalPoint() != QString(sign);
     if (isForeign && mayBeGrouped(typed))
         return tl::unexpected(twoMeanings(typed, sign, locale));
-    QString plain = typed;
+    QString plain = withoutSpaces(typed);
     bool isNumber = false;
     const double number = plain.replace(u',', u'.').toDouble(&isNumber);
     if (!isNumber || !qIsFinite(number))
@@ -62,8 +67,7 @@ tl::expected<double, QString> readDecimal(const QString &text, const QLocale &lo
 
 tl::expected<std::int64_t, QString> readWhole(const QString &text)
 {
-    QString digits = text;
-    digits.remove(u' ').remove(QChar(QChar::Nbsp)).remove(narrowSpace);
+    QString digits = withoutSpaces(text);
     const bool isNegative = digits.startsWith(u'-');
     if (isNegative || digits.startsWith(u'+'))
         digits.remove(0, 1);
@@ -72,8 +76,8 @@ tl::expected<std::int64_t, QString> readWhole(const QString &text)
     const bool isMadeOfDigits =
         std::ranges::all_of(digits, [](QChar c) { return c.isDigit() || c == u'.' || c == u','; });
     if (isMadeOfDigits && (text.contains(u'.') || text.contains(u',')))
-        return tl::unexpected(
-            DecimalText::tr("\"%1\" is not a whole number. Digits only: 1000.").arg(text.trimmed()));
+        return tl::unexpected(DecimalText::tr("\"%1\" is not a whole number. Digits only, for example 1000.")
+                                  .arg(text.trimmed()));
     return tl::unexpected(DecimalText::tr("\"%1\" is not a number.").arg(text.trimmed()));
 }
 

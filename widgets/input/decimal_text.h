@@ -10,9 +10,9 @@ class QLocale;
 
 namespace codewheel {
 
-// A number as somebody typed it, with point or comma, whatever the country. Refused with a sentence: anything
-// that is no number, and a sign that could be a thousands separator as well as a decimal point ("1,000" in
-// English: 1000 or 1.000).
+// A number as somebody typed it, with point or comma, whatever the country, and spaces between digits.
+// Refused with a sentence: anything that is no number, and a sign that could be a thousands separator as well
+// as a decimal point ("1,000" in English: 1000 or 1.000).
 tl::expected<double, QString> readDecimal(const QString &text, const QLocale &locale);
 
 // A whole number: digits, with spaces between them if somebody likes, or hexadecimal with its mark ("0x1F",

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QLocale>
 
 #include <type_traits>
 
@@ -112,16 +113,42 @@ void SpinField<SpinBox>::keyPressEvent(QKeyEvent *event)
     SpinBox::keyPressEvent(event);
 }
 
-// Refused input is not taken. It stays in the field, marked, to be corrected; Qt would silently restore the
-// previous value.
 template <typename SpinBox>
 void SpinField<SpinBox>::focusOutEvent(QFocusEvent *event)
 {
+    keepingRefused([&] { SpinBox::focusOutEvent(event); });
+}
+
+template <typename SpinBox>
+void SpinField<SpinBox>::showEvent(QShowEvent *event)
+{
+    keepingRefused([&] { SpinBox::showEvent(event); });
+}
+
+template <typename SpinBox>
+void SpinField<SpinBox>::hideEvent(QHideEvent *event)
+{
+    keepingRefused([&] { SpinBox::hideEvent(event); });
+}
+
+// Refused input is not taken. It stays in the field, marked, to be corrected; Qt would silently restore the
+// previous value.
+template <typename SpinBox>
+void SpinField<SpinBox>::keepingRefused(const std::function<void()> &handle)
+{
     const bool isRefused = !complaint().isEmpty();
     const QString typed = this->lineEdit()->text();
-    SpinBox::focusOutEvent(event);
+    handle();
     if (isRefused)
         this->lineEdit()->setText(typed);
+}
+
+// Qt replaces the text without its signal.
+template <typename SpinBox>
+void SpinField<SpinBox>::setValue(Number value)
+{
+    SpinBox::setValue(value);
+    check();
 }
 
 template <typename SpinBox>
@@ -135,5 +162,12 @@ void SpinField<SpinBox>::check()
 
 template class SpinField<QDoubleSpinBox>;
 template class SpinField<QSpinBox>;
+
+void leaveSeparatorsOut(QSpinBox &field)
+{
+    QLocale plain = field.locale();
+    plain.setNumberOptions(plain.numberOptions() | QLocale::OmitGroupSeparator);
+    field.setLocale(plain);
+}
 
 } // namespace codewheel

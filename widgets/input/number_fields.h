@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QSpinBox>
 
+#include <functional>
 #include <tl/expected.hpp>
 
 namespace codewheel {
@@ -23,6 +24,9 @@ public:
     explicit SpinField(QWidget *parent = nullptr);
 
     QString takeTyped() override;
+    QString complaint() const; // about the text in the field; empty: none
+    // What was typed gives way, and with it what is wrong with it; also while signals are blocked.
+    void setValue(Number value);
 
 protected:
     // The number as typed, without prefix and suffix.
@@ -35,11 +39,13 @@ protected:
     void fixup(QString &) const override {} // Qt's own would drop thousands separators
     void keyPressEvent(QKeyEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
 private:
     QString bareText(QString text) const;
     void check();
-    QString complaint() const; // about the text in the field; empty: none
+    void keepingRefused(const std::function<void()> &handle);
 
     InputMark m_mark;
 };
@@ -49,5 +55,8 @@ extern template class SpinField<QSpinBox>;
 
 using DecimalField = SpinField<QDoubleSpinBox>;
 using IntegerField = SpinField<QSpinBox>;
+
+// For the number of something, as a port or a register: its range is said without signs between thousands.
+void leaveSeparatorsOut(QSpinBox &field);
 
 } // namespace codewheel

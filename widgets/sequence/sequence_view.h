@@ -3,6 +3,7 @@
 
 #include "project/word_list.h"
 #include "vocabulary/place.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/look/roles.h"
 #include "widgets/monitor/word_format.h"
 #include "widgets/sequence/sequence_job.h"
@@ -17,7 +18,6 @@
 class QAction;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 class QStackedWidget;
 class QTableView;
 class QToolBar;
@@ -93,7 +93,7 @@ private:
     EmptyState *m_empty;
     QToolBar *m_tools;
     QTableView *m_table;
-    QSpinBox *m_hold;
+    IntegerField *m_hold;
     QLabel *m_summary;
     QPushButton *m_send;
     QPushButton *m_stop;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/input/number_fields.h"
+
 #include <QString>
 
-class QDoubleSpinBox;
+#include <functional>
+#include <span>
+
 class QGridLayout;
 class QWidget;
 
@@ -18,7 +22,11 @@ struct CalculatorField
     double least = 0;
     int decimals = 3;
 };
-QDoubleSpinBox *addCalculatorField(QGridLayout &grid, QWidget &parent, const CalculatorField &field,
-                                   double value);
+// `changed`: its value, or whether what is in it is good.
+DecimalField *addCalculatorField(QGridLayout &grid, QWidget &parent, const CalculatorField &field,
+                                 double value, const std::function<void()> &changed);
+
+// What is wrong with the first of the fields that is; empty: nothing.
+QString firstComplaint(std::span<const DecimalField *const> fields);
 
 } // namespace codewheel

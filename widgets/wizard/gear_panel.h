@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/input/number_fields.h"
 #include "widgets/wizard/gear_calculator.h"
 
 #include <QGroupBox>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
@@ -27,13 +27,14 @@ Q_SIGNALS:
 
 private:
     void calculate();
+    void take();
 
     GearLimits m_limits;
     std::optional<GearResult> m_result;
-    QDoubleSpinBox *m_mmPerTurn = nullptr;
-    QDoubleSpinBox *m_encoderTurns = nullptr;
-    QDoubleSpinBox *m_partTurns = nullptr;
-    QDoubleSpinBox *m_mmPerStep = nullptr;
+    DecimalField *m_mmPerTurn = nullptr;
+    DecimalField *m_encoderTurns = nullptr;
+    DecimalField *m_partTurns = nullptr;
+    DecimalField *m_mmPerStep = nullptr;
     QLabel *m_answer;
     QPushButton *m_take;
 };

@@ -7,6 +7,7 @@
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 #include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/job/job_cancel.h"
@@ -26,8 +27,9 @@
 #include "widgets/wizard/wizard_report.h"
 
 #include <QCheckBox>
-#include <QLocale>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -45,6 +47,17 @@ ParameterValues valuesToRestore(const HandshakeRecord &record)
         values.push_back({taken.parameter, *before});
     }
     return values;
+}
+
+// Planned along with the first job, which may give the encoder another address.
+std::vector<Step> stepsBehindFirst(const EncoderSession &encoder, const std::vector<Job> &jobs)
+{
+    auto all = encoder.planned(jobs);
+    const auto first = encoder.planned({jobs.front()});
+    if (!all || !first)
+        return {};
+    all->erase(all->begin(), all->begin() + std::min(std::ssize(*first), std::ssize(*all)));
+    return *std::move(all);
 }
 
 } // namespace
@@ -131,6 +144,7 @@ void HandshakePage::start()
     m_work.jobs = jobsForWish(encoder, m_setup.wish);
     m_work.done = {};
     record.setsPosition = m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
+    record.setsByPreset = !m_setup.wish.setPositionTo && encoder.device().find(Parameter::offset) != nullptr;
     record.setPositionTo =
         m_setup.wish.setPositionTo ? m_setup.wish.setPositionTo : m_setup.valueAfter(Parameter::preset);
     record.leftOut = leftOutNote(encoder.device(), m_setup.wish);
@@ -152,8 +166,7 @@ void HandshakePage::start()
 // Starts the first of the remaining jobs.
 Result<void> HandshakePage::startJob()
 {
-    const std::vector<Job> later(m_work.jobs.begin() + 1, m_work.jobs.end());
-    std::vector<Step> toCome = m_setup.encoder->planned(later).value_or(std::vector<Step>());
+    std::vector<Step> toCome = stepsBehindFirst(*m_setup.encoder, m_work.jobs);
     const auto job =
         m_setup.encoder->start(m_work.jobs.front(), m_setup.byHand ? Pace::byHand : Pace::byItself);
     if (!job)
@@ -195,6 +208,21 @@ void HandshakePage::showProgress()
     m_steps.setCurrent(progress.index, progress.waitsForUser);
     showWhereItIs(progress);
     m_cancel->follow(progress);
+    noteBefore();
+}
+
+// What it reads before it writes, and where the shaft stands by then.
+void HandshakePage::noteBefore()
+{
+    HandshakeRecord &record = m_setup.record;
+    const EncoderSession &encoder = *m_setup.encoder;
+    const Progress &progress = record.progress;
+    if (!isBusy() || m_work.isRecovery || progress.setsPosition || !record.taken().empty())
+        return;
+    record.before = allKnown(encoder);
+    const bool waits = m_next->isEnabled(); // otherwise what it shows may be of a later step
+    if (waits && !progress.hasTaken && encoder.showsPosition())
+        record.positionBefore = encoder.latest().position;
 }
 
 // A cancelled job is not followed by others.
@@ -230,8 +258,9 @@ void HandshakePage::showRow(const Exchange &row)
 void HandshakePage::showLatest()
 {
     showWords();
+    noteBefore();
     const std::optional<Outcome> &last = m_setup.record.last();
-    if (last && !isBusy() && stateNow(*last) != m_shownState)
+    if (last && !isBusy() && m_setup.stateNow() != m_shownState)
         showEnd();
 }
 
@@ -274,7 +303,7 @@ void HandshakePage::showOutcome(const Outcome &ended)
         outcome.isPositionSet = m_work.done.haveSetPosition();
     }
     (m_work.isRecovery ? record.recovery : record.outcome) = outcome;
-    m_work.endedAt = m_setup.encoder->latest().at;
+    record.endedAt = m_setup.encoder->latest().at;
     record.after = allKnown(*m_setup.encoder);
     record.positionAfter = m_setup.encoder->latest().position;
     if (!m_setup.encoder->device().hasWords())
@@ -283,19 +312,11 @@ void HandshakePage::showOutcome(const Outcome &ended)
     record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
     if (!m_work.isRecovery) // those to come will not be sent
         m_steps.showSteps(m_setup.encoder->device(), record.progress.steps);
-    const bool isBroughtBack = !outcome.result && outcome.result.error().id == RefusalId::cancelled;
+    const bool isBroughtBack = isCancelled(outcome);
     m_steps.finish(outcome.result || isBroughtBack);
     showEnd();
     showWords();
     Q_EMIT changed();
-}
-
-// The one it was left in, unless somebody or a loss of power has changed that since: whoever has lost sight
-// of it sees it again.
-EncoderState HandshakePage::stateNow(const Outcome &last) const
-{
-    const EncoderSession &encoder = *m_setup.encoder;
-    return isSeenSince(encoder, m_work.endedAt) ? encoder.latest().state : last.leftIn;
 }
 
 // The buttons and the sentence for the stage the handshake has reached.
@@ -304,7 +325,7 @@ void HandshakePage::showEnd()
     const HandshakeRecord &record = m_setup.record;
     std::optional<Outcome> last = record.last();
     if (last)
-        m_shownState = last->leftIn = stateNow(*last);
+        m_shownState = last->leftIn = m_setup.stateNow();
     m_next->setVisible(!last || isBusy());
     m_byItself->setVisible(!last || isBusy());
     m_next->setEnabled(false);
@@ -316,7 +337,7 @@ void HandshakePage::showEnd()
     m_run->setToolTip(way == WayBack::endService
                           ? tr("Takes the service bit back: the encoder shows its position again.")
                           : tr("Sends run: what the encoder has taken becomes valid, if it accepts it."));
-    m_leftIn->setText(last && !isBusy() ? endText(*last) : QString());
+    m_leftIn->setText(last && !isBusy() ? (validTexts(*last) << endText(*last)).join(u' ') : QString());
     if (!last || isBusy())
         return;
     if (last->result) {
@@ -335,6 +356,21 @@ void HandshakePage::showEnd()
     m_problem->showMessage(byUser ? Role::attention : Role::fault, refusalText(why));
 }
 
+// What acts in an encoder that was cancelled and not restored.
+QStringList HandshakePage::validTexts(const Outcome &last) const
+{
+    const HandshakeRecord &record = m_setup.record;
+    const bool isBroughtBack = record.recovery && last.result;
+    if (!isBroughtBack && !isCancelled(last))
+        return {};
+    Outcome outcome = last;
+    if (isBroughtBack)
+        outcome.written = record.taken();
+    outcome.positionBefore = record.positionBefore;
+    outcome.positionAfter = record.positionAfter;
+    return validNowTexts(*m_setup.encoder, outcome);
+}
+
 // How, how the encoder was left, and what does not act yet.
 QString HandshakePage::verifiedText(const Outcome &last) const
 {
@@ -343,6 +379,12 @@ QString HandshakePage::verifiedText(const Outcome &last) const
         tr("Verified: %1. %2").arg(verificationText(m_setup.record, device), endText(last));
     const QString unscaled = unscaledText(m_setup.record, device);
     return unscaled.isEmpty() ? verified : verified + u' ' + unscaled;
+}
+
+bool HandshakePage::waitsForFirstStep() const
+{
+    const Progress &progress = m_setup.record.progress;
+    return isBusy() && progress.waitsForUser && progress.index == 0;
 }
 
 bool HandshakePage::cancel()
@@ -356,15 +398,27 @@ bool HandshakePage::cancel()
 
 CancelSituation HandshakePage::situation(const EncoderSession &encoder, const Progress &progress) const
 {
-    const auto position = positionWithTaken(m_setup);
     CancelSituation situation = situationOf(encoder, progress);
     situation.taken = m_setup.record.taken();
-    if (!situation.setsPosition)
-        situation.positionNote = position ? tr("The position will then read %1%2.")
-                                                .arg(position->exact ? QString() : tr("about "),
-                                                     QLocale().toString(qlonglong{position->position}))
-                                          : tr("What the position will then read is not known.");
+    if (situation.setsPosition)
+        return situation;
+    if (situation.isActive)
+        situation.positionNote = [&encoder] { return positionNowTexts(encoder).join(u' '); };
+    else
+        situation.positionNote = [this] { return positionThenText(); };
     return situation;
+}
+
+// While it takes values it shows no position: the last one seen is what is known.
+QString HandshakePage::positionThenText() const
+{
+    const auto position = positionWithTaken(m_setup);
+    if (!position)
+        return tr("What the position will then read is not known.");
+    return tr("If the shaft has not moved since the encoder last showed its position, it will then read "
+              "%1%2.",
+              "'about ' or nothing, position")
+        .arg(position->exact ? QString() : tr("about "), numberText(position->position));
 }
 
 void HandshakePage::leaveEncoder(OnCancel how)

@@ -44,7 +44,6 @@ public:
         bool isRecovery = false;
         bool isCancelled = false;
         Word outNow = 0;
-        Instant endedAt{};
     };
     struct UnderWay
     {
@@ -57,6 +56,7 @@ public:
 
     void start(); // by hand it sends nothing, otherwise the first word
     bool isBusy() const { return m_work.job.has_value(); }
+    bool waitsForFirstStep() const;
     // Asks if the encoder has taken something, perhaps a moment later. False: the user goes on with the
     // handshake.
     bool cancel();
@@ -75,8 +75,10 @@ private:
     void showWhereItIs(const Progress &progress);
     void showEnd();
     QString verifiedText(const Outcome &last) const;
-    EncoderState stateNow(const Outcome &last) const;
     void showWords();
+    void noteBefore();
+    QStringList validTexts(const Outcome &last) const;
+    QString positionThenText() const;
     CancelSituation situation(const EncoderSession &encoder, const Progress &progress) const;
     void leaveEncoder(OnCancel how);
     void goOn();

@@ -20,8 +20,10 @@ struct HandshakeRecord
     std::optional<std::int64_t> serialNumber;
     QDateTime begun;
     QDateTime ended;
+    Instant endedAt{}; // by the clock of the bus
     WriteParameters job;
     bool setsPosition = false;
+    bool setsByPreset = false;                 // to its programmed preset, which an offset is added to
     std::optional<std::int64_t> setPositionTo; // nothing: to a preset that is not known
     std::optional<ValueNote> leftOut;          // of what was wanted
     std::vector<Known> before;                 // what was known

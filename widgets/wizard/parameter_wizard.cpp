@@ -282,15 +282,20 @@ QString ParameterWizard::about() const
 
 QString ParameterWizard::effect() const
 {
-    return page() < handshake
-               ? tr("Edits wanted values of the project; nothing is sent before the handshake.")
-           : page() == handshake ? tr("Writes to the encoder.")
-                                 : tr("Nothing is sent here.");
+    if (page() < handshake)
+        return tr("Edits wanted values of the project; nothing is sent before the handshake.");
+    if (page() == report)
+        return tr("Nothing is sent here.");
+    return m_handshakePage->waitsForFirstStep() ? tr("Nothing is sent before the first step.")
+                                                : tr("Writes to the encoder.");
 }
 
 QString ParameterWizard::lostByClosing() const
 {
-    const QStringList changed = isBusy() || !m_setup->encoder ? QStringList() : m_setup->changed();
+    if (isBusy())
+        return tr("The handshake is under way: until it has ended, the encoder may give no position.") +
+               u' ' + codewheel::Page::goesOn() + u' ' + tr("Wizard shows it again.");
+    const QStringList changed = m_setup->encoder ? m_setup->changed() : QStringList();
     return changed.isEmpty()
                ? QString()
                : tr("What was set in the wizard is undone: %1.").arg(changed.join(QStringLiteral(", ")));
@@ -320,6 +325,7 @@ void ParameterWizard::takeProgress(const Progress &progress)
 {
     m_setup->record.progress = progress;
     current()->showProgress();
+    Q_EMIT headChanged(); // the first step may have been sent
 }
 
 void ParameterWizard::takeOutcome(const Outcome &outcome)

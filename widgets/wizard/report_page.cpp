@@ -24,11 +24,16 @@ ReportPage::ReportPage(Setup &setup, QWidget *parent)
 void ReportPage::enter()
 {
     const HandshakeRecord &record = m_setup.record;
-    const std::optional<Outcome> &last = record.last();
-    m_leftIn->setText(last ? leftInText(last->leftIn) : QString());
+    showLatest();
     m_report->show(reportOf(record, m_setup.encoder->device(), QCoreApplication::applicationVersion()),
                    QStringLiteral("encoder-%1-%2")
                        .arg(record.place, record.begun.toString(QStringLiteral("yyyy-MM-dd"))));
+}
+
+// The report says how it was at the end; the line above it follows the encoder.
+void ReportPage::showLatest()
+{
+    m_leftIn->setText(m_setup.record.last() ? leftInText(m_setup.stateNow()) : QString());
 }
 
 } // namespace codewheel

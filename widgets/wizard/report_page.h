@@ -18,6 +18,7 @@ public:
     explicit ReportPage(Setup &setup, QWidget *parent = nullptr);
 
     void enter() override;
+    void showLatest() override;
     QString nextText() const override { return tr("&Close"); }
 
 private:

@@ -166,12 +166,11 @@ void ReviewPage::showPicture()
     const WriteWish &wish = m_setup.wish;
     m_picture->setVisible(wish.initialisePreset || wish.setPositionTo);
     m_picture->setEncoder(*m_setup.encoder);
-    const auto then = scaleAfter(m_setup);
-    const auto scale = then ? std::optional(ShaftScale{then->resolution(), then->clockwise}) : std::nullopt;
+    const ValueOf valueThen = [this](Parameter its) { return valueThenOf(m_setup, its); };
     if (wish.setPositionTo)
-        m_picture->setThen(wish.setPositionTo, {}, scale);
+        m_picture->setThen(wish.setPositionTo, {}, valueThen);
     else
-        m_picture->setThenByPreset([this](Parameter its) { return m_setup.valueAfter(its); }, scale);
+        m_picture->setThenByPreset(valueThen);
 }
 
 bool ReviewPage::mayGoOn() const

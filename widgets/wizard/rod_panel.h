@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/input/number_fields.h"
 #include "widgets/wizard/rod_calculator.h"
 
 #include <QGroupBox>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
@@ -29,9 +29,10 @@ Q_SIGNALS:
 
 private:
     void calculate();
+    void take();
 
-    QDoubleSpinBox *m_length;
-    QDoubleSpinBox *m_mmPerStep;
+    DecimalField *m_length;
+    DecimalField *m_mmPerStep;
     QLabel *m_answer;
     QPushButton *m_take;
     std::int64_t m_most = 0;

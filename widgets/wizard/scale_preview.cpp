@@ -2,14 +2,13 @@
 #include "widgets/wizard/scale_preview.h"
 
 #include "widgets/dial/code_disc.h"
-#include "widgets/input/number_fields.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 
-#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 
 #include <cmath>
 
@@ -41,6 +40,7 @@ ScalePreview::ScalePreview(QWidget *parent)
     layOutColumn(this, {title, m_turns, {m_dial, 1}, Stretch{}},
                  {.spacing = grid::unit, .margins = QMargins()});
     connect(m_turns, &QDoubleSpinBox::valueChanged, this, &ScalePreview::draw);
+    connect(m_turns->findChild<QLineEdit *>(), &QLineEdit::textChanged, this, &ScalePreview::draw);
 }
 
 void ScalePreview::setScale(const std::optional<PositionScale> &scale, std::optional<std::int64_t> start,
@@ -55,14 +55,15 @@ void ScalePreview::setScale(const std::optional<PositionScale> &scale, std::opti
 void ScalePreview::draw()
 {
     DialState state;
-    if (m_scale && m_start) {
+    const QString wrong = m_turns->complaint();
+    if (m_scale && m_start && wrong.isEmpty()) {
         const std::int64_t position = positionAfterTurns(*m_scale, *m_start, m_turns->value());
         const double turns = static_cast<double>(position) / m_scale->resolution();
         state.position = position;
         state.turn = static_cast<qint64>(std::floor(turns));
         state.turnFraction = partOfTurn(turns, m_scale->clockwise);
     } else {
-        state.note = m_whyNot;
+        state.note = wrong.isEmpty() ? m_whyNot : wrong;
     }
     m_dial->setState(state);
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "jobs/position_scale.h"
+#include "widgets/input/number_fields.h"
 
 #include <QWidget>
 
-class QDoubleSpinBox;
 class QLabel;
 
 namespace codewheel {
@@ -28,7 +28,7 @@ private:
     void draw();
 
     CodeDisc *m_dial;
-    QDoubleSpinBox *m_turns;
+    DecimalField *m_turns;
     std::optional<PositionScale> m_scale;
     std::optional<std::int64_t> m_start;
     QString m_whyNot;

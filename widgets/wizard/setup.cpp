@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/wizard/setup.h"
 
+#include "widgets/models/device_traits.h"
+
 #include <QCoreApplication>
 
 namespace codewheel {
@@ -12,6 +14,14 @@ struct SetupTexts
 };
 
 } // namespace
+
+EncoderState Setup::stateNow() const
+{
+    const std::optional<Outcome> &last = record.last();
+    if (encoder && last && isSeenSince(*encoder, record.endedAt))
+        return encoder->latest().state;
+    return last ? last->leftIn : EncoderState::notSeen;
+}
 
 void Setup::want(const Wishes &wishes)
 {

@@ -42,6 +42,10 @@ struct Setup
     }
     using Wishes = std::map<Parameter, std::optional<Value>>; // nothing: unchanged
 
+    // After the handshake: the state it was left in, unless somebody or a loss of power has changed that
+    // since; whoever has lost sight of the encoder sees it again.
+    EncoderState stateNow() const;
+
     // As one undo step.
     void want(const Wishes &wishes);
     void want(Parameter parameter, const std::optional<Value> &value) { want(Wishes{{parameter, value}}); }

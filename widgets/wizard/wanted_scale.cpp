@@ -2,6 +2,7 @@
 #include "widgets/wizard/wanted_scale.h"
 
 #include "jobs/preset_position.h"
+#include "jobs/protocol.h"
 #include "jobs/value_notes.h"
 
 #include <algorithm>
@@ -18,6 +19,14 @@ std::optional<PositionScale> scaleAfter(const Setup &setup)
     if (!setup.encoder)
         return std::nullopt;
     return scaleAfter(setup.encoder->device(), setup.wish.wanted, valuesOf(allKnown(*setup.encoder)));
+}
+
+std::optional<std::int64_t> valueThenOf(const Setup &setup, Parameter parameter)
+{
+    if (!setup.encoder)
+        return std::nullopt;
+    return protocolOf(setup.encoder->device())
+        .valueAfter(parameter, setup.wish.wanted, valuesOf(allKnown(*setup.encoder)));
 }
 
 std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup)

@@ -11,6 +11,9 @@ namespace codewheel {
 std::optional<PositionScale> scaleNow(const Setup &setup);
 std::optional<PositionScale> scaleAfter(const Setup &setup);
 
+// A value after the handshake, counting what the encoder sets along with those written.
+std::optional<std::int64_t> valueThenOf(const Setup &setup, Parameter parameter);
+
 // What the shaft will read where it stands: the preset if it is initialised, otherwise calculated from what
 // the encoder shows now.
 std::optional<ForetoldPosition> positionAfterHandshake(const Setup &setup);

@@ -52,6 +52,15 @@ EncoderState leftIn(const HandshakeRecord &record)
     return record.outcome ? record.outcome->leftIn : EncoderState::notSeen;
 }
 
+QString settingText(const HandshakeRecord &record)
+{
+    if (record.setsByPreset)
+        return record.isPositionSet() ? WizardReport::tr("Position set by the preset")
+                                      : WizardReport::tr("Preset to set the position by");
+    return record.isPositionSet() ? WizardReport::tr("Position set to")
+                                  : WizardReport::tr("Position to be set");
+}
+
 ReportSection valueSection(const HandshakeRecord &record, const DeviceDescription &device)
 {
     ReportTable table{{WizardReport::tr("Parameter"), WizardReport::tr("Before"), WizardReport::tr("Wanted"),
@@ -132,13 +141,13 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
     if (last)
         for (const QString &one : doubtSentences(last->inDoubt, device))
             fact(WizardReport::tr("Not known"), one);
-    fact(WizardReport::tr("State afterwards"), leftInText(leftIn(record)));
+    fact(WizardReport::tr("State at the end of the handshake"), leftInText(leftIn(record)));
+    if (last && last->leftInMode)
+        fact(WizardReport::tr("Mode afterwards"), messageText(leftModeMessage(*last->leftInMode)));
     if (record.leftOut)
         fact(WizardReport::tr("Left out"), noteText(*record.leftOut));
     if (record.setsPosition)
-        fact(record.isPositionSet() ? WizardReport::tr("Position set to")
-                                    : WizardReport::tr("Position to be set"),
-             positionText(record.setPositionTo));
+        fact(settingText(record), positionText(record.setPositionTo));
     fact(WizardReport::tr("Position before"), positionText(record.positionBefore));
     fact(WizardReport::tr("Position after"), positionText(record.positionAfter));
     const int writes = (record.outcome ? record.outcome->eepromWrites : 0) +

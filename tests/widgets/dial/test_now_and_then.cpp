@@ -160,7 +160,10 @@ TEST_F(NowAndThenTest, WithoutTheScaleThereAreOnlyNumbers)
 TEST_F(NowAndThenTest, AnotherScaleMayCountThen)
 {
     picture.setEncoder(frabaThatIsKnown());
-    picture.setThen(100, {}, ShaftScale{.stepsPerTurn = 400});
+    EncoderSession &encoder = ring.encoder(fraba);
+    picture.setThen(100, {}, [&encoder](Parameter its) {
+        return its == Parameter::steps ? std::optional<std::int64_t>(400) : knownNumber(encoder, its);
+    });
     EXPECT_EQ(shaft().then->turnFraction, 0.25);
 }
 
@@ -212,6 +215,19 @@ TEST_F(RodNowAndThen, TheSecondMagnetIsPainted)
     const QImage without = view->grab(right).toImage();
     picture.setThen(encoder().known(Parameter::measuringLength)->value.number());
     EXPECT_NE(view->grab(right).toImage(), without);
+}
+
+TEST_F(RodNowAndThen, AnotherMeasuringLengthMayCountThen)
+{
+    const auto valueThen = [this](Parameter its) {
+        return its == Parameter::measuringLength ? std::optional<std::int64_t>(5'000)
+                                                 : knownNumber(encoder(), its);
+    };
+    picture.setThen(1'000, {}, valueThen);
+    EXPECT_NEAR(magnetPlace(rod()).value_or(-1), 0.25, 0.01);
+    EXPECT_NEAR(magnetPlaceThen(rod()).value_or(-1), 0.2, 0.01);
+    const QString text = said(*picture.findChild<RodView *>());
+    EXPECT_TRUE(text.contains(QStringLiteral("then 1000 (100."))) << text.toStdString();
 }
 
 } // namespace

@@ -26,6 +26,9 @@ const TypedDecimal typedDecimals[] = {
     {"0,001", 0.001, 0.001},
     {"0.001", 0.001, 0.001},
     {"1000", 1000, 1000},
+    {"1 000", 1000, 1000},
+    {"1 000,5", 1000.5, 1000.5},
+    {"12 345.678", 12'345.678, 12'345.678},
     {"1,000", {}, 1.0},
     {"1.000", 1.0, {}},
     {"12,345", {}, 12.345},
@@ -85,7 +88,7 @@ TEST(DecimalText, AWholeNumberIsWrittenInDigits)
     for (const QChar space : {QChar(QChar::Nbsp), QChar(0x202F)})
         EXPECT_EQ(readWhole(QStringLiteral("8") + space + QStringLiteral("192")).value_or(0), 8192);
     EXPECT_EQ(readWhole(QStringLiteral("1.000")).error(),
-              QStringLiteral("\"1.000\" is not a whole number. Digits only: 1000."));
+              QStringLiteral("\"1.000\" is not a whole number. Digits only, for example 1000."));
 }
 
 } // namespace

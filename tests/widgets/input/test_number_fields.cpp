@@ -123,7 +123,7 @@ TEST_F(NumberFieldsTest, WhatIsRefusedIsSaidAtTheFieldAndNotTaken)
 
     type(whole, "1.000");
     EXPECT_TRUE(whole.findChild<QLineEdit *>()->accessibleDescription().contains(
-        QStringLiteral("Digits only: 1000")));
+        QStringLiteral("Digits only, for example 1000")));
     other.setFocus();
     EXPECT_EQ(whole.value(), 7);
 
@@ -154,6 +154,25 @@ TEST_F(NumberFieldsTest, TheRangeIsSaidAsNumbersAreWrittenInTheCountry)
         << complaint(decimal).toStdString();
 }
 
+TEST_F(NumberFieldsTest, TheNumberOfSomethingHasNoSignsBetweenThousands)
+{
+    whole.setLocale(QLocale(QLocale::German, QLocale::Germany));
+    whole.setRange(1, 65'535);
+    leaveSeparatorsOut(whole);
+    type(whole, "70000");
+    const QString complaint = whole.findChild<QLineEdit *>()->accessibleDescription();
+    EXPECT_TRUE(complaint.contains(QStringLiteral("1 to 65535"))) << complaint.toStdString();
+}
+
+TEST_F(NumberFieldsTest, SpacesMayStandBetweenDigits)
+{
+    decimal.setRange(0, 10'000);
+    type(decimal, "1 000");
+    EXPECT_EQ(decimal.findChild<QLineEdit *>()->accessibleDescription(), QString());
+    QTest::keyClick(&decimal, Qt::Key_Return);
+    EXPECT_EQ(decimal.value(), 1000);
+}
+
 TEST_F(NumberFieldsTest, WhatIsRefusedStaysToBeCorrectedAfterReturn)
 {
     type(decimal, "1,000");
@@ -163,6 +182,30 @@ TEST_F(NumberFieldsTest, WhatIsRefusedStaysToBeCorrectedAfterReturn)
     QTest::keyClick(&decimal, Qt::Key_Backspace);
     QTest::keyClick(&decimal, Qt::Key_Return);
     EXPECT_EQ(decimal.value(), 1);
+}
+
+TEST_F(NumberFieldsTest, WhatIsRefusedIsStillThereWhenItsPageIsShownAgain)
+{
+    const QLineEdit *text = decimal.findChild<QLineEdit *>();
+    for (const bool hasFocus : {true, false}) {
+        type(decimal, "1,000");
+        if (!hasFocus)
+            other.setFocus();
+        area.hide();
+        area.show();
+        EXPECT_EQ(decimal.text(), QStringLiteral("1,000")) << hasFocus;
+        EXPECT_TRUE(text->accessibleDescription().contains(QStringLiteral("may mean"))) << hasFocus;
+    }
+}
+
+TEST_F(NumberFieldsTest, WhatCodeSetsIsNotMarkedAsRefused)
+{
+    type(decimal, "1,000");
+    other.setFocus();
+    const QSignalBlocker quiet(&decimal);
+    decimal.setValue(25); // as before
+    EXPECT_EQ(decimal.text(), QStringLiteral("25.0000"));
+    EXPECT_EQ(decimal.findChild<QLineEdit *>()->accessibleDescription(), QString());
 }
 
 TEST_F(NumberFieldsTest, EscGivesTheValueBefore)

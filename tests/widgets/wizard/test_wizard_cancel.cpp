@@ -2,6 +2,10 @@
 // Cancel at each step with each choice, closing, and what stops a handshake.
 #include "tests/widgets/wizard/wizard_test.h"
 
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
+
 namespace codewheel {
 namespace {
 
@@ -47,6 +51,7 @@ TEST_F(WizardHandshake, NothingIsSentBeforeTheFirstStepIsAskedFor)
     begin();
     settle();
     EXPECT_EQ(out(), 0u);
+    EXPECT_EQ(wizard.effect(), QStringLiteral("Nothing is sent before the first step."));
     EXPECT_TRUE(wizard.isBusy());
     EXPECT_FALSE(isEnabled("wizardNext"));
     EXPECT_FALSE(isEnabled("wizardBack"));
@@ -181,7 +186,8 @@ TEST_F(WizardHandshake, SwitchedToByItselfItRunsToItsEnd)
 TEST_F(WizardHandshake, ClosingLeavesItToGoOn)
 {
     begin();
-    EXPECT_TRUE(wizard.lostByClosing().isEmpty());
+    EXPECT_TRUE(wizard.lostByClosing().contains(QStringLiteral("may give no position")))
+        << wizard.lostByClosing().toStdString();
     wizard.leave();
     EXPECT_TRUE(wizard.isBusy());
     EXPECT_EQ(wizard.page(), ParameterWizard::handshake);
@@ -260,6 +266,28 @@ TEST_F(WizardHandshake, WhatTheEncoderIsInByNowIsSaidOnceItIsSeen)
         << text("leftIn").toStdString();
 }
 
+TEST_F(WizardHandshake, TheReportFollowsTheEncoderAndTellsHowItWas)
+{
+    begin();
+    step(2);
+    EXPECT_EQ(wizard.effect(), QStringLiteral("Writes to the encoder."));
+    bus.alarmStop();
+    bus.advance(10);
+    next();
+    ASSERT_EQ(wizard.page(), ParameterWizard::report);
+    EXPECT_TRUE(text("reportLeftIn").contains(QStringLiteral("parameterization")));
+    bus.setRunning(true);
+    bus.advance(50);
+    controls->powerCycle("1.0"_ring.node);
+    bus.advance(5'000);
+    ASSERT_EQ(fraba().latest().state, EncoderState::operation);
+    EXPECT_EQ(text("reportLeftIn"), QStringLiteral("The encoder is in operation."));
+    const QString report = find<QPlainTextEdit>("account")->toPlainText();
+    EXPECT_TRUE(report.contains(QStringLiteral("State at the end of the handshake"))) << report.toStdString();
+    EXPECT_TRUE(report.contains(QStringLiteral("The encoder is in parameterization")))
+        << report.toStdString();
+}
+
 TEST_F(WizardHandshake, RunIsNotSentAfterwardsWithoutAQuestion)
 {
     begin();
@@ -301,6 +329,114 @@ TEST_F(WizardHandshake, InWatchItSaysSoAndMayBeTriedAgain)
     bus.advance(5);
     QTest::mouseClick(find<InlineMessage>("handshakeProblem")->findChild<QPushButton *>(), Qt::LeftButton);
     EXPECT_TRUE(wizard.isBusy());
+}
+
+TEST_F(WizardHandshake, AfterRunItSaysWhatIsValidAndWhereThePositionWent)
+{
+    fraba().tell(Parameter::startUpMode, 1);
+    begin();
+    const auto before = *fraba().latest().position;
+    step(1);
+    const auto question = test::Question::answeredBy(QStringLiteral("Run"));
+    click("wizardCancel");
+    settle();
+    EXPECT_EQ(text("leftIn"), QStringLiteral("Valid now: Steps = 255. The position went from %1 to %2. The "
+                                             "encoder is in operation.")
+                                  .arg(QLocale().toString(qlonglong{before}),
+                                       QLocale().toString(qlonglong{*fraba().latest().position})));
+}
+
+// In parameterization nobody sees whether it does.
+TEST_F(WizardHandshake, WhatThePositionWillReadIsSaidOfAShaftThatStands)
+{
+    fraba().tell(Parameter::startUpMode, 1);
+    begin();
+    controls->turnBy(NodeId("1.0"), 1'000); // by hand minutes pass before the first step
+    bus.advance(60);
+    const auto shown = *fraba().latest().position;
+    step(1);
+    QString asked;
+    int scrolled = -1;
+    const test::Question question([&](QWidget &dialog) {
+        QTest::qWait(50);
+        for (const auto *label : dialog.findChildren<QLabel *>())
+            asked += label->text();
+        scrolled = 0;
+        for (const auto *area : dialog.findChildren<QScrollArea *>())
+            scrolled += area->verticalScrollBar()->maximum();
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    click("wizardCancel");
+    EXPECT_TRUE(asked.contains(QStringLiteral("If the shaft has not moved since"))) << asked.toStdString();
+    EXPECT_EQ(scrolled, 0);
+    const auto then =
+        QRegularExpression(QStringLiteral("it will then read (?:about )?([0-9,]+)\\.")).match(asked);
+    ASSERT_TRUE(then.hasMatch()) << asked.toStdString();
+    EXPECT_NEAR(QLocale().toDouble(then.captured(1)), static_cast<double>(shown) * 255 / 8192, 2);
+}
+
+// The values of before are read in the same job.
+TEST_F(WizardHandshake, WhatItReadsBeforeItWritesTellsThePositionToo)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    for (const auto &value : ParameterValues{{Parameter::steps, 255},
+                                             {Parameter::revolutions, 1},
+                                             {Parameter::direction, 3},
+                                             {Parameter::zeroOffset, 7}})
+        wanted.set("1.0"_ring, value.parameter, value.value);
+    next();
+    next();
+    bus.advance(60);
+    for (int pressed = 0; pressed < 40 && fraba().latest().state != EncoderState::parameterization; ++pressed)
+        step(1);
+    ASSERT_TRUE(wizard.isBusy());
+    const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
+    click("wizardCancel");
+    EXPECT_TRUE(question.text().contains(QStringLiteral("it will then read")))
+        << question.text().toStdString();
+    settle();
+}
+
+// A Baumer encoder needs run before it is restored, so its question is the longest.
+TEST_F(WizardHandshake, TheLongestQuestionIsSeenAsAWhole)
+{
+    for (const auto &[parameter, value] : {std::pair{Parameter::coding, 3},
+                                           {Parameter::steps, 8'192},
+                                           {Parameter::revolutions, 1},
+                                           {Parameter::measuringRange, 4'096}})
+        baumer().tell(parameter, value);
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "4096");
+    next();
+    next();
+    bus.advance(60);
+    step(1);
+    const QFont usual = QApplication::font();
+    for (const double size : {9.0, 11.0, 13.0, 13.5, 14.0}) {
+        SCOPED_TRACE(size);
+        QFont font = usual;
+        font.setPointSizeF(size);
+        QApplication::setFont(font);
+        const test::Question question([](QWidget &dialog) {
+            QTest::qWait(50);
+            for (const auto *area : dialog.findChildren<QScrollArea *>())
+                EXPECT_EQ(area->verticalScrollBar()->maximum(), 0);
+            for (const auto *label : dialog.findChildren<QLabel *>())
+                EXPECT_GE(label->height(), label->heightForWidth(label->width()));
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+        });
+        click("wizardCancel");
+        EXPECT_TRUE(question.text().contains(QStringLiteral("Before that, run makes valid")));
+    }
+    QApplication::setFont(usual);
 }
 
 } // namespace

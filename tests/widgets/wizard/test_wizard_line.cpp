@@ -203,5 +203,90 @@ TEST_F(WizardLine, ADirectionThatItsDescriptionDoesNotKnowTellsNoScale)
     EXPECT_FALSE(scaleOf(device, anyValue));
 }
 
+TEST_F(WizardLine, WhatFollowsANewAddressIsPlannedForIt)
+{
+    toValues({{Parameter::lineAddress, 7}});
+    click("initialisePreset");
+    type("positionToSet", "1000");
+    next();
+    const QStringList requests = plannedRequests();
+    const auto moved = requests.indexOf(QStringLiteral("05X07"));
+    ASSERT_GE(moved, 0) << requests.join(u' ').toStdString();
+    EXPECT_GT(requests.indexOf(QStringLiteral("07P")), moved) << requests.join(u' ').toStdString();
+    EXPECT_GT(requests.indexOf(QStringLiteral("07GP000003E8")), moved);
+    for (auto row = moved + 1; row < requests.size(); ++row)
+        EXPECT_TRUE(requests[row].startsWith(QStringLiteral("07"))) << requests[row].toStdString();
+}
+
+class WizardLineCancel : public WizardLine
+{
+protected:
+    // Steps 360 by hand, with 16 revolutions before; until the steps are written.
+    void begin()
+    {
+        simulated->withEncoder({5}, [](SimulatedEscEncoder &one) {
+            for (const char byte : QByteArray("\x1B"
+                                              "05GM0010\r\n"))
+                one.hear(byte);
+        });
+        toValues({{Parameter::steps, 360}});
+        next();
+        next();
+        pass(500);
+        writesBefore = encoder().eepromWrites();
+        while (encoder().eepromWrites() == writesBefore && isEnabled("nextStep")) {
+            click("nextStep");
+            pass(500);
+        }
+    }
+    int writesBefore = 0;
+};
+
+TEST_F(WizardLineCancel, AsManyWritesAreAnnouncedAsRestoringTakes)
+{
+    begin();
+    const int before = encoder().eepromWrites();
+    ASSERT_EQ(before, writesBefore + 1);
+    const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
+    click("wizardCancel");
+    pass(4000);
+    ASSERT_FALSE(wizard.isBusy());
+    EXPECT_EQ(encoder().eepromWrites() - before, 3) << "steps, revolutions, and the factor";
+    EXPECT_TRUE(question.text().contains(
+        QStringLiteral("Restore writes the earlier values again. EEPROM writes for that: 3 at most.")))
+        << question.text().toStdString();
+    EXPECT_EQ(encoder().known(Parameter::revolutions)->value, 16);
+}
+
+TEST_F(WizardLineCancel, ThePositionItShowsIsThatOfNow)
+{
+    begin();
+    simulated->withEncoder({5}, [](SimulatedEscEncoder &one) { one.shaft().turnBy(1'000); });
+    pass(500);
+    QString first;
+    QString later;
+    const auto asked = [](const QWidget &dialog) {
+        QString text;
+        for (const auto *label : dialog.findChildren<QLabel *>())
+            text += label->text();
+        return text;
+    };
+    const auto shown = [this] {
+        return QStringLiteral("It shows %1 now.")
+            .arg(QLocale().toString(qlonglong{*encoder().latest().position}));
+    };
+    const test::Question question([&](QWidget &dialog) {
+        first = asked(dialog);
+        EXPECT_TRUE(first.contains(shown())) << first.toStdString();
+        simulated->withEncoder({5}, [](SimulatedEscEncoder &one) { one.shaft().turnBy(1'000); });
+        pass(500);
+        later = asked(dialog);
+        EXPECT_TRUE(later.contains(shown())) << later.toStdString();
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    click("wizardCancel");
+    EXPECT_NE(first, later);
+}
+
 } // namespace
 } // namespace codewheel

@@ -224,6 +224,33 @@ TEST_F(WizardPages, TheCalculatorFillsStepsAndRevolutions)
     EXPECT_EQ(find<QLineEdit>("steps")->text(), QStringLiteral("1000"));
 }
 
+TEST_F(WizardPages, WhatTheCalculatorCannotReadGivesNoResult)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    QDoubleSpinBox &travel = *find<QWidget>("gearUse")->parentWidget()->findChild<QDoubleSpinBox *>();
+    travel.setFocus();
+    travel.selectAll();
+    QTest::keyClicks(&travel, QStringLiteral("2,000"));
+    QTest::keyClick(&travel, Qt::Key_Tab);
+    EXPECT_FALSE(isEnabled("gearUse"));
+    EXPECT_TRUE(text("gearAnswer").contains(QStringLiteral("\"2,000\" may mean")))
+        << text("gearAnswer").toStdString();
+    type("steps", "255");
+    next();
+    click("wizardBack");
+    EXPECT_EQ(travel.text(), QStringLiteral("2,000"));
+    EXPECT_FALSE(isEnabled("gearUse"));
+    travel.setFocus();
+    travel.selectAll();
+    QTest::keyClicks(&travel, QStringLiteral("2"));
+    QTest::keyClick(&travel, Qt::Key_U, Qt::AltModifier);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return wanted.value("1.0"_ring, Parameter::steps) == 200; }))
+        << "as typed, without leaving the field";
+}
+
 TEST_F(WizardPages, ValuesTheEncoderHasAreNotWrittenUnlessAskedFor)
 {
     wizard.setEncoder(&fraba());
@@ -629,6 +656,37 @@ TEST_F(WizardPages, TheReportIsSavedAsTextAndAsHtml)
         for (const char *part : {"2.0", "Baumer GXP6W K3", "2026", "02001000", "(echoed)", "EEPROM writes",
                                  "Position before", "cannot be read"})
             EXPECT_TRUE(report.contains(QString::fromLatin1(part))) << part << report.toStdString();
+}
+
+// Baumer manual: the offset is added to the preset.
+TEST_F(WizardPages, TheReportDoesNotTakeThePresetForThePosition)
+{
+    for (const auto &[parameter, value] : {std::pair{Parameter::coding, 3},
+                                           {Parameter::steps, 8'192},
+                                           {Parameter::revolutions, 1},
+                                           {Parameter::measuringRange, 4'096}})
+        baumer().tell(parameter, value);
+    controls->setSpeed(NodeId("2.0"), 0);
+    wizard.setEncoder(&baumer());
+    wanted.set("2.0"_ring, Parameter::preset, 1000);
+    wanted.set("2.0"_ring, Parameter::offset, 55);
+    next();
+    next();
+    next();
+    click("initialisePreset");
+    next();
+    click("byItself");
+    next();
+    bus.advance(4000);
+    ASSERT_FALSE(wizard.isBusy());
+    next();
+    const QString report = find<QPlainTextEdit>("account")->toPlainText();
+    const auto has = [&](const QString &fact) { return report.contains(QRegularExpression(fact)); };
+    EXPECT_TRUE(has(QStringLiteral("Position set by the preset: +%1\n").arg(QLocale().toString(1000))))
+        << report.toStdString();
+    EXPECT_TRUE(has(QStringLiteral("Position after: +%1\n").arg(QLocale().toString(1055))))
+        << report.toStdString();
+    EXPECT_FALSE(report.contains(QStringLiteral("Position set to")));
 }
 
 } // namespace

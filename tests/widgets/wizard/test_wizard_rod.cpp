@@ -2,6 +2,7 @@
 #include "tests/support/model_tester.h"
 #include "tests/widgets/rod_bus.h"
 #include "tests/widgets/wizard/wizard_test.h"
+#include "widgets/dial/rod_view.h"
 
 #include <QDoubleSpinBox>
 #include <QHeaderView>
@@ -101,6 +102,21 @@ TEST_F(WizardRod, TheCalculatorFillsTheMeasuringLengthAndTellsTheRod)
     EXPECT_EQ(wanted.value(rodPlace, Parameter::rodLength), std::nullopt) << "never written";
     EXPECT_TRUE(text("scaleText").contains(QStringLiteral("0.100 mm per step")))
         << text("scaleText").toStdString();
+}
+
+TEST_F(WizardRod, WhatTheCalculatorCannotReadGivesNoResult)
+{
+    toValues();
+    typeNumber("rodLength", 500);
+    auto *length = find<QDoubleSpinBox>("rodLength");
+    length->selectAll();
+    QTest::keyClicks(length, QStringLiteral("2,000"));
+    QTest::keyClick(length, Qt::Key_Tab);
+    EXPECT_FALSE(isEnabled("rodUse"));
+    EXPECT_TRUE(text("rodAnswer").contains(QStringLiteral("\"2,000\" may mean")))
+        << text("rodAnswer").toStdString();
+    typeNumber("rodLength", 2000);
+    EXPECT_TRUE(isEnabled("rodUse"));
 }
 
 TEST_F(WizardRod, APositionToSetNeedsAValue)
@@ -219,6 +235,33 @@ TEST_F(WizardRod, TheReviewWarnsWhereThePositionCannotBeSet)
     bus.advance(100);
     next();
     EXPECT_TRUE(sentence("reviewProblem").contains(QStringLiteral("the position is not set")));
+}
+
+TEST_F(WizardRod, TheReviewDrawsThenInTheScaleOfThen)
+{
+    toReview();
+    const RodState &rod = find<RodView>("")->state();
+    ASSERT_TRUE(rod.then);
+    ASSERT_TRUE(rod.then->scale);
+    EXPECT_DOUBLE_EQ(rod.then->scale->millimetres(*rod.then->position), 100);
+    EXPECT_NEAR(magnetPlaceThen(rod).value_or(-1), 0.2, 0.001);
+}
+
+TEST_F(WizardRod, CancelSpeaksOfNoRunAndSaysWhatItShows)
+{
+    controls->moveMagnetTo(rodPlace.node, 100);
+    toReview();
+    click("byHand");
+    next();
+    stepByHand(7); // it has the measuring length, and is in normal running
+    bus.advance(600);
+    ASSERT_TRUE(rod().showsPosition()) << static_cast<int>(rod().latest().state) << ' ' << rod().latest().in;
+    const auto question = test::Question::answeredBy(QStringLiteral("Go on"));
+    click("wizardCancel");
+    EXPECT_FALSE(question.text().contains(QStringLiteral("run"))) << question.text().toStdString();
+    EXPECT_TRUE(question.text().contains(
+        QStringLiteral("It shows %1 now.").arg(QLocale().toString(qlonglong{*rod().latest().position}))))
+        << question.text().toStdString();
 }
 
 } // namespace

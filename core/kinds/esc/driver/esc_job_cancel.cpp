@@ -128,14 +128,19 @@ void EscJob::dropFrom(std::size_t first, std::optional<Parameter> refused)
     m_steps.all = std::move(left);
 }
 
-// Writing the old steps would set the revolutions, as writing the new ones did.
+// Writing the old steps sets the revolutions, as writing the new ones did; the factor is that of before, and
+// not one computed from them.
 void EscJob::giveBack()
 {
     m_restores = true;
+    const ParameterValues &before = m_account.before;
     ParameterValues values = m_account.valuesBefore(m_account.outcome.written);
-    for (const ParameterValue &along : escSetAlong(values, {}))
-        if (const auto before = valueOf(m_account.before, along.parameter))
-            values.push_back({along.parameter, *before});
+    for (const ParameterValue &along : escSetAlong(values, before))
+        if (const auto was = valueOf(before, along.parameter))
+            values.push_back({along.parameter, *was});
+    const auto factor = valueOf(before, Parameter::scalingFactor);
+    if (factor && goesAlongOnEsc(Parameter::scalingFactor, values))
+        replaceValue(values, {Parameter::scalingFactor, *factor});
     m_steps.append(m_encoder.plan().writes(values));
 }
 

@@ -112,13 +112,16 @@ EscSteps EscPlan::writes(const ParameterValues &values) const
             appendScaling(steps, all);
         }
     }
+    EscPlan there = *this;
     for (const Parameter last : {Parameter::lineAddress, Parameter::baudRate})
         if (const auto value = valueOf(all, last)) {
-            steps.push_back(reading(EscStep::Task::refresh, Parameter::serialNumber));
-            steps.push_back(writing({last, *value}));
-            steps.push_back(readBack(steps.back()));
+            steps.push_back(there.reading(EscStep::Task::refresh, Parameter::serialNumber));
+            steps.push_back(there.writing({last, *value}));
+            if (last == Parameter::lineAddress)
+                there.m_address = {static_cast<std::uint8_t>(*value)};
+            steps.push_back(there.readBack(steps.back()));
         }
-    steps.push_back(step(EscStep::Task::positionAfter, esc::Command::position));
+    steps.push_back(there.step(EscStep::Task::positionAfter, esc::Command::position));
     return steps;
 }
 

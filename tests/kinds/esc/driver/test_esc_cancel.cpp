@@ -282,5 +282,26 @@ TEST(EscCancel, NothingIsWrittenAfterIt)
         }
 }
 
+// The steps set as many revolutions as it had, so these are not sent; the factor need not follow from them.
+TEST(EscCancel, OldStepsGoBackWithTheirFactorAndNothingElse)
+{
+    EscBench bench;
+    bench.has["F"] = "10000000";
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::steps, Parameter::revolutions, Parameter::scalingFactor}});
+    ASSERT_EQ(bench.value(Parameter::revolutions), 4096);
+    ASSERT_TRUE(
+        bench.begin(WriteParameters{.values = {{Parameter::steps, 4096}}, .previous = {}}, Pace::byHand));
+    bench.runUntil([&] { return bench.progress.waitsForUser; });
+    bench.driver.proceed();
+    bench.runUntil([&] { return bench.progress.waitsForUser && bench.count("GR") == 1; });
+    bench.driver.cancel(OnCancel::restorePrevious, bench.now);
+    bench.runUntil([&] { return bench.outcome.has_value(); });
+    EXPECT_EQ(bench.count("GM"), 0);
+    EXPECT_EQ(bench.count("GR"), 2);
+    EXPECT_TRUE(std::ranges::count(bench.log, "03GF10000000"));
+    EXPECT_EQ(bench.outcome->restored, Evidence::read);
+}
+
 } // namespace
 } // namespace codewheel

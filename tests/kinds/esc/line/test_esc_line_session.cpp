@@ -213,6 +213,8 @@ TEST_F(EscLineSessionTest, SaysWhatWasWrittenByHandAndWhetherItIsKnown)
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_EQ(messages.front().id, MessageId::inDoubt);
     EXPECT_EQ(messages.front().severity, Severity::attention);
+    EXPECT_TRUE(messageText(messages.front()).contains(QStringLiteral("= 6001 (05GP00001771). Read it")))
+        << messageText(messages.front()).toStdString();
 }
 
 TEST_F(EscLineSessionTest, AnEncoderWithAnotherAddressIsFoundByThatOne)
