@@ -178,7 +178,8 @@ SeenPosition LastPositions::kept(Place number, const LastPosition &kept,
 // With nothing written since, the encoder that went away again may be the new one.
 const std::optional<SeenPosition> &LastPositions::Watched::replaced() const
 {
-    const bool isEarlier = earlier && earlier->since == Since::gone && earlier->scaled == Scaled::asThen;
+    const bool isEarlier = earlier && earlier->scaled == Scaled::asThen &&
+                           (earlier->since == Since::gone || before->since == Since::unwatched);
     return isEarlier ? earlier : before;
 }
 
@@ -223,7 +224,7 @@ void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, c
     }
     watched.awayFor = {};
     const bool wasUnwatched = !wasWatched || !encoder.freshness().isLive();
-    if (wasUnwatched && sinceShown >= shortestReplacement)
+    if (!bus.isRunning() || (wasUnwatched && sinceShown >= shortestReplacement))
         keepBefore(watched, Since::unwatched);
     if (!bus.isRunning() || !encoder.freshness().isLive() || !encoder.showsPosition())
         return;
@@ -237,10 +238,11 @@ void LastPositions::look(const EncoderBus &bus, const EncoderSession &encoder, c
         watched.scale = knownScale(encoder);
 }
 
-// It shows where it was when it went away: another one would hardly do that.
+// It shows where it was when it went away: another one would hardly do that. That nobody saw it for a while
+// is told all the same, unless an earlier time counts.
 bool LastPositions::isBack(const Watched &watched, std::int64_t position)
 {
-    return watched.before && watched.before->since == Since::gone &&
+    return watched.before && (watched.before->since == Since::gone || watched.earlier) &&
            watched.before->scaled == Scaled::asThen && watched.before->position == position;
 }
 
@@ -257,7 +259,7 @@ void LastPositions::keepBefore(Watched &watched, Since since)
 {
     const bool isGone = since == Since::gone;
     if (watched.last && (isGone || !watched.before || watched.before->since != Since::gone)) {
-        watched.earlier = isGone ? watched.before : std::nullopt;
+        watched.earlier = watched.before;
         watched.before = withScale(watched.last, watched.scale);
         watched.before->since = since;
         watched.last.reset();

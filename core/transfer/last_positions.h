@@ -53,15 +53,17 @@ std::optional<LastPosition> positionToKeep(const EncoderSession &encoder);
 // encoder it replaces, and so that they are kept with the project. Nothing is sent. An encoder is gone once
 // it was seen to be away for a second: in a ring it shows 00000000 without power, or is behind a fault; on a
 // serial line it is silent. Its last position is kept until the next time. While nobody looks nothing is
-// seen: after a pause of the computer, or on a bus that was stopped, an encoder is not gone. One that comes
-// back where it was is the same, and was not away: an earlier loss is still the one that counts.
+// seen: after a pause of the computer, or on a bus that was stopped, an encoder is not gone, but it may be
+// another. One that comes back where it was is the same, and was not away: an earlier loss is still the one
+// that counts, as is an earlier stop.
 class LastPositions : public QObject
 {
     Q_OBJECT
 
 public:
     static constexpr std::chrono::milliseconds untilGone{1000};
-    // Nobody replaces an encoder faster, so a shorter time without a look at it does not matter.
+    // Nobody replaces an encoder faster, so a shorter time without a look at it does not matter, unless the
+    // bus was stopped: people do that in order to replace one.
     static constexpr std::chrono::seconds shortestReplacement{30};
 
     explicit LastPositions(const Buses &buses, QObject *parent = nullptr);

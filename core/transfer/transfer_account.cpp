@@ -107,6 +107,8 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
     account.isBegun = !result.outcomes.empty();
     account.why = result.why;
     account.leftIn = result.leftIn;
+    if (!result.outcomes.empty())
+        account.leftInMode = result.outcomes.back().leftInMode;
     account.positionBefore = result.positionBefore;
     account.positionAfter = result.positionAfter;
     account.begun = result.begun;

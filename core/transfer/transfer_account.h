@@ -53,6 +53,7 @@ struct EncoderAccount
     std::optional<ValueNote> notInForce{}; // its values that scale the position do not act, or may not
     bool onlyZeroSinceRun = false;
     EncoderState leftIn = EncoderState::notSeen;
+    std::optional<LeftMode> leftInMode{};
     std::vector<Word> outLeft{}; // OUT may still hold one of these: its link was lost
     int eepromWrites = 0;
     int eepromWritesPerhaps = 0; // besides these

@@ -3,7 +3,9 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "jobs/job_report.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -53,6 +55,21 @@ QString text(Became became)
         break;
     }
     return TransferWords::tr("Not done");
+}
+
+// After its state.
+QString withMode(const QString &state, const std::optional<LeftMode> &left)
+{
+    if (!left)
+        return state;
+    if (!left->mode)
+        return sentence(TransferWords::tr("%1; in which mode is not known", "a state"), {state});
+    const QString mode = modeText(*left->mode, left->camProgram);
+    return left->mode == Mode::position
+               ? sentence(TransferWords::tr("%1, in %2", "a state, a mode"), {state, mode})
+               : sentence(
+                     TransferWords::tr("%1; left in %2: the controller gets no position", "a state, a mode"),
+                     {state, mode});
 }
 
 } // namespace
@@ -113,7 +130,7 @@ QString leftIn(EncoderState state)
 
 QString leftIn(const EncoderAccount &account)
 {
-    const QString state = leftIn(account.leftIn);
+    const QString state = withMode(leftIn(account.leftIn), account.leftInMode);
     QStringList words;
     for (const Word word : account.outLeft)
         words << hexWord(word);
@@ -158,7 +175,9 @@ QString summary(const EncoderPlan &plan)
 QString outcome(const EncoderAccount &account)
 {
     if (account.why)
-        return refusalText(*account.why);
+        return account.leftInMode
+                   ? refusalText(*account.why) + u' ' + messageText(leftModeMessage(*account.leftInMode))
+                   : refusalText(*account.why);
     if (!account.isDone())
         return TransferWords::tr("Not started.");
     if (!account.isBegun)

@@ -69,9 +69,10 @@ QString textOf(const ValuesBefore &before, const DeviceDescription *device)
 
 Message valuesRestoredMessage(const ValuesBefore &before, const TransferAccount &account)
 {
-    return {.place = before.place,
-            .id = MessageId::valuesRestored,
-            .arguments = {timeOf(before, account.at), std::int64_t{account.count(Became::written)}}};
+    return {
+        .place = before.place,
+        .id = MessageId::valuesRestored,
+        .arguments = {before.at.toUTC().toString(Qt::ISODate), std::int64_t{account.count(Became::written)}}};
 }
 
 } // namespace codewheel

@@ -29,6 +29,16 @@ protected:
         training.controls->setFault(TrainingFault::powerOff, fraba.node, 0);
         pass(500);
     }
+    void stop()
+    {
+        bus.setRunning(false);
+        pass(3000);
+    }
+    void start()
+    {
+        bus.setRunning(true);
+        pass(500);
+    }
     void carryOutJob(const Job &job)
     {
         ASSERT_TRUE(encoder(fraba).start(job));
@@ -202,12 +212,40 @@ TEST_F(LastPositionsOfTheRing, APauseInWhichAnEncoderCouldBeReplacedIsTold)
 TEST_F(LastPositionsOfTheRing, AStoppedBusIsNoEncoderThatWent)
 {
     pass(100);
-    bus.setRunning(false);
-    pass(3000);
-    EXPECT_EQ(positions.at(fraba)->since, Since::there);
-    bus.setRunning(true);
-    pass(3000);
-    EXPECT_EQ(positions.at(fraba)->since, Since::there);
+    stop();
+    EXPECT_EQ(positions.at(fraba)->since, Since::unwatched);
+    start();
+    EXPECT_EQ(positions.at(fraba)->since, Since::unwatched);
+}
+
+// However short it was: people stop it in order to replace an encoder.
+TEST_F(LastPositionsOfTheRing, ThePositionBeforeAStopIsKept)
+{
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    stop();
+    training.controls->turnBy(fraba.node, 100);
+    start();
+    ASSERT_NE(encoder(fraba).latest().position, before);
+    EXPECT_EQ(positions.at(fraba)->position, before);
+    EXPECT_EQ(positions.at(fraba)->since, Since::unwatched);
+    EXPECT_EQ(positions.newest(fraba)->position, encoder(fraba).latest().position);
+}
+
+TEST_F(LastPositionsOfTheRing, ASecondStopThatEndsWhereItBeganKeepsThePositionBeforeTheFirst)
+{
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    stop();
+    training.controls->turnBy(fraba.node, 100);
+    start();
+    const auto since = encoder(fraba).latest().position;
+    stop();
+    EXPECT_EQ(positions.at(fraba)->position, before);
+    EXPECT_EQ(positions.newest(fraba)->position, since);
+    start();
+    EXPECT_EQ(positions.at(fraba)->position, before);
+    EXPECT_EQ(positions.newest(fraba)->position, since);
 }
 
 TEST_F(LastPositionsOfTheRing, AnEncoderThatIsParameterizedOrInErrorIsThere)

@@ -19,6 +19,14 @@
 #include <algorithm>
 
 namespace codewheel {
+namespace {
+
+bool isNamed(const DeviceDescription *device)
+{
+    return device != nullptr && !device->isGeneric();
+}
+
+} // namespace
 
 ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("New encoder"), parent)
@@ -33,7 +41,6 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     , m_differences(wrappedLabel(this, "replaceDifferences"))
     , m_message(new InlineMessage(this))
 {
-    m_key->setPlaceholderText(QStringLiteral("OCD-IBA1B-1213-C100-PRI"));
     m_key->setClearButtonEnabled(true);
     m_serial->setText(replacing.now.serialNumber);
     auto *fields = new QFormLayout;
@@ -58,6 +65,7 @@ void ReplaceDeviceStep::enter()
         tr("At %1 the project has: %2%3. Switch the supply off, replace the encoder, and switch it on again.")
             .arg(m_replacing.place.shown(), participantName(before.participant, device),
                  serial.isEmpty() ? QString() : tr(", serial number %1").arg(serial)));
+    m_key->setPlaceholderText(exampleOfKey());
     if (m_choice->count() == 0)
         fillChoices();
     else
@@ -69,6 +77,15 @@ Result<void> ReplaceDeviceStep::canBe(const DeviceDescription &device) const
     const Place place = m_replacing.place;
     const EncoderBus *bus = m_replacing.buses.busOf(place);
     return bus ? bus->canBe(place, device) : tl::unexpected(m_replacing.buses.whyNotThere(place));
+}
+
+// Of an encoder that fits the place.
+QString ReplaceDeviceStep::exampleOfKey() const
+{
+    for (const DeviceDescription &device : m_replacing.catalog.devices())
+        if (device.orderingKey && canBe(device))
+            return device.orderingKey->example;
+    return {};
 }
 
 void ReplaceDeviceStep::fillChoices()
@@ -138,11 +155,14 @@ void ReplaceDeviceStep::showDifferences()
         return;
     }
     const ProjectDevice &before = m_replacing.before;
-    const auto differences =
-        differencesOf(before, m_replacing.catalog.find(before.participant.deviceKey), now);
-    m_differences->setText(differences.areNone()
-                               ? tr("It fits: as far as the project shows, it is like the previous one.")
-                               : transfer_words::differences(differences, now).join(u'\n'));
+    const DeviceDescription *device = m_replacing.catalog.find(before.participant.deviceKey);
+    const auto differences = differencesOf(before, device, now);
+    m_differences->setText(
+        !differences.areNone() ? transfer_words::differences(differences, now).join(u'\n')
+        : isNamed(device)
+            ? tr("It fits: as far as the project shows, it is like the previous one.")
+            : tr("The project does not say which encoder was here before: whether this one is like it is "
+                 "not known. Compare the labels."));
 }
 
 // A key that stands for no encoder of this place must not be ignored.

@@ -27,6 +27,7 @@ public:
 
 private:
     Result<void> canBe(const DeviceDescription &device) const; // at this place
+    QString exampleOfKey() const;
     void fillChoices();
     void readKey(const QString &typed);
     void tellProblem();

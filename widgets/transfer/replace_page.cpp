@@ -47,7 +47,7 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
     setAccessibleName(tr("Replace encoder"));
     describe(m_back, "replaceBack", tr("To the previous step"));
     m_next->setDefault(true);
-    describe(m_cancel, "replaceCancel", tr("Ends here; a running handshake is asked about first"));
+    describe(m_cancel, "replaceCancel", tr("Ends here; nothing is written"));
     makeSteps();
     layOutColumn(this,
                  {m_wait,
@@ -57,7 +57,7 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
                  {.spacing = grid::margin, .margins = allAround(grid::margin)});
     connect(m_next, &QPushButton::clicked, this, &ReplacePage::next);
     connect(m_back, &QPushButton::clicked, this, &ReplacePage::back);
-    connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::cancel);
+    connect(m_cancel, &QPushButton::clicked, this, &ReplacePage::closeRequested);
     connect(&project, &ProjectDocument::replaced, this, &ReplacePage::leaveProject);
     connect(&project, &ProjectDocument::changed, this, &ReplacePage::followProject);
     connect(&buses, &Buses::changed, this, &ReplacePage::followBuses);
@@ -293,14 +293,6 @@ void ReplacePage::back()
     showStep(m_pages->currentIndex() - 1);
 }
 
-void ReplacePage::cancel()
-{
-    if (isBusy())
-        m_write->cancel();
-    else
-        Q_EMIT closeRequested();
-}
-
 // The new encoder is in place, whatever becomes of the writing.
 void ReplacePage::putIntoProject()
 {
@@ -332,7 +324,7 @@ void ReplacePage::showButtons()
                        : step == account ? tr("Back to the monitors")
                                          : tr("To the next step"));
     m_back->setEnabled(!m_waits && step > device && current()->mayGoBack());
-    m_cancel->setVisible(step != account);
+    m_cancel->setVisible(step != account && !isBusy()); // the strip has one of its own
 }
 
 } // namespace codewheel

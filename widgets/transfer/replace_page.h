@@ -66,7 +66,6 @@ private:
     void showList();
     void next();
     void back();
-    void cancel();
     void putIntoProject();
     void takePlanned();
     void followProject();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/transfer/replace_position_step.h"
 
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "catalog/total_range.h"
 #include "vocabulary/refusal_text.h"
@@ -16,8 +17,29 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QRadioButton>
+#include <QShortcutEvent>
+
+#include <utility>
 
 namespace codewheel {
+namespace {
+
+bool showsOtherThan(const std::optional<SeenPosition> &before, const std::optional<SeenPosition> &now)
+{
+    return before.has_value() != now.has_value() ||
+           (now && (before->position != now->position || before->since != now->since ||
+                    before->scaled != now->scaled));
+}
+
+// Not the position now of an encoder that is there.
+bool saysOtherThan(const std::optional<SeenPosition> &before, const std::optional<SeenPosition> &now)
+{
+    using Since = SeenPosition::Since;
+    const bool areThere = before && now && before->since == Since::there && now->since == Since::there;
+    return !areThere && showsOtherThan(before, now);
+}
+
+} // namespace
 
 ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositions &positions,
                                          QWidget *parent)
@@ -50,27 +72,61 @@ ReplacePositionStep::ReplacePositionStep(Replacing &replacing, const LastPositio
                   layOutRow({m_typed, m_value, new QLabel(tr("steps"), this), Stretch{1}}), m_none, m_message,
                   m_note, Stretch{1}},
                  {.spacing = grid::margin, .margins = QMargins()});
+    m_typed->installEventFilter(this);
+    connect(&replacing.buses, &Buses::updated, this, [this] {
+        if (isVisible())
+            lookAgain();
+    });
     connect(m_value, &QLineEdit::textEdited, this, [this] { m_typed->setChecked(true); });
     for (QRadioButton *one : std::initializer_list<QRadioButton *>{m_last, m_newest, m_kept, m_typed, m_none})
         connect(one, &QRadioButton::toggled, this, &ReplacePositionStep::noteChoice);
 }
 
+// Its key is for the number that belongs to it.
+bool ReplacePositionStep::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool isKey = watched == m_typed && event->type() == QEvent::Shortcut &&
+                       !static_cast<QShortcutEvent *>(event)->isAmbiguous();
+    if (!isKey)
+        return ReplaceStep::eventFilter(watched, event);
+    m_typed->setChecked(true);
+    m_value->setFocus(Qt::ShortcutFocusReason);
+    m_value->selectAll();
+    return true;
+}
+
+// Of an encoder that is there all the time, and turns, it is the same offer.
+void ReplacePositionStep::lookAgain()
+{
+    const auto seen = std::exchange(m_seen, m_positions.at(m_replacing.place));
+    const auto since = std::exchange(m_since, m_positions.newest(m_replacing.place));
+    if (m_since == m_seen)
+        m_since.reset();
+    if (showsOtherThan(seen, m_seen) || showsOtherThan(since, m_since))
+        showOffers();
+    if ((!m_last->isChecked() || !saysOtherThan(seen, m_seen)) &&
+        (!m_newest->isChecked() || !saysOtherThan(since, m_since)))
+        return;
+    chooseNone();
+    askAgain(tr("The bus was stopped or the encoder was away since the position was chosen. Choose it once "
+                "more."));
+}
+
 void ReplacePositionStep::enter()
 {
     m_message->withdraw();
-    m_seen = m_positions.at(m_replacing.place);
-    m_since = m_positions.newest(m_replacing.place);
-    if (m_since == m_seen)
-        m_since.reset();
+    lookAgain();
     const auto &kept = m_replacing.before.lastPosition;
     m_ofProject =
         kept ? std::optional(m_positions.kept(m_replacing.place, *kept, newSettings())) : std::nullopt;
     showOffers();
-    if (isChosenOther() && !m_isOther)
+    if (isChosenOther() && !m_isOther) {
         chooseNone();
-    if (m_mustChoose)
         askAnew();
-    else if (chosen() == nullptr)
+    } else if (m_mustChoose) {
+        askAgain(m_whyAgain);
+    }
+    if (!m_mustChoose && chosen() == nullptr)
         preselect();
     QRadioButton *one = chosen();
     setFocusProxy(one == m_typed ? static_cast<QWidget *>(m_value) : one != nullptr ? one : m_none);
@@ -274,9 +330,14 @@ bool ReplacePositionStep::stillHolds() const
 
 void ReplacePositionStep::askAnew()
 {
-    m_message->showMessage(
-        Role::attention, tr("Other values are wanted than when the position was chosen: with them it may be "
-                            "another place. Choose it once more."));
+    askAgain(tr("Other values are wanted than when the position was chosen: with them it may be another "
+                "place. Choose it once more."));
+}
+
+void ReplacePositionStep::askAgain(const QString &why)
+{
+    m_whyAgain = why;
+    m_message->showMessage(Role::attention, why);
 }
 
 // It would refuse the position, with the rest written.
@@ -299,7 +360,7 @@ bool ReplacePositionStep::leave()
     if (m_none->isChecked())
         return true;
     if (chosen() == nullptr) {
-        askAnew();
+        askAgain(m_whyAgain);
         return false;
     }
     m_scale = m_settings = newSettings();

@@ -27,7 +27,12 @@ public:
     bool stillHolds() const;
     void askAnew(); // since it is not
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
+    void lookAgain(); // at what happens on the bus meanwhile
+    void askAgain(const QString &why);
     void showOffers();
     void preselect();
     void chooseNone();
@@ -51,8 +56,9 @@ private:
     std::optional<SeenPosition> m_seen;
     std::optional<SeenPosition> m_since; // after it, of whichever encoder
     std::optional<SeenPosition> m_ofProject;
-    bool m_isOther = false;     // what is chosen was marked as another position when it was
-    bool m_mustChoose = false;  // what was chosen has become another position
+    bool m_isOther = false;    // what is chosen was marked as another position when it was
+    bool m_mustChoose = false; // what was chosen has become another position
+    QString m_whyAgain;
     ParameterValues m_scale;    // of the position that was chosen
     ParameterValues m_settings; // of the new encoder, when it was
     QRadioButton *m_last;

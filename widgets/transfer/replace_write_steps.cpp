@@ -135,11 +135,6 @@ void ReplaceWriteStep::begin()
     Q_EMIT changed();
 }
 
-void ReplaceWriteStep::cancel()
-{
-    m_progress->cancel();
-}
-
 TransferAccount ReplaceWriteStep::account() const
 {
     TransferAccount account = accountOf(m_replacing.buses, TransferKind::replace, m_plan, m_round.results());

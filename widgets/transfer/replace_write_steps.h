@@ -36,7 +36,6 @@ public:
     // is counted is its.
     void takeNew();
     void begin();
-    void cancel();
     // Of the writing, once it has ended.
     TransferAccount account() const;
 

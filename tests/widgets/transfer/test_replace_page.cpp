@@ -121,7 +121,7 @@ TEST_F(ReplacePageTest, ASecondTryBeginsWithWhatWasGivenInTheFirst)
         return serial;
     };
     EXPECT_EQ(begin(), QString());
-    click("replaceCancel");
+    click("cancelJob");
     advanceWhileBusy(page);
     ASSERT_NE(text("replaceResult"), QStringLiteral("Done."));
     EXPECT_EQ(begin(), QStringLiteral("4711"));
@@ -260,6 +260,83 @@ TEST_F(ReplacePageTest, NothingOfThePastIsPreselectedAfterAPauseOfTheComputer)
                          .contains(QStringLiteral("before the encoder went away")));
     }
     EXPECT_TRUE(find<QRadioButton>("positionLast")->text().contains(QStringLiteral("nobody saw")));
+}
+
+// It was chosen under another sentence.
+TEST_F(ReplacePageTest, AStopIsFollowedWhileThePositionsAreShown)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    auto *last = find<QRadioButton>("positionLast");
+    EXPECT_TRUE(last->text().contains(QStringLiteral("not away since")));
+    click("positionLast");
+    session.bus.setRunning(false);
+    pass(500);
+    EXPECT_TRUE(last->text().contains(QStringLiteral("nobody saw"))) << last->text().toStdString();
+    EXPECT_FALSE(last->isChecked());
+    session.controls->turnBy(fraba.node, 1000);
+    session.bus.setRunning(true);
+    pass(500);
+    EXPECT_TRUE(last->text().contains(QStringLiteral("nobody saw"))) << last->text().toStdString();
+    auto *newest = find<QRadioButton>("positionNewest");
+    EXPECT_TRUE(newest->isVisible());
+    EXPECT_TRUE(
+        newest->text().contains(QLocale().toString(qlonglong{*session.encoder(fraba).latest().position})))
+        << newest->text().toStdString();
+    click("replaceNext");
+    EXPECT_TRUE(last->isVisible()) << "nothing is chosen";
+    const QString said = page.findChild<ReplacePositionStep *>()->findChild<InlineMessage *>()->sentence();
+    EXPECT_TRUE(said.contains(QStringLiteral("The bus was stopped"))) << said.toStdString();
+
+    click("positionNewest");
+    session.bus.setRunning(false);
+    pass(500);
+    EXPECT_FALSE(newest->isChecked());
+}
+
+TEST_F(ReplacePageTest, TheKeyOfTheTypedPositionLeadsToItsNumber)
+{
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    find<QRadioButton>("positionNone")->setFocus();
+    QTest::keyClick(&page, Qt::Key_S, Qt::AltModifier);
+    EXPECT_TRUE(find<QRadioButton>("positionTyped")->isChecked());
+    EXPECT_TRUE(find<QLineEdit>("positionValue")->hasFocus());
+}
+
+TEST_F(ReplacePageTest, WhileItWritesThereIsOneCancel)
+{
+    writeLeavingThePosition();
+    EXPECT_FALSE(find<QAbstractButton>("replaceCancel")->isVisible());
+    EXPECT_TRUE(find<QAbstractButton>("cancelJob")->isVisible());
+    advanceWhileBusy(page);
+}
+
+TEST_F(ReplacePageTest, OfAnEncoderThatTheProjectDoesNotNameNothingIsSaidToFit)
+{
+    project.editDevice(fraba, QStringLiteral("plan"),
+                       [](ProjectDevice &device) { device.participant.deviceKey.clear(); });
+    page.replace(fraba);
+    EXPECT_TRUE(text("replaceDifferences").startsWith(QStringLiteral("The project does not say which")))
+        << text("replaceDifferences").toStdString();
+}
+
+TEST_F(ReplacePageTest, TheResultSaysThatTheEncoderWasLeftInCamMode)
+{
+    project.editDevice(fraba, QStringLiteral("plan"), [](ProjectDevice &device) {
+        device.wanted.clear();
+        device.wantedCams = {CamProgram{}};
+    });
+    writeLeavingThePosition();
+    for (int i = 0; i < 300 && session.encoder(fraba).latest().mode != Mode::cam; ++i)
+        session.bus.advance(1);
+    ASSERT_EQ(session.encoder(fraba).latest().mode, Mode::cam);
+    session.bus.alarmStop();
+    pass(200);
+    EXPECT_TRUE(text("replaceResult").contains(QStringLiteral("was left in cam mode, program 1")))
+        << text("replaceResult").toStdString();
+    EXPECT_TRUE(account().contains(QStringLiteral("left in cam mode, program 1"))) << account().toStdString();
 }
 
 TEST_F(ReplacePageTest, APositionFromBeforeAnotherScaleIsNotPreselected)
@@ -498,7 +575,7 @@ TEST_F(ReplacePageTest, ACancelledReplacementSaysThatThePositionWasSet)
         for (int i = 0; i < 2000 && QApplication::activeModalWidget() != nullptr; ++i)
             session.bus.advance(10);
     });
-    click("replaceCancel");
+    click("cancelJob");
     ASSERT_FALSE(page.isBusy());
     EXPECT_EQ(text("replaceResult"),
               QStringLiteral("The job was cancelled. The position was set to 16 all the same."));
@@ -517,7 +594,7 @@ TEST_F(ReplacePageTest, ACancelledReplacementSaysThatThePositionWasSet)
 TEST_F(ReplacePageTest, ACancelledReplacementThatSetNothingSaysSo)
 {
     writeLeavingThePosition();
-    click("replaceCancel");
+    click("cancelJob");
     advanceWhileBusy(page);
     EXPECT_TRUE(messages.last().startsWith(QStringLiteral("The transfer was cancelled (")))
         << messages.last().toStdString();

@@ -194,7 +194,7 @@ TEST_F(TransferPageTest, RestoringWritesWhatWasThereBefore)
     EXPECT_EQ(cell(1, 3), QStringLiteral("8192"));
     write();
     EXPECT_EQ(session.encoder(baumer).known(Parameter::steps)->value, 8192);
-    EXPECT_EQ(messages.back(), QStringLiteral("Values of 14:02:00 were restored: 1."));
+    EXPECT_EQ(messages.back(), QStringLiteral("Values of 1 Mar 2026 14:02:00 were restored: 1."));
 }
 
 TEST_F(TransferPageTest, CancelInTheMiddleAsksHowToLeaveTheEncoder)
