@@ -6,6 +6,7 @@
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
+#include "jobs/job_report.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -140,6 +141,13 @@ DataCheck noPositionCheck(const EncoderSession &encoder, const QString &what, co
         DataCheck::Id::position, what, expected, came,
         DataCheckText::tr("The coding of the position in IN is not known. Read the parameters, "
                           "write the coding, or set it manually under Parameters."));
+}
+
+// By a job that was cut off: nobody chose that mode.
+DataCheck leftModeCheck(const QString &what, const QString &expected, const QString &came,
+                        const LeftMode &left)
+{
+    return failedCheck(DataCheck::Id::position, what, expected, came, messageText(leftModeMessage(left)));
 }
 
 } // namespace
@@ -305,12 +313,15 @@ DataCheck positionCheck(const EncoderBus &bus, NodeId node)
                                              "termination of the line."));
     if (reading.position)
         return passedCheck(DataCheck::Id::position, what, expected, numberText(*reading.position));
+    const auto left = encoder->leftInMode();
+    const auto other = [&](const QString &came) {
+        return left ? leftModeCheck(what, expected, came, {reading.mode, reading.camProgram})
+                    : passedCheck(DataCheck::Id::position, what, expected, came);
+    };
     if (reading.velocity)
-        return passedCheck(DataCheck::Id::position, what, expected,
-                           sentence(DataCheckText::tr("a speed: %1 rpm"), {numberText(*reading.velocity)}));
+        return other(sentence(DataCheckText::tr("a speed: %1 rpm"), {numberText(*reading.velocity)}));
     if (reading.cams)
-        return passedCheck(DataCheck::Id::position, what, expected,
-                           DataCheckText::tr("cams: the encoder is in cam mode"));
+        return other(DataCheckText::tr("cams: the encoder is in cam mode"));
     return noPositionCheck(*encoder, what, expected);
 }
 

@@ -10,12 +10,13 @@ namespace codewheel {
 
 // What can be done about a fault from here; only its kind of bus knows how.
 enum class FaultAction : std::uint8_t {
-    start,       // the bus again
-    switchOff,   // what is behind the fault, so that the rest can run
-    confirm,     // it is over, or shall be checked again
-    acknowledge, // the watchdog of a gateway
-    run,         // the encoder is in parameterization
-    bringBack,   // what a job that was cut has left, and read what is not known since
+    start,        // the bus again
+    switchOff,    // what is behind the fault, so that the rest can run
+    confirm,      // it is over, or shall be checked again
+    acknowledge,  // the watchdog of a gateway
+    run,          // the encoder is in parameterization
+    positionMode, // a job was cut off, and has left the encoder in another mode
+    bringBack,    // what a job that was cut has left, and read what is not known since
 };
 
 // Something wrong on a bus, as reported to people: what, where, and what to do. Buses of all kinds have them

@@ -112,6 +112,8 @@ void DrivenEncoderSession::show(const Reading &reading, const Freshness::Circums
         m_unchangedSince = reading.at;
     if (freshness().isLive() && reading.state == EncoderState::operation && reading.at > m_takenAt)
         m_taken = {};
+    if (reading.mode == Mode::position && reading.at > m_leftAt)
+        m_leftInMode.reset();
     if (!freshness().isLive() || bus.now - reading.at > PositionSpeed::longestGap)
         m_reading.stepsPerSecond.reset();
     const bool isNewer = reading.at != before.at || reading.state != before.state;
@@ -138,6 +140,7 @@ void DrivenEncoderSession::take(const Outcome &outcome, Instant at)
     if (concernsMoreThanWrites(outcome.inDoubt))
         m_inDoubt = outcome.inDoubt;
     takeWhatWaitsForRun(outcome, at);
+    takeModeLeft(outcome, at);
     for (Message &message : jobReport(m_job, outcome, m_description, valuesOf(allKnown(*this))))
         report(std::move(message), at);
     Q_EMIT finished(outcome);
@@ -151,13 +154,24 @@ void DrivenEncoderSession::take(const InDoubt &doubt, Instant at)
         report(std::move(message), at);
 }
 
+// Another mode that was asked for is not left behind.
+void DrivenEncoderSession::takeModeLeft(const Outcome &outcome, Instant at)
+{
+    if (outcome.result && std::holds_alternative<SwitchMode>(m_job))
+        m_leftInMode.reset();
+    if (!outcome.leftInMode || outcome.leftInMode->mode == Mode::position)
+        return;
+    m_leftInMode = outcome.leftInMode;
+    m_leftAt = at;
+}
+
 void DrivenEncoderSession::takeWhatWaitsForRun(const Outcome &outcome, Instant at)
 {
-    noteTaken(outcome.confirmed,
-              std::holds_alternative<ResetToDefault>(m_job) &&
-                  outcome.leftIn == EncoderState::parameterization,
-              at);
+    noteTaken(outcome.confirmed, outcome.resetWaits, at);
     noteTaken(outcome.inDoubt.values, outcome.inDoubt.reset, at);
+    for (const unsigned program : outcome.inDoubt.camPrograms)
+        if (std::ranges::count(m_taken.camPrograms, program) == 0)
+            m_taken.camPrograms.push_back(program);
 }
 
 void DrivenEncoderSession::noteTaken(const ParameterValues &values, bool reset, Instant at)
@@ -171,6 +185,11 @@ void DrivenEncoderSession::noteTaken(const ParameterValues &values, bool reset, 
 QString DrivenEncoderSession::takenWithoutRun() const
 {
     return doubtText(m_taken, m_description);
+}
+
+bool DrivenEncoderSession::hasTakenCams() const
+{
+    return !m_taken.camPrograms.empty() && m_taken == InDoubt{.camPrograms = m_taken.camPrograms};
 }
 
 std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
@@ -249,6 +268,7 @@ void DrivenEncoderSession::forgetKnown()
 {
     m_known.clear();
     m_cams.clear();
+    m_leftInMode.reset();
     postAllKnown();
 }
 

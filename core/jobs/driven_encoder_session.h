@@ -30,6 +30,8 @@ public:
     std::optional<Known> known(Parameter parameter) const override;
     std::optional<KnownCams> cams(unsigned program) const override;
     QString takenWithoutRun() const override;
+    bool hasTakenCams() const override;
+    std::optional<LeftMode> leftInMode() const override { return m_leftInMode; }
     QString version() const override { return m_version; }
     void tell(Parameter parameter, const std::optional<Value> &value) override;
 
@@ -74,6 +76,7 @@ private:
     void take(const KnowledgeChanged &change);
     void compareWithBefore();
     void take(const InDoubt &doubt, Instant at);
+    void takeModeLeft(const Outcome &outcome, Instant at);
     void takeWhatWaitsForRun(const Outcome &outcome, Instant at);
     void noteTaken(const ParameterValues &values, bool reset, Instant at);
     void postAllKnown();
@@ -93,6 +96,8 @@ private:
     InDoubt m_inDoubt; // of the last job that ended out of sight, or of words by hand
     InDoubt m_taken;   // by the encoder, confirmed or perhaps, and not run
     Instant m_takenAt{};
+    std::optional<LeftMode> m_leftInMode;
+    Instant m_leftAt{};
     int m_eepromWrites = 0;
 };
 

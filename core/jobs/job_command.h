@@ -42,6 +42,7 @@ inline Outcome notTaken(JobId job, const Refusal &why, EncoderState leftIn)
     outcome.job = job;
     outcome.result = tl::unexpected(why);
     outcome.leftIn = leftIn;
+    outcome.foundInParameterization = leftIn == EncoderState::parameterization;
     return outcome;
 }
 

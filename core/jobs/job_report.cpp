@@ -4,31 +4,37 @@
 #include "catalog/value_text.h"
 #include "jobs/value_notes.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
-#include "vocabulary/sentence.h"
 
-#include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 namespace codewheel {
 namespace {
 
-// "Steps = 255, Direction = cw"
-QString valuesText(const ParameterValues &values, const DeviceDescription &device)
+// As messages store it: the key of a choice, the text of what has a form of its own, otherwise what it is.
+RefusalArgument storedValue(const ParameterValue &value, const DeviceDescription &device)
 {
-    QStringList texts;
-    for (const ParameterValue &value : values) {
-        const ParameterDescription *description = device.find(value.parameter);
-        const Choice *choice = description ? description->findChoice(value.value) : nullptr;
-        const bool hasForm = description && description->form;
-        const QString text = choice    ? choice->key
-                             : hasForm ? valueText(*description, value.value)
-                                       : plainText(value.value);
-        texts += parameterName(value.parameter) + QStringLiteral(" = ") + text;
-    }
-    return texts.join(QStringLiteral(", "));
+    const ParameterDescription *description = device.find(value.parameter);
+    if (const Choice *choice = description ? description->findChoice(value.value) : nullptr)
+        return choice->key;
+    const bool hasForm = description && description->form;
+    return hasForm ? RefusalArgument(valueText(*description, value.value)) : argumentOf(value.value);
+}
+
+void addValues(MessageItems &items, const ParameterValues &values, const DeviceDescription &device)
+{
+    for (const ParameterValue &value : values)
+        addItem(items, value.parameter, storedValue(value, device));
+}
+
+// How many there are, the EEPROM writes, and what it is.
+Message listing(MessageId id, const MessageItems &items, int eepromWrites)
+{
+    Message message{.id = id, .arguments = {countOf(items), std::int64_t{eepromWrites}}};
+    message.arguments.insert(message.arguments.end(), items.begin(), items.end());
+    return message;
 }
 
 RefusalArgument positionArgument(const std::optional<std::int64_t> &position)
@@ -38,10 +44,11 @@ RefusalArgument positionArgument(const std::optional<std::int64_t> &position)
 
 Message written(const Outcome &outcome, const DeviceDescription &device, const ParameterValues &known)
 {
-    return {.id = scalingNote(device, outcome.written, known) ? MessageId::writtenUnscaled
-                                                              : MessageId::parametersWritten,
-            .arguments = {static_cast<std::int64_t>(outcome.written.size()),
-                          std::int64_t{outcome.eepromWrites}, valuesText(outcome.written, device)}};
+    MessageItems items;
+    addValues(items, outcome.written, device);
+    return listing(scalingNote(device, outcome.written, known) ? MessageId::writtenUnscaled
+                                                               : MessageId::parametersWritten,
+                   items, outcome.eepromWrites);
 }
 
 Message presetDone(const Outcome &outcome)
@@ -68,15 +75,13 @@ QString programs(const std::vector<CamProgram> &cams)
 // The previous values, and the evidence for them.
 Message restored(const Outcome &outcome, const DeviceDescription &device)
 {
-    QStringList texts;
-    if (!outcome.written.empty())
-        texts += valuesText(outcome.written, device);
-    if (!outcome.camsWritten.empty())
-        texts +=
-            QCoreApplication::translate("JobReport", "cam program %1").arg(programs(outcome.camsWritten));
-    return {.id = outcome.restored == Evidence::read ? MessageId::restoredReadBack
-                                                     : MessageId::restoredConfirmed,
-            .arguments = {texts.join(QStringLiteral(", ")), std::int64_t{outcome.eepromWrites}}};
+    MessageItems items;
+    addValues(items, outcome.written, device);
+    for (const CamProgram &program : outcome.camsWritten)
+        addItem(items, MessageItem::camProgram, {std::int64_t{program.number}});
+    return listing(outcome.restored == Evidence::read ? MessageId::restoredReadBack
+                                                      : MessageId::restoredConfirmed,
+                   items, outcome.eepromWrites);
 }
 
 // What is reported of a job that succeeded.
@@ -165,41 +170,66 @@ std::pair<InDoubt, InDoubt> byWhetherItCanBeRead(const InDoubt &doubt, const Dev
     return {readable, others};
 }
 
+MessageItems itemsInDoubt(const InDoubt &doubt, const DeviceDescription &device)
+{
+    MessageItems items;
+    addValues(items, doubt.values, device);
+    if (doubt.reset)
+        addItem(items, MessageItem::factorySettings);
+    if (doubt.position)
+        addItem(items, MessageItem::position);
+    for (const unsigned program : doubt.camPrograms)
+        addItem(items, MessageItem::camProgram, {std::int64_t{program}});
+    return items;
+}
+
+std::optional<MessageId> leftInParameterization(const Outcome &outcome)
+{
+    const bool isSaid = !outcome.result && outcome.result.error().id == RefusalId::inParameterization;
+    if (outcome.leftIn != EncoderState::parameterization || isSaid)
+        return std::nullopt;
+    if (outcome.resetWaits)
+        return MessageId::resetWaitsForRun;
+    return outcome.foundInParameterization ? MessageId::stillInParameterization
+                                           : MessageId::leftInParameterization;
+}
+
 } // namespace
+
+Message leftModeMessage(const LeftMode &left)
+{
+    if (left.mode == Mode::position)
+        return {.id = MessageId::modeSwitched, .arguments = modeArguments(SwitchMode{Mode::position})};
+    if (!left.mode)
+        return {.severity = Severity::attention, .id = MessageId::leftInUnknownMode};
+    return {.severity = Severity::attention,
+            .id = MessageId::leftInMode,
+            .arguments = modeArguments(*left.mode, left.camProgram)};
+}
 
 QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
 {
-    QStringList texts;
-    if (!doubt.values.empty())
-        texts += valuesText(doubt.values, device);
-    if (doubt.reset)
-        texts += QCoreApplication::translate("JobReport", "factory settings");
-    if (doubt.position)
-        texts += QCoreApplication::translate("JobReport", "position");
-    for (const unsigned program : doubt.camPrograms)
-        texts += QCoreApplication::translate("JobReport", "cam program %1").arg(program);
-    return texts.join(QStringLiteral(", "));
+    return itemsText(itemsInDoubt(doubt, device));
 }
 
 std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device)
 {
     std::vector<Message> messages;
     const auto add = [&](MessageId id, const InDoubt &part) {
-        if (const QString text = doubtText(part, device); !text.isEmpty())
-            messages.push_back({.severity = Severity::attention,
-                                .id = id,
-                                .arguments = {text, std::int64_t{doubt.eepromWrites}}});
+        const MessageItems items = itemsInDoubt(part, device);
+        if (items.empty())
+            return;
+        messages.push_back(listing(id, items, doubt.eepromWrites));
+        messages.back().severity = Severity::attention;
     };
     const auto [readable, others] = byWhetherItCanBeRead(doubt, device);
     add(MessageId::inDoubt, readable);
     add(MessageId::inDoubtForGood, others);
-    QStringList words;
+    if (doubt.out.empty())
+        return messages;
+    messages.push_back({.severity = Severity::attention, .id = MessageId::outLeft});
     for (const Word out : doubt.out)
-        words << hexWord(out);
-    if (!words.isEmpty())
-        messages.push_back({.severity = Severity::attention,
-                            .id = MessageId::outLeft,
-                            .arguments = {words.join(QCoreApplication::translate("JobReport", " or "))}});
+        messages.back().arguments.emplace_back(hexWord(out));
     return messages;
 }
 
@@ -226,13 +256,12 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
                             .arguments = {std::int64_t{outcome.inDoubt.eepromWrites}}});
     if (outcome.onlyZeroSinceRun && !std::holds_alternative<SwitchMode>(job))
         messages.push_back({.severity = Severity::attention, .id = MessageId::onlyZeroSinceRun});
-    if (outcome.leftIn == EncoderState::parameterization)
-        messages.push_back({.severity = Severity::attention,
-                            .id = std::holds_alternative<ResetToDefault>(job)
-                                      ? MessageId::resetWaitsForRun
-                                      : MessageId::leftInParameterization});
+    if (const auto left = leftInParameterization(outcome))
+        messages.push_back({.severity = Severity::attention, .id = *left});
     if (outcome.leftIn == EncoderState::service)
         messages.push_back({.severity = Severity::attention, .id = MessageId::leftInService});
+    if (outcome.leftInMode)
+        messages.push_back(leftModeMessage(*outcome.leftInMode));
     return messages;
 }
 

@@ -12,10 +12,13 @@
 namespace codewheel {
 
 // What the message log says when a job has ended: what was done even if the job failed later, why it failed,
-// and whether the encoder was left in parameterization. Without time and place. `known`: of the encoder, once
-// it has ended.
+// and whether the encoder was left in parameterization or in another mode. Without time and place. `known`:
+// of the encoder, once it has ended.
 std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const DeviceDescription &device,
                                const ParameterValues &known = {});
+
+// That a job that was cut off has left the encoder in this mode.
+Message leftModeMessage(const LeftMode &left);
 
 // "Steps = 255, position"; empty: nothing.
 QString doubtText(const InDoubt &doubt, const DeviceDescription &device);

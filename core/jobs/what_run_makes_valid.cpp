@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/what_run_makes_valid.h"
 
+#include "catalog/explain_word.h"
 #include "jobs/protocol.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
@@ -17,10 +18,31 @@ struct RunText
     Q_DECLARE_TR_FUNCTIONS(codewheel::WhatRunMakesValid)
 };
 
-// "IN (C2001000) confirms Steps with the data 4,096."
-QString confirmed(const DeviceDescription &device, Word in)
+// In cam mode an encoder takes no parameters, and outside of it no cams.
+std::optional<Mode> modeTakenIn(const EncoderSession &encoder)
 {
+    if (encoder.hasTakenCams())
+        return Mode::cam;
+    return encoder.takenWithoutRun().isEmpty() ? encoder.latest().mode : Mode::position;
+}
+
+// What has been taken may be cams.
+bool mayBeOfCams(const EncoderSession &encoder)
+{
+    return encoder.device().mayHaveModes() && modeTakenIn(encoder).value_or(Mode::cam) == Mode::cam;
+}
+
+// "IN (C2001000) confirms Steps with the data 4,096." The same word may confirm a cam.
+QString confirmed(const EncoderSession &encoder)
+{
+    const DeviceDescription &device = encoder.device();
+    const Word in = encoder.latest().in;
     const auto value = protocolOf(device).confirmedIn(device, in);
+    if (mayBeOfCams(encoder))
+        return sentence(RunText::tr("IN (%1) says: %2.", "what it may confirm"),
+                        {hexWord(in),
+                         explanationText(device, explainWord(device, in, {.mode = modeTakenIn(encoder)}))}) +
+               u' ';
     if (!value)
         return {};
     return sentence(RunText::tr("IN (%1) confirms %2 with the data %3.", "a name, a number"),
@@ -33,10 +55,25 @@ QString confirmed(const DeviceDescription &device, Word in)
 QString whatRunMakesValid(const EncoderSession &encoder)
 {
     const QString taken = encoder.takenWithoutRun();
-    return confirmed(encoder.device(), encoder.latest().in) +
+    return confirmed(encoder) +
            (taken.isEmpty()
                 ? RunText::tr("Run makes valid what was written to it, by whomever.")
                 : sentence(RunText::tr("Run makes valid what it has taken, from here: %1."), {taken}));
+}
+
+QString whatFollowsRun(const EncoderSession &encoder)
+{
+    if (!mayBeOfCams(encoder))
+        return RunText::tr("The encoder then gives its position by these values: it can jump, and what "
+                           "the controller drives by it can move. Which position it will read is not "
+                           "known.");
+    if (modeTakenIn(encoder) == Mode::cam)
+        return RunText::tr("The encoder then switches its cams by these values, and what the controller "
+                           "drives by them can move.");
+    return RunText::tr(
+        "Its mode is not known: the encoder then gives its position by these values, or switches "
+        "its cams by them. The position can jump, cams can switch, and what the controller "
+        "drives by them can move.");
 }
 
 } // namespace codewheel

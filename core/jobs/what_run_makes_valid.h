@@ -10,5 +10,7 @@ class EncoderSession;
 // Sentences about an encoder in parameterization: what its IN confirms, and what run makes valid, as far as
 // is known.
 QString whatRunMakesValid(const EncoderSession &encoder);
+// What the encoder does by that then.
+QString whatFollowsRun(const EncoderSession &encoder);
 
 } // namespace codewheel

@@ -3,6 +3,7 @@
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
 #include "kinds/esc/driver/esc_protocol.h"
+#include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/protocol/esc_rules.h"
@@ -99,6 +100,11 @@ std::optional<QString> textOfTrainingAct(const TrainingAct &act)
         if (const auto text = textOf(act))
             return text;
     return std::nullopt;
+}
+
+QString textOfTyped(const std::vector<RefusalArgument> &typed)
+{
+    return esc::typedText(typed);
 }
 
 QString effectInCamMode(std::optional<Word> out)

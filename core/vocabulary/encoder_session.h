@@ -63,6 +63,11 @@ public:
     // What this program has written, and the encoder has taken without a run, or perhaps has, in words; run
     // makes it valid. Empty: nothing.
     virtual QString takenWithoutRun() const { return {}; }
+    // Whether that is cam programs, and nothing else.
+    virtual bool hasTakenCams() const { return false; }
+    // The mode a job that was cut off has left it in, as long as it is not back in position mode. Empty:
+    // none.
+    virtual std::optional<LeftMode> leftInMode() const { return {}; }
     // The encoder's hardware and software version, in words; empty: not reported.
     virtual QString version() const { return {}; }
     // The user says what the encoder has, e.g. from its papers.

@@ -43,12 +43,24 @@ struct InDoubt
     bool hasSomething() const { return *this != InDoubt(); }
 };
 
+// The mode a job that did not succeed has left the encoder in, which is another than before.
+struct LeftMode
+{
+    std::optional<Mode> mode{}; // empty: not known
+    std::optional<unsigned> camProgram{};
+
+    friend bool operator==(const LeftMode &, const LeftMode &) = default;
+};
+
 struct Outcome
 {
     JobId job = 0;
     Result<void> result;
     int eepromWrites = 0; // counted the way the device counts them
     EncoderState leftIn = EncoderState::notSeen;
+    bool foundInParameterization = false; // before it began, by others or by an earlier job
+    bool resetWaits = false;              // for run: the reset to default was sent
+    std::optional<LeftMode> leftInMode{};
     ParameterValues written;      // confirmed and activated by run
     ParameterValues confirmed{};  // but not activated: takes effect only once run is sent
     ParameterValues alreadyThere; // left out because read and equal

@@ -31,21 +31,24 @@ enum class MessageId : std::uint8_t {
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed
     wordWritten,       // Word
-    typedWritten,      // what was typed, in words and as it went out
-    parametersWritten, // number of parameters, EEPROM writes, texts "Steps = 255" joined
-    writtenUnscaled,   // likewise; some of them act only while the encoder scales its position
-    restoredReadBack,  // previous values: their texts joined, EEPROM writes
+    typedWritten,      // what was typed: see textOfTyped()
+    parametersWritten, // number of parameters, EEPROM writes, MessageItems; so for the next three
+    writtenUnscaled,   // some of them act only while the encoder scales its position
+    restoredReadBack,  // previous values and cam programs
     restoredConfirmed, // likewise, where nothing can be read
     parametersRead,    // number of parameters
     presetDone,        // position before, position after (either may be missing: QString())
     wordsSent,         // number of words
     broughtBack,       // the encoder is in operation again
-    inDoubt,           // texts of what was sent and not answered, joined; EEPROM writes that it may have cost
+    inDoubt,           // number of items, EEPROM writes it may have cost, MessageItems that were not answered
     inDoubtForGood,    // likewise, of what cannot be read
     writesInDoubt,     // EEPROM writes that this may have cost, beside those counted
-    outLeft,           // text of the words of which OUT may still hold one
+    outLeft,           // the words of which OUT may still hold one, as texts
     leftInParameterization,
+    stillInParameterization,  // as it was before the job
     leftInService,            // LA-66: IN still holds the answer to a service
+    leftInMode,               // the mode: vocabulary/mode_text.h; it gives no position
+    leftInUnknownMode,        //
     onlyZeroSinceRun,         // success that would look the same from an encoder without power
     deviceFault,              // error number, Word IN; Message::refusal names it where the device is known
     deviceFaultGone,          //
@@ -87,14 +90,14 @@ enum class MessageId : std::uint8_t {
     transferCancelled,        // likewise
     transferCancelledSet,     // likewise, then the position that was set all the same
     encoderReplaced,          // serial number before, serial number now (either may be empty)
-    valuesRestored,           // the time they date from, values
+    valuesRestored,           // the time they date from (ISO 8601, UTC), values
     reportSaved,              // file
     oldMessagesDropped,       // messages
     notKept,                  // file, reason
     keptBeside,               // ledger, reason, the file kept beside it
     databasePutAside,         // file, its new name
-    lineOpened,               // port, baud rate
-    lineClosed,               // port
+    lineOpened,               // port ("training": the simulated line), baud rate
+    lineClosed,               // port; so for the other messages about one
     portLost,                 // port
     portBack,                 // port
     linkBack,                 // of a ring
@@ -111,7 +114,7 @@ enum class MessageId : std::uint8_t {
     recordingWaits,           // file
     recordingTriggered,       // file
     recordingGoesOn,          // file, values lost meanwhile
-    recordingEnded,           // file, text of its size
+    recordingEnded,           // file, its size in bytes
     training,                 // what the trainer did: a TrainingAct
     offerBegun,               // where a simulated ring is offered to others: "127.0.0.1:1502"
     offerEnded,               // where it was offered; so for the next four

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/device_error_name.h"
 #include "vocabulary/enumeration_rows.h"
+#include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
@@ -8,8 +9,12 @@
 #include "vocabulary/training_act.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
 
+#include <algorithm>
 #include <array>
+#include <span>
 
 namespace codewheel {
 namespace {
@@ -113,10 +118,22 @@ constexpr std::array messageRows{
                QT_TRANSLATE_NOOP("Message",
                                  "The encoder was left in parameterization. Send run to bring it back to "
                                  "operation.")},
+    MessageRow{MessageId::stillInParameterization, "stillInParameterization",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The encoder is still in parameterization, as it was before: it gives no "
+                                 "position until run is sent.")},
     MessageRow{MessageId::leftInService, "leftInService",
                QT_TRANSLATE_NOOP("Message",
                                  "The encoder was left in service mode: it shows no position. Set OUT to "
                                  "0 to bring it back to normal mode.")},
+    MessageRow{MessageId::leftInMode, "leftInMode",
+               QT_TRANSLATE_NOOP("Message",
+                                 "The encoder was left in %1: the controller gets no position. Switch it "
+                                 "back to position mode.")},
+    MessageRow{MessageId::leftInUnknownMode, "leftInUnknownMode",
+               QT_TRANSLATE_NOOP("Message",
+                                 "It is not known in which mode the encoder was left: the controller may "
+                                 "get no position. Switch it to position mode.")},
     MessageRow{MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
                QT_TRANSLATE_NOOP("Message",
                                  "IN has been 00000000 since run: position 0, or an encoder without power. "
@@ -346,6 +363,60 @@ QString segmentWithFaultText(const Message &message)
                     {argumentText(message.arguments.front()), faultOfBusText(fault)});
 }
 
+std::span<const RefusalArgument> argumentsFrom(const Message &message, std::size_t first)
+{
+    return std::span(message.arguments).subspan(std::min(first, message.arguments.size()));
+}
+
+QStringList partsOfWritten(const Message &message)
+{
+    QStringList parts =
+        argumentTexts(message.arguments).first(std::min<qsizetype>(2, std::ssize(message.arguments)));
+    if (message.arguments.size() > 2)
+        parts << itemsText(argumentsFrom(message, 2));
+    return parts;
+}
+
+// In files of before, the text of the items came first.
+QStringList partsOfItems(const Message &message)
+{
+    if (std::holds_alternative<QString>(message.arguments.front()) || message.arguments.size() < 2)
+        return argumentTexts(message.arguments);
+    return {itemsText(argumentsFrom(message, 2)), argumentText(message.arguments[1])};
+}
+
+// A size in bytes as "614.4 kB".
+QString dataSizeText(const RefusalArgument &size)
+{
+    const auto *bytes = std::get_if<std::int64_t>(&size);
+    return bytes != nullptr ? QLocale().formattedDataSize(*bytes, 1, QLocale::DataSizeSIFormat)
+                            : argumentText(size);
+}
+
+QString portText(const RefusalArgument &port)
+{
+    const QString text = argumentText(port);
+    return text == QLatin1String("training")
+               ? QCoreApplication::translate("SimulatedEscLine", "training line")
+               : text;
+}
+
+// In files of before it was a text in some language.
+QString storedTimeText(const RefusalArgument &time)
+{
+    const QString text = argumentText(time);
+    const QDateTime at = QDateTime::fromString(text, Qt::ISODate);
+    return at.isValid() ? QLocale().toString(at.toLocalTime(), QLocale::ShortFormat) : text;
+}
+
+QStringList partsWith(const Message &message, std::size_t index, QString (*textOf)(const RefusalArgument &))
+{
+    QStringList parts = argumentTexts(message.arguments);
+    if (index < message.arguments.size())
+        parts[static_cast<qsizetype>(index)] = textOf(message.arguments[index]);
+    return parts;
+}
+
 // Some are kept as a key with what belongs to it.
 QStringList messageParts(const Message &message)
 {
@@ -354,10 +425,33 @@ QStringList messageParts(const Message &message)
     switch (message.id) {
     case MessageId::modeSwitched:
     case MessageId::modeSentToZero:
+    case MessageId::leftInMode:
         return {modeText(message.arguments)};
     case MessageId::training:
     case MessageId::faultPlan:
         return {trainingActText(message.arguments)};
+    case MessageId::typedWritten:
+        return {textOfTyped(message.arguments)};
+    case MessageId::parametersWritten:
+    case MessageId::writtenUnscaled:
+        return partsOfWritten(message);
+    case MessageId::restoredReadBack:
+    case MessageId::restoredConfirmed:
+    case MessageId::inDoubt:
+    case MessageId::inDoubtForGood:
+        return partsOfItems(message);
+    case MessageId::outLeft:
+        return {argumentTexts(message.arguments).join(QCoreApplication::translate("JobReport", " or "))};
+    case MessageId::lineOpened:
+    case MessageId::lineClosed:
+    case MessageId::portLost:
+    case MessageId::portBack:
+    case MessageId::lowLatencyRefused:
+        return partsWith(message, 0, portText);
+    case MessageId::recordingEnded:
+        return partsWith(message, 1, dataSizeText);
+    case MessageId::valuesRestored:
+        return partsWith(message, 0, storedTimeText);
     default:
         return argumentTexts(message.arguments);
     }

@@ -46,9 +46,14 @@ QString modeText(Mode mode, std::optional<unsigned> camProgram)
 
 std::vector<RefusalArgument> modeArguments(const SwitchMode &mode)
 {
-    std::vector<RefusalArgument> arguments{QString::fromLatin1(modeRow(mode.mode).key)};
-    if (mode.mode == Mode::cam)
-        arguments.emplace_back(std::int64_t{mode.camProgram});
+    return modeArguments(mode.mode, mode.mode == Mode::cam ? std::optional(mode.camProgram) : std::nullopt);
+}
+
+std::vector<RefusalArgument> modeArguments(Mode mode, std::optional<unsigned> camProgram)
+{
+    std::vector<RefusalArgument> arguments{QString::fromLatin1(modeRow(mode).key)};
+    if (camProgram)
+        arguments.emplace_back(std::int64_t{*camProgram});
     return arguments;
 }
 

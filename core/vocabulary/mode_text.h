@@ -13,6 +13,7 @@ QString modeText(Mode mode, std::optional<unsigned> camProgram);
 
 // A mode as messages store it: its key and, of cam mode, the program.
 std::vector<RefusalArgument> modeArguments(const SwitchMode &mode);
+std::vector<RefusalArgument> modeArguments(Mode mode, std::optional<unsigned> camProgram);
 // A text of an earlier version is shown as it is.
 QString modeText(const std::vector<RefusalArgument> &arguments);
 

@@ -125,6 +125,8 @@ enum class RefusalId : std::uint8_t {
     restarted,              // Word IN: parameterization ended without run
     camWordRefused,         // Word OUT, Word IN: the text says what the word does
     camsInParameterization, // Word OUT, Word IN: a parameterization that was already open before the job
+    takenAsCamWord,         // Word OUT, Word IN: in cam mode, which nobody knew; the text says what it does
+    modeNotSwitched,        // Word IN: of a parameterization
     camPositionAboveRange,  // cam, Word IN; or Word IN alone if the cam is not known
     lostInCamMode,          // error 3 in cam mode: Word IN
     camVerificationFailed,  // program

@@ -243,7 +243,7 @@ constexpr std::array refusalRows{
     RefusalRow{
         RefusalId::inParameterization, "inParameterization",
         QT_TRANSLATE_NOOP("Refusal",
-                          "Nothing was sent: the encoder is in parameterization already (IN %1). End that "
+                          "Nothing was written: the encoder is in parameterization already (IN %1). End that "
                           "first, with run.")},
     RefusalRow{RefusalId::masterStateWrong, "masterStateWrong",
                QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
@@ -350,6 +350,17 @@ constexpr std::array refusalRows{
                           "The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that "
                           "was begun before. Run was not sent, since it makes valid what was confirmed "
                           "there. End that parameterization first, then try again.")},
+    RefusalRow{
+        RefusalId::takenAsCamWord, "takenAsCamWord",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was "
+                          "changed, and it was left in parameterization. Switching the encoder off and on "
+                          "drops the change; run, or another mode, keeps it, and the cam program has to be "
+                          "written again.")},
+    RefusalRow{RefusalId::modeNotSwitched, "modeNotSwitched",
+               QT_TRANSLATE_NOOP("Refusal",
+                                 "The encoder does not show the mode: it is in parameterization (IN %1). End "
+                                 "that first, with run, then try again.")},
     RefusalRow{
         RefusalId::camPositionAboveRange, "camPositionAboveRange",
         QT_TRANSLATE_NOOP("Refusal",
@@ -716,6 +727,7 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::modeNotKnown:
     case RefusalId::inCamMode:
     case RefusalId::camWordRefused:
+    case RefusalId::takenAsCamWord:
         return wordText(refusal);
     case RefusalId::camFileBroken:
     case RefusalId::projectFileBroken:

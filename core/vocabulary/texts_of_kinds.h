@@ -18,5 +18,8 @@ QStringList textsOfRegisters(const Refusal &refusal);
 QString effectInCamMode(std::optional<Word> out);
 // What was done to a simulated bus, in a sentence; nothing: no kind knows its key.
 std::optional<QString> textOfTrainingAct(const TrainingAct &act);
+// What was typed on a line and written, from its text and the fraction bits of a scaling factor: "05: set
+// preset to 1770h = 6000 (05GP00001770)". A text of an earlier version is shown as it is.
+QString textOfTyped(const std::vector<RefusalArgument> &typed);
 
 } // namespace codewheel

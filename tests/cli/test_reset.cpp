@@ -59,6 +59,16 @@ TEST(CliReset, AsksFirst)
     EXPECT_EQ(shared.eepromWrites(), 2);
 }
 
+TEST(CliReset, OfAnEncoderInParameterizationIsNotSentAndDoesNotWait)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("words 1.0 020000FF 00000000"));
+    const CliRun run = shared.runLine(QStringLiteral("reset 1.0 --yes"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("Nothing was written: the encoder is in parameterization already"));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("waits for run")));
+}
+
 TEST(CliReset, WithoutAnybodyToAskNothingIsSent)
 {
     SharedBus shared;

@@ -51,6 +51,21 @@ TEST(CliVelocity, WhereTheModeIsNotKnownTheUserSaysIt)
               "Velocity mode: 0 rpm\n");
 }
 
+TEST(CliVelocity, AnEncoderInCamModeThatWasToldToBeInPositionModeIsNotSwitched)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("words 1.0 20800001 00000000"));
+    shared.bus().close();
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // after which nothing is known
+    const CliRun run = shared.runLine(QStringLiteral("velocity 1.0 on --in-position-mode"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("mode:")));
+    EXPECT_THAT(run.err,
+                HasSubstr("The encoder is in cam mode: there the word 20400001 changes which cams are "
+                          "active (IN E0400001)."));
+    EXPECT_THAT(run.err, HasSubstr("left in cam mode"));
+}
+
 TEST(CliVelocity, RefusesWhatMakesNoSense)
 {
     EXPECT_EQ(errorKey(runLine(QStringLiteral("velocity 1.0 fast --json"))), "onOrOff");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/functions/encoder_functions.h"
 
+#include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "jobs/protocol.h"
 #include "vocabulary/mode_text.h"
@@ -29,8 +30,9 @@ void describeAction(QAction &action, const char *name, const QString &what, cons
 
 } // namespace
 
-EncoderFunctions::EncoderFunctions(QWidget *window)
+EncoderFunctions::EncoderFunctions(const Buses &buses, QWidget *window)
     : QObject(window)
+    , m_buses(buses)
     , m_window(window)
     , m_isInPositionMode(new QAction(tr("It &is in position mode"), this))
     , m_position(new QAction(tr("P&osition mode"), this))
@@ -121,11 +123,22 @@ void EncoderFunctions::tellPositionMode()
     codewheel::tellPositionMode(*m_encoder);
 }
 
+bool EncoderFunctions::isRefusedInWatch()
+{
+    const Place place = m_encoder ? m_encoder->place() : Place();
+    const EncoderBus *bus = m_buses.busOf(place);
+    if (bus == nullptr || bus->isOperating())
+        return false;
+    Q_EMIT refused({RefusalKind::busy, RefusalId::watchOnly, {place.shown()}});
+    return true;
+}
+
 void EncoderFunctions::goToPositionMode()
 {
     show(); // the tick follows the encoder, not the click
     const auto mode = m_encoder->latest().mode;
-    if (mode == Mode::position || (mode == Mode::cam && !askToLeaveCamMode(m_window, *m_encoder)))
+    if (mode == Mode::position || isRefusedInWatch() ||
+        (mode == Mode::cam && !askToLeaveCamMode(m_window, *m_encoder)))
         return;
     start(SwitchMode{Mode::position});
 }
@@ -133,6 +146,8 @@ void EncoderFunctions::goToPositionMode()
 void EncoderFunctions::goToVelocityMode()
 {
     show();
+    if (isRefusedInWatch())
+        return;
     const auto mode = m_encoder->latest().mode;
     if (mode == Mode::velocity)
         start(SwitchMode{Mode::position});
@@ -142,13 +157,13 @@ void EncoderFunctions::goToVelocityMode()
 
 void EncoderFunctions::setToPreset()
 {
-    if (askForFrabaPreset(m_window, *m_encoder))
+    if (!isRefusedInWatch() && askForFrabaPreset(m_window, *m_encoder))
         startInPositionMode(manufacturerPreset);
 }
 
 void EncoderFunctions::reset()
 {
-    if (askForReset(m_window, *m_encoder))
+    if (!isRefusedInWatch() && askForReset(m_window, *m_encoder))
         m_resetJob = start(ResetToDefault{});
 }
 

@@ -8,6 +8,8 @@
 
 namespace codewheel {
 
+class Buses;
+
 // What an encoder can do besides its parameters: position and velocity mode, FRABA preset, reset to factory
 // settings. Actions for menus, shown as far as the encoder has them; those with a cost or loss ask first. The
 // encoder session reports how a job ends.
@@ -16,8 +18,8 @@ class EncoderFunctions : public QObject
     Q_OBJECT
 
 public:
-    // Questions are asked on `window`.
-    explicit EncoderFunctions(QWidget *window);
+    // Questions are asked on `window`. The buses must outlive it.
+    EncoderFunctions(const Buses &buses, QWidget *window);
 
     void setEncoder(EncoderSession *encoder);
     QList<QAction *> actions() const
@@ -27,6 +29,8 @@ public:
     QAction &isInPositionMode() const { return *m_isInPositionMode; }
     // Whether this job is the reset that was started here.
     bool isReset(JobId job) const { return m_resetJob == job; }
+    // In Watch it says so, before anything is asked that leads to nothing.
+    bool isRefusedInWatch();
 
 Q_SIGNALS:
     void refused(const codewheel::Refusal &why);
@@ -45,6 +49,7 @@ private:
     std::optional<JobId> start(const Job &job);
     void finished(const Outcome &outcome);
 
+    const Buses &m_buses;
     QWidget *m_window;
     QPointer<EncoderSession> m_encoder;
     QAction *m_isInPositionMode; // told by the user

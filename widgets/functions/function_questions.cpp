@@ -190,13 +190,10 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
 
 bool askToSendRun(QWidget *window, const EncoderSession &encoder)
 {
-    return confirm(
-        window, encoder, "parameters.md#write", Functions::tr("Send run to %1?").arg(encoder.place().shown()),
-        {whatRunMakesValid(encoder),
-         Functions::tr("The encoder then gives its position by these values: it can jump, and what "
-                       "the controller drives by it can move. Which position it will read is not "
-                       "known.")},
-        Functions::tr("&Send run"), Functions::tr("Sends 80000000, then 00000000"));
+    return confirm(window, encoder, "parameters.md#write",
+                   Functions::tr("Send run to %1?").arg(encoder.place().shown()),
+                   {whatRunMakesValid(encoder), whatFollowsRun(encoder)}, Functions::tr("&Send run"),
+                   Functions::tr("Sends 80000000, then 00000000"));
 }
 
 bool askToRestore(QWidget *window, const EncoderSession &encoder, const ParameterValues &values)

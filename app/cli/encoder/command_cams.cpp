@@ -16,7 +16,6 @@
 #include "cli/encoder/trace.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
-#include "journal/eeprom_cost.h"
 #include "project/file_access.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/mode_text.h"
@@ -81,16 +80,14 @@ QString hintAtPosition(const Arguments &arguments, const std::optional<SwitchMod
                         : QString();
 }
 
-// What a job about cams has written, and what that cost.
+// What a job about cams has written.
 QString accountText(const Outcome &outcome)
 {
     if (outcome.camsWritten.empty())
-        return outcome.result && !mayHaveWritten(outcome) ? QString() : eepromWritesLine(outcome);
+        return {};
     const QString numbers = listed(outcome.camsWritten,
                                    [](const CamProgram &program) { return QString::number(program.number); });
-    return sentence(CommandLine::tr("Written and read back: cam program %1. EEPROM writes: %2."),
-                    {numbers, eepromWritesText(outcome.eepromWrites, outcome.inDoubt.eepromWrites)}) +
-           u'\n';
+    return sentence(CommandLine::tr("Written and read back: cam program %1."), {numbers}) + u'\n';
 }
 
 // One call in progress: what it is about, and what it has to say so far.
@@ -101,10 +98,11 @@ struct CamCall
     std::optional<SwitchMode> modeBefore{};
     Answer answer{};
     std::unique_ptr<JobTrace> trace{};
-    int eepromWrites = 0; // of all its jobs
-    int perhapsWrites = 0;
-    bool hasSwitched = false;  // to cam mode, and back if all went well
-    bool isOutOfSight = false; // since its last job
+    int writesBefore = encoder.eepromWrites(); // of this session
+    int perhapsWrites = 0;                     // by all its jobs
+    bool hasSwitched = false;                  // to cam mode, and back if all went well
+    bool isOutOfSight = false;                 // since its last job
+    bool hasFailed = false;                    // a job of it
 
     // What it has done is told; if it failed, the answer says why.
     Outcome carryOut(const AllowedJob &job)
@@ -117,7 +115,8 @@ struct CamCall
         }
         answer.text += doubtLines(encoder, outcome.inDoubt);
         addToJson(outcome);
-        if (!outcome.result) {
+        hasFailed = !outcome.result;
+        if (hasFailed) {
             answer.complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
             answer.complaint->text += u' ' + whereItWasLeft(outcome, encoder.latest());
         }
@@ -126,13 +125,19 @@ struct CamCall
     // Only the last job can leave more in doubt than writes.
     void addToJson(const Outcome &outcome)
     {
-        eepromWrites += outcome.eepromWrites;
         perhapsWrites += outcome.inDoubt.eepromWrites;
         InDoubt doubt = outcome.inDoubt;
         doubt.eepromWrites = perhapsWrites;
         addDoubt(answer.json, encoder, doubt);
         if (hasSwitched)
-            answer.json.insert(QStringLiteral("eepromWrites"), eepromWrites);
+            answer.json.insert(QStringLiteral("eepromWrites"), eepromWrites());
+    }
+    // As the ledger counts them.
+    int eepromWrites() const { return encoder.eepromWrites() - writesBefore; }
+    void addWrites()
+    {
+        if (hasFailed || eepromWrites() + perhapsWrites > 0)
+            answer.text += eepromWritesLine(eepromWrites(), perhapsWrites);
     }
     // Back to where it was, as far as known; otherwise it stays in the last program, which is saved.
     SwitchMode afterwards(const std::vector<unsigned> &programs) const
@@ -386,8 +391,10 @@ Checked<Answer> runCams(const Call &call)
         compare(cams, wanted->programs);
     else
         write(cams, wanted->programs);
-    if (cams.hasSwitched)
+    if (cams.hasSwitched) {
+        cams.addWrites();
         cams.addMode();
+    }
     Answer answer = std::move(cams.answer);
     addPlace(answer.json, call, (*encoder)->place());
     answer.json.insert(QStringLiteral("device"), (*encoder)->device().key);

@@ -72,7 +72,7 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     if (!job.outcome.result) {
         answer.text += eepromWritesLine(job.outcome) + doubtLines(encoder, job.outcome.inDoubt);
         answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
-        if (job.outcome.leftIn == EncoderState::parameterization)
+        if (job.outcome.resetWaits)
             answer.complaint->text += u' ' + messageText({.id = MessageId::resetWaitsForRun});
         return;
     }

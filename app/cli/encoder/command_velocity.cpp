@@ -8,6 +8,7 @@
 #include "cli/encoder/position_text.h"
 #include "cli/encoder/told_mode.h"
 #include "cli/encoder/trace.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <array>
@@ -35,6 +36,9 @@ QString readingText(const Reading &reading)
 {
     if (reading.velocity)
         return sentence(CommandLine::tr("Velocity mode: %1 rpm"), {argumentText(*reading.velocity)}) + u'\n';
+    if (reading.mode == Mode::velocity)
+        return sentence(CommandLine::tr("Velocity mode: IN %1 shows no speed"), {hexWord(reading.in)}) +
+               u'\n';
     return sentence(CommandLine::tr("Position mode: %1"), {positionText(reading.position, reading)}) + u'\n';
 }
 

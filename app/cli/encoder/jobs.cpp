@@ -13,6 +13,7 @@
 #include "jobs/what_run_makes_valid.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <chrono>
@@ -143,11 +144,14 @@ void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answ
     answer.json.insert(QStringLiteral("trace"), trace.json(place));
 }
 
+QString eepromWritesLine(int writes, int perhaps)
+{
+    return sentence(CommandLine::tr("EEPROM writes:   %1"), {eepromWritesText(writes, perhaps)}) + u'\n';
+}
+
 QString eepromWritesLine(const Outcome &outcome)
 {
-    return sentence(CommandLine::tr("EEPROM writes:   %1"),
-                    {eepromWritesText(outcome.eepromWrites, outcome.inDoubt.eepromWrites)}) +
-           u'\n';
+    return eepromWritesLine(outcome.eepromWrites, outcome.inDoubt.eepromWrites);
 }
 
 bool mayHaveWritten(const Outcome &outcome)
@@ -211,6 +215,8 @@ Complaint complaintAboutEnd(const Call &call, const EncoderSession &encoder, con
     Complaint complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
     if (endedOutOfSight(outcome) && outcome.leftIn == EncoderState::unknown)
         complaint.text += u' ' + whereItWasLeft(outcome, encoder.latest());
+    if (outcome.leftInMode)
+        complaint.text += u' ' + messageText(leftModeMessage(*outcome.leftInMode));
     return complaint;
 }
 

@@ -38,8 +38,9 @@ Outcome runToEnd(const Call &call, const AllowedJob &allowed, JobTrace &trace);
 // With --trace: the words or requests that went over the bus, before what the answer already says.
 void addTrace(const Call &call, Place place, const JobTrace &trace, Answer &answer);
 
-QString eepromWritesLine(const Outcome &outcome); // "EEPROM writes:   1"
-bool mayHaveWritten(const Outcome &outcome);      // to the EEPROM
+QString eepromWritesLine(int writes, int perhaps); // "EEPROM writes:   1"
+QString eepromWritesLine(const Outcome &outcome);
+bool mayHaveWritten(const Outcome &outcome); // to the EEPROM
 // What was sent and not answered, in lines; empty: nothing.
 QString doubtLines(const EncoderSession &encoder, const InDoubt &doubt);
 // Adds it as "inDoubt", where there is something.

@@ -26,6 +26,8 @@ QString whereItWasLeft(const Outcome &outcome, const Reading &left)
 {
     if (endedOutOfSight(outcome))
         return CommandLine::tr("In which state the encoder is, is not known until it is seen again.");
+    if (outcome.foundInParameterization && left.state == EncoderState::parameterization)
+        return CommandLine::tr("The encoder is still in parameterization, as before: it shows no position.");
     return whereItWasLeft(left);
 }
 

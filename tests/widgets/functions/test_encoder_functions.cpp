@@ -9,10 +9,12 @@
 #include "widgets/project/project_document.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QMenu>
 #include <QPoint>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -79,7 +81,7 @@ protected:
     test::TrainingBusSession m_ring;
     ProjectDocument m_project;
     WantedValues m_wanted{m_project};
-    ParameterPanel m_panel{m_wanted};
+    ParameterPanel m_panel{m_ring.buses, m_wanted};
     Place m_number;
     std::vector<Word> m_sent;
 };
@@ -102,6 +104,35 @@ TEST_F(EncoderFunctionsTest, VelocityModeIsSwitchedOnAndOffAndTheTickFollowsTheE
     finishJobs();
     EXPECT_TRUE(action("positionMode").isChecked());
     EXPECT_TRUE(encoder().latest().position);
+}
+
+// IN acknowledges the word, as it does a cam word.
+TEST_F(EncoderFunctionsTest, AnEncoderInCamModeThatWasToldToBeInPositionModeIsNotSwitched)
+{
+    ASSERT_TRUE(encoder().start(SwitchMode{.mode = Mode::cam, .camProgram = 1}));
+    finishJobs();
+    isInPositionMode(); // it is not
+    click("velocityMode");
+    finishJobs();
+    EXPECT_EQ(encoder().latest().in, 0xE040'0001u);
+    EXPECT_TRUE(message().contains(QStringLiteral("The encoder is in cam mode: there the word 20400001")))
+        << message().toStdString();
+    EXPECT_FALSE(action("velocityMode").isChecked());
+    EXPECT_EQ(encoder().latest().mode, Mode::cam);
+}
+
+TEST_F(EncoderFunctionsTest, AResetThatIsRefusedInParameterizationDoesNotWaitForRun)
+{
+    isInPositionMode();
+    ASSERT_TRUE(encoder().start(SendWords{.words = {0x0200'00FF, 0}}));
+    finishJobs();
+    ASSERT_EQ(encoder().latest().state, EncoderState::parameterization);
+    const Question question = Question::answeredBy(QStringLiteral("Reset"));
+    click("resetToDefault");
+    finishJobs();
+    EXPECT_TRUE(message().contains(QStringLiteral("Nothing was written"))) << message().toStdString();
+    EXPECT_FALSE(message().contains(QStringLiteral("waits for run"))) << message().toStdString();
+    EXPECT_EQ(encoder().takenWithoutRun(), QStringLiteral("Steps = 255"));
 }
 
 TEST_F(EncoderFunctionsTest, AModeThatIsNotKnownIsAskedFor)
@@ -220,6 +251,9 @@ TEST_F(EncoderFunctionsTest, AResetTellsWhatIsLostAndReadsBack)
     EXPECT_EQ(encoder().known(Parameter::steps)->value, 8192);
     EXPECT_EQ(encoder().known(Parameter::steps)->evidence, Evidence::read);
     EXPECT_EQ(encoder().eepromWrites(), 2);
+    EXPECT_TRUE(
+        message().startsWith(QStringLiteral("The encoder was reset to factory settings (EEPROM writes: 1).")))
+        << message().toStdString();
 }
 
 TEST_F(EncoderFunctionsTest, ABaumerCanOnlyBeReset)
@@ -249,6 +283,31 @@ TEST_F(EncoderFunctionsTest, InWatchTheRefusalStandsInThePanel)
     m_ring.bus.setOperate(true);
     m_ring.bus.advance(33);
     EXPECT_TRUE(message().isEmpty());
+}
+
+// The mode is not known, so that it would be asked for.
+TEST_F(EncoderFunctionsTest, WatchingAsksNothingBeforeItRefuses)
+{
+    m_ring.bus.setOperate(false);
+    m_ring.bus.advance(33);
+    QSignalSpy shown(&m_panel, &ParameterPanel::refusalShown);
+    const char *const functions[] = {"velocityMode", "positionMode", "frabaPreset", "resetToDefault"};
+    bool isAsked = false;
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, &m_panel, [&] {
+        if (QWidget *question = QApplication::activeModalWidget()) {
+            isAsked = true;
+            question->close();
+        }
+    });
+    answer.start(10);
+    for (const char *function : functions) {
+        click(function);
+        EXPECT_TRUE(message().contains(QStringLiteral("Switch to Operate first"))) << function;
+    }
+    EXPECT_FALSE(isAsked);
+    EXPECT_EQ(shown.count(), 4);
+    EXPECT_TRUE(m_sent.empty());
 }
 
 TEST_F(EncoderFunctionsTest, DuringAJobNothingElseCanBeAskedFor)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A port that goes away and comes back.
 #include "kinds/esc/line/esc_line_runner_private.h"
+#include "kinds/esc/line/port_argument.h"
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ void EscLineRunner::Private::portIsGone(const Refusal &why)
     reopenAt = link.now() + betweenTries;
     notBack.reset();
     if (why.id == RefusalId::portLost)
-        tell({.severity = Severity::fault, .id = MessageId::portLost, .arguments = {link.name()}});
+        tell({.severity = Severity::fault, .id = MessageId::portLost, .arguments = {portArgument(link)}});
     else
         tell({.severity = Severity::fault, .refusal = why});
     stopJobs(why);
@@ -72,7 +73,7 @@ void EscLineRunner::Private::tryToReopen()
     state.whyLost.reset();
     state.otherAdapter = false;
     state.operate = false;
-    tell({.id = MessageId::portBack, .arguments = {link.name()}});
+    tell({.id = MessageId::portBack, .arguments = {portArgument(link)}});
     takeLowLatency();
     publish();
 }
@@ -97,7 +98,7 @@ void EscLineRunner::Private::takeLowLatency()
     if (state.lowLatency == LowLatency::refused && !std::exchange(latencyTold, true))
         tell({.severity = Severity::attention,
               .id = MessageId::lowLatencyRefused,
-              .arguments = {link.name()}});
+              .arguments = {portArgument(link)}});
 }
 
 } // namespace codewheel

@@ -10,9 +10,11 @@
 #include "kinds/esc/line/esc_line_encoder_session.h"
 #include "kinds/esc/line/esc_line_outline.h"
 #include "kinds/esc/line/esc_line_runner.h"
+#include "kinds/esc/line/port_argument.h"
 #include "kinds/esc/line/row_text.h"
 #include "kinds/esc/protocol/esc_profile.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/message_items.h"
 
 #include <algorithm>
 #include <iterator>
@@ -131,7 +133,7 @@ void EscLineSession::linkOpened()
     d->engine.setLatest(std::move(expected));
     tell({.at = now(),
           .id = MessageId::lineOpened,
-          .arguments = {d->link->name(), std::int64_t{d->settings.baudRate}}});
+          .arguments = {portArgument(*d->link), std::int64_t{d->settings.baudRate}}});
     showLatest();
     Q_EMIT nodesChanged();
 }
@@ -145,7 +147,7 @@ void EscLineSession::close()
     static_cast<LineState &>(*closed) = {};
     d->engine.setLatest(std::move(closed));
     if (wasOpen)
-        tell({.at = now(), .id = MessageId::lineClosed, .arguments = {d->link->name()}});
+        tell({.at = now(), .id = MessageId::lineClosed, .arguments = {portArgument(*d->link)}});
     showLatest();
 }
 
@@ -563,15 +565,18 @@ void EscLineSession::tellEnd(const TypedAnswered &answered)
 
 void EscLineSession::tellTyped(Place place, const TypedAnswered &answered)
 {
-    Message message{.at = now(), .place = place, .id = MessageId::typedWritten};
-    message.arguments = {QStringLiteral("%1 (%2)").arg(esc::requestText(answered.request, explainOptions()),
-                                                       QString::fromLatin1(answered.request.text()))};
-    if (!answered.result.answer) {
-        message.severity = Severity::attention;
-        message.id = MessageId::inDoubt;
-        message.arguments.emplace_back(std::int64_t{1});
+    const std::vector<RefusalArgument> typed = esc::typedArguments(answered.request, explainOptions());
+    if (answered.result.answer) {
+        tell({.at = now(), .place = place, .id = MessageId::typedWritten, .arguments = typed});
+        return;
     }
-    tell(message);
+    MessageItems items{std::int64_t{1}, std::int64_t{1}}; // one item, and perhaps one EEPROM write
+    addItem(items, MessageItem::typed, typed);
+    tell({.at = now(),
+          .place = place,
+          .severity = Severity::attention,
+          .id = MessageId::inDoubt,
+          .arguments = items});
 }
 
 } // namespace codewheel

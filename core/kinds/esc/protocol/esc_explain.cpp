@@ -155,6 +155,22 @@ QString requestText(const Request &request, const ExplainOptions &options)
     return Explain::request(request, options);
 }
 
+std::vector<RefusalArgument> typedArguments(const Request &request, const ExplainOptions &options)
+{
+    return {QString::fromLatin1(request.text()), std::int64_t{options.fractionBits}};
+}
+
+QString typedText(const std::vector<RefusalArgument> &arguments)
+{
+    const QString typed = argumentTexts(arguments).value(0);
+    const auto request = parseRequest(typed.toLatin1());
+    const auto *bits = arguments.size() > 1 ? std::get_if<std::int64_t>(&arguments[1]) : nullptr;
+    if (!request || bits == nullptr)
+        return typed;
+    return sentence(QStringLiteral("%1 (%2)"),
+                    {requestText(*request, {.fractionBits = static_cast<int>(*bits)}), typed});
+}
+
 QString answerText(const Request &request, const Answer &answer, const ExplainOptions &options)
 {
     return Explain::answer(request, answer, options);

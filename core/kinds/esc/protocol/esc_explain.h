@@ -5,6 +5,7 @@
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_request.h"
 #include "kinds/esc/protocol/esc_scaling.h"
+#include "vocabulary/refusal.h"
 
 #include <QString>
 
@@ -27,6 +28,10 @@ struct ExplainOptions
 
 // "05: position?", "03: preset := 5200h = 20992"
 QString requestText(const Request &request, const ExplainOptions &options = {});
+// With what was typed: "03: preset := 5200h = 20992 (03GP00005200)". Its text and the fraction bits are what
+// messages store.
+std::vector<RefusalArgument> typedArguments(const Request &request, const ExplainOptions &options);
+QString typedText(const std::vector<RefusalArgument> &arguments);
 // "1235h = 4661", "4000h: battery flat", "accepted", "command unknown (03)"
 QString answerText(const Request &request, const Answer &answer, const ExplainOptions &options = {});
 // The digits of a bit field as sent, which are always shown: "4000h", "0098h, bytes swapped 9800h".

@@ -32,10 +32,11 @@ std::optional<int> numberIn(const QString &text, Limits ends)
     return isNumber && ends.hold(number) ? std::optional(number) : std::nullopt;
 }
 
+// As a file or the command line takes them.
 QString range(Limits ends)
 {
     return sentence(GatewayTexts::tr("a number from %1 to %2"),
-                    {numberText(ends.least), numberText(ends.most)});
+                    {QString::number(ends.least), QString::number(ends.most)});
 }
 
 Setting number(const char *name, int GatewaySettings::*its, Limits ends,

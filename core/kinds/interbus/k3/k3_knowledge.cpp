@@ -168,8 +168,18 @@ bool K3Knowledge::isManufacturerPreset(Word out) const
            mode() != Mode::cam;
 }
 
+// Only in cam mode such a word is acknowledged. 40000000 is left out: C0000000 is also an encoder at its
+// start.
+bool K3Knowledge::provesCamMode(Word in, Word out) const
+{
+    return m_device.mayHaveModes() && in != m_in && in == (out | k3::confirmation) &&
+           k3::isCamParameter(out) && out != k3::initialisePreset;
+}
+
 void K3Knowledge::observeConfirmation(Word in, Word out)
 {
+    if (mode() && mode() != Mode::cam && provesCamMode(in, out))
+        tellMode(Mode::cam); // what was told, or switched meanwhile by others
     const bool stands = k3::isParameterWord(out);
     const Word asked = stands ? out : m_asked.value_or(k3::normalRunning);
     const unsigned number = k3::number(in);

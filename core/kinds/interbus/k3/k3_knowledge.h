@@ -73,6 +73,7 @@ public:
 
 private:
     void observeConfirmation(Word in, Word out);
+    bool provesCamMode(Word in, Word out) const;
     void observeError(Word in, Word out);
     void observeReadOut(Word in, Word out, Instant now);
     bool mayBeTorn(unsigned code, Word in);

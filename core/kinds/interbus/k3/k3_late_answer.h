@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/k3/k3_step.h"
+#include "kinds/interbus/words/k3_explain.h"
 
 #include <optional>
 

@@ -9,6 +9,10 @@ namespace codewheel {
 
 // "Set encoder to default", 0E000000h (FRABA manual 10.1, Baumer manual 5).
 inline constexpr unsigned resetNumber = 7;
+constexpr bool isReset(Word out) noexcept
+{
+    return k3::isParameterWord(out) && k3::number(out) == resetNumber;
+}
 
 // The mode of an encoder that has several (FRABA): known once told, or once a word that passed has switched
 // it (FRABA manual 5.4.2, 5.4.4). Otherwise it stays unknown, and nothing is guessed.

@@ -20,6 +20,15 @@ Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &dev
     return isRead ? Evidence::read : Evidence::echoed;
 }
 
+// In cam mode the words of velocity mode are acknowledged: they set the active cams there.
+Refusal notSwitched(Word in)
+{
+    for (const Word out : {k3::velocityOn, k3::velocityOff})
+        if (in == (out | k3::confirmation))
+            return {RefusalKind::device, RefusalId::takenAsCamWord, {out, in}};
+    return {RefusalKind::device, RefusalId::modeNotSwitched, {in}};
+}
+
 } // namespace
 
 K3Run::K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder)
@@ -27,16 +36,17 @@ K3Run::K3Run(JobId id, const Job &job, Pace pace, K3Encoder &encoder)
     , m_encoder(encoder)
     , m_handshake(encoder.device.dialect.as<k3::Dialect>(), encoder.timing)
     , m_cams(encoder)
+    , m_modeBefore(modeNow())
 {
     m_encoder.knowledge.beginJob();
 }
 
 Result<void> K3Run::plan(Word in, Word out)
 {
-    if (auto checked = m_encoder.checkState(m_job, in); !checked)
-        return checked;
     const EncoderState state = m_encoder.stateOf(in);
     m_foundParameterizing = state == EncoderState::parameterization;
+    if (auto checked = m_encoder.checkState(m_job, in); !checked)
+        return checked;
     m_foundInError = state == EncoderState::error;
     if (const auto *end = job<EndParameterization>()) {
         m_restores = !end->restore.empty();
@@ -103,6 +113,7 @@ void K3Run::begin(Word in, Instant now)
         lastOneCycle();
     K3Step &step = m_steps.current();
     step.inCamMode = m_encoder.knowledge.mode() == Mode::cam;
+    m_resetIsSent = m_resetIsSent || (!step.inCamMode && isReset(step.out));
     m_handshake.begin(step, in, now);
     if (setsPosition(step) || step.standsUntilItActs)
         m_encoder.preset.begin(presetTarget(m_encoder.device, m_encoder.knowledge), now);
@@ -205,6 +216,7 @@ void K3Run::ran()
         for (const ParameterValue &value : m_confirmed.values)
             m_account.written(value);
     m_confirmed = {};
+    m_resetIsSent = false;
     m_cams.ran();
 }
 
@@ -351,18 +363,37 @@ Result<void> K3Run::resultAt(Word in)
         return ended;
     if (m_notSet)
         return tl::unexpected(*m_notSet);
+    if (job<SwitchMode>() != nullptr && k3::isConfirmation(in))
+        return tl::unexpected(notSwitched(in));
     return m_cams.dropLost() ? refuse(RefusalKind::device, RefusalId::restarted, {in}) : Result<void>();
+}
+
+LeftMode K3Run::modeNow() const
+{
+    return {m_encoder.knowledge.mode(), m_encoder.knowledge.camProgram()};
+}
+
+std::optional<LeftMode> K3Run::modeLeft() const
+{
+    const LeftMode now = modeNow();
+    const auto *to = job<SwitchMode>();
+    const bool isWanted = now.mode == Mode::position && (!m_modeBefore.mode || (to && to->mode == now.mode));
+    return isWanted || now == m_modeBefore ? std::nullopt : std::optional(now);
 }
 
 void K3Run::complete(Outcome &outcome)
 {
     outcome.inDoubt.eepromWrites += m_encoder.knowledge.endJob();
+    outcome.foundInParameterization = m_foundParameterizing;
+    outcome.resetWaits = m_resetIsSent && outcome.leftIn == EncoderState::parameterization;
     if (outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::unknown)
         outcome.confirmed = m_confirmed.values;
     if (outcome.leftIn == EncoderState::error)
         outcome.notActive = m_confirmed.values;
     const bool isUnproven = m_ranAtZero && !m_encoder.device.capabilities.reads;
     outcome.onlyZeroSinceRun = m_reading.in == 0 && (isUnproven || job<SwitchMode>() != nullptr);
+    if (!outcome.result)
+        outcome.leftInMode = modeLeft();
     outcome.camsRead = m_cams.read();
     outcome.camsWritten = m_cams.written();
     std::erase_if(outcome.camsWritten, [&](const CamProgram &program) {

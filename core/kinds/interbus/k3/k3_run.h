@@ -45,6 +45,8 @@ private:
     Result<void> resultAt(Word in) override;
     bool endsInError(std::size_t step) const override;
     void complete(Outcome &outcome) override;
+    LeftMode modeNow() const;
+    std::optional<LeftMode> modeLeft() const; // empty: as before, or as it was to be
     bool follows(StepKind kind) const;
     void lastOneCycle();
     bool isHeldBack(Word in, Instant now) const;
@@ -91,12 +93,14 @@ private:
     std::optional<K3Step> m_leftOff;   // by a cancel; its word may still act
     std::optional<Word> m_goesOut;     // that word, in the next exchange
     std::optional<Refusal> m_mismatch; // found when reading back, which goes on
-    std::optional<Refusal> m_notSet;   // the position, or it is not known whether it was; the rest goes on
+    LeftMode m_modeBefore;
+    std::optional<Refusal> m_notSet; // the position, or it is not known whether it was; the rest goes on
     Word m_inWhenAsked = 0;
     bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
     int m_readAgain = 0;                // of the value that is read: answers that may be torn
     bool m_foundInError = false;        // so was it in the error state
     bool m_ranAtZero = false;           // run was answered by 00000000h
+    bool m_resetIsSent = false;         // to default, and not run
 };
 
 } // namespace codewheel

@@ -19,10 +19,7 @@ bool mayBeTaken(const K3Step &step)
 bool resetsToDefault(const Job &job)
 {
     const auto *send = std::get_if<SendWords>(&job);
-    return std::holds_alternative<ResetToDefault>(job) ||
-           (send && std::ranges::any_of(send->words, [](Word word) {
-                return k3::isParameterWord(word) && k3::number(word) == resetNumber;
-            }));
+    return std::holds_alternative<ResetToDefault>(job) || (send && std::ranges::any_of(send->words, isReset));
 }
 
 } // namespace
@@ -150,6 +147,7 @@ void K3Run::lookForRestart(Word in)
 void K3Run::dropConfirmed()
 {
     m_confirmed = {};
+    m_resetIsSent = false;
     m_cams.losePending();
 }
 

@@ -124,6 +124,8 @@ class Ring:
         self.words = 0  # of them, those with a word other than 0: a job is under way
 
     def vanish_in_time(self, before):
+        if self.writes == self.options.vanish_at_write:
+            os._exit(0)
         out = self.encoders[0].out
         if out == self.options.vanish_behind and out != before:
             self.times += 1
@@ -266,6 +268,7 @@ parser.add_argument("--no-read-back", action="store_true")
 parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes of a job")
 parser.add_argument("--pending", type=lambda word: int(word, 16), help="the first encoder was left in parameterization")
 parser.add_argument("--vanish-behind", type=lambda word: int(word, 16), help="ends once the first encoder has this word")
+parser.add_argument("--vanish-at-write", type=int, help="ends with so many writes")
 parser.add_argument("--closes", type=int, help="closes each connection so many ms behind its answer")
 parser.add_argument("--vanish-at", type=int, default=1, help="once it has it for this time")
 asyncio.run(serve(Ring(parser.parse_args())))

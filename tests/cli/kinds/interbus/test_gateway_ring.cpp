@@ -144,17 +144,18 @@ TEST(CliGatewayRing, AnAlarmStopSaysThatItsZerosArrived)
     EXPECT_GT(peer.writes(), 0);
 }
 
-// The gateway is gone once it has the zeros: what the ring told until then is not lost with it.
+// The gateway is gone with the zeros that are asked for once it is open: what the ring told until then is not
+// lost with it.
 TEST(CliGatewayRing, AnAlarmStopWhoseZerosAreMissingStillPrintsWhatTheRingTold)
 {
-    GatewayPeer peer(line("--pending 0200012C --vanish-behind 00000000"));
+    GatewayPeer peer(line("--pending 0200012C --vanish-at-write 2"));
     const CliRun run = RingProject().run(line("master alarm-stop --patience 2"), peer.link());
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.out, HasSubstr("ALARM STOP: 00000000 is sent to all devices of the ring."));
     EXPECT_THAT(run.out, HasSubstr("Master:"));
     EXPECT_THAT(run.out, Not(HasSubstr("have not arrived within")));
     EXPECT_THAT(run.err, HasSubstr("The zeros of the ALARM STOP have not arrived within 2 s."));
-    GatewayPeer other(line("--pending 0200012C --vanish-behind 00000000"));
+    GatewayPeer other(line("--pending 0200012C --vanish-at-write 2"));
     const CliRun json = RingProject().run(line("master alarm-stop --patience 2 --json"), other.link());
     EXPECT_EQ(errorKey(json), "zerosMissing");
     EXPECT_FALSE(json.json()[u"messages"].toArray().isEmpty());
@@ -303,6 +304,14 @@ TEST(CliGatewayRing, WhereAJobIsCutTheStateOfTheEncoderIsNotKnown)
     }
 }
 
+TEST(CliGatewayRing, AVelocityCommandThatIsCutSaysThatTheModeIsNotKnown)
+{
+    GatewayPeer peer(line("--vanish-behind 20400001"));
+    const CliRun run = RingProject().run(line("velocity 1.0 on --in-position-mode"), peer.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("It is not known in which mode the encoder was left"));
+}
+
 QString camsOfTest(const RingProject &project)
 {
     const QString name = project.path(line("cams.json"));
@@ -355,6 +364,33 @@ TEST(CliGatewayRing, ProgramsAreToldWhatAllJobsOfACallPerhapsCost)
     EXPECT_EQ(json[u"inDoubt"].toObject()[u"eepromWrites"].toInt(), 1);
 }
 
+TEST(CliGatewayRing, WhatAllJobsOfACallCostIsOneLineAsTheLedgerCountsIt)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    const CliRun run =
+        project.run(QStringLiteral("cams 1.0 write %1 --yes").arg(camsOfTest(project)), peer.link());
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out,
+                HasSubstr("Written and read back: cam program 1.\nEEPROM writes:   1, perhaps 1 more\n"));
+    EXPECT_EQ(run.out.find("EEPROM writes:   "), run.out.rfind("EEPROM writes:   ")) << run.out;
+    const QJsonObject account = firstAccountOf(project);
+    EXPECT_EQ(account[u"writes"].toInt(), 1);
+    EXPECT_EQ(account[u"perhaps"].toInt(), 1);
+}
+
+TEST(CliGatewayRing, CamsOfAnEncoderInParameterizationAreNotWritten)
+{
+    GatewayPeer peer(line("--pending 0200012C"));
+    const RingProject project;
+    const CliRun run =
+        project.run(QStringLiteral("cams 1.0 write %1 --yes").arg(camsOfTest(project)), peer.link());
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, Not(HasSubstr("Nothing was sent"))) << "steps were read";
+    EXPECT_THAT(run.err, HasSubstr("Nothing was written"));
+    EXPECT_THAT(run.err, HasSubstr("The encoder is still in parameterization, as before"));
+}
+
 TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
 {
     GatewayPeer peer(line("--vanish-behind 20210001"));
@@ -402,7 +438,7 @@ TEST(CliGatewayRing, CamsThatAreCutBehindTheWordThatStoresThemPerhapsCostAWrite)
     GatewayPeer peer(line("--vanish-behind 20800000 --vanish-at 2"));
     const CliRun run = project.run(write, peer.link());
     EXPECT_EQ(run.exit, 1);
-    EXPECT_THAT(run.out, HasSubstr("EEPROM writes:   0, perhaps 1 more\n"));
+    EXPECT_THAT(run.out, HasSubstr("EEPROM writes:   0, perhaps 2 more\n")) << "as the ledger says";
     EXPECT_THAT(run.out, Not(HasSubstr("Written and read back"))) << "it is not known whether it is saved";
     EXPECT_THAT(run.out, HasSubstr("It is not known whether the encoder has this: cam program 1."));
     EXPECT_THAT(run.out, HasSubstr("OUT may still hold 20800000"));
@@ -470,7 +506,10 @@ TEST(CliGatewayRing, AnEncoderFoundInParameterizationIsNamed)
     EXPECT_EQ(read.exit, 1);
     EXPECT_THAT(read.out, HasSubstr("= 8192"));
     EXPECT_THAT(read.err, HasSubstr("1.0 is in parameterization and gives no position"));
-    EXPECT_THAT(read.err, HasSubstr("IN (C200012C) confirms Steps with the data 300."));
+    EXPECT_THAT(read.err,
+                HasSubstr("IN (C200012C) says: Parameter 1 steps = 300 confirmed, or: Acknowledged: "
+                          "Start of cam 1 = 300."))
+        << "its mode is not known";
     EXPECT_EQ(errorKey(project.run(line("read 1.0 steps --json"), peer.link())), "foundInParameterization");
     EXPECT_EQ(project.run(line("read 2.0 steps"), peer.link()).exit, 0);
     const QString store = QStringLiteral("store %1 1.0 --json --link %2").arg(project.file(), peer.link());

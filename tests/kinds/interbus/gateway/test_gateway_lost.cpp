@@ -621,5 +621,30 @@ TEST(LostGateway, AnEncoderLeftInParameterizationSaysWhatRunMakesValid)
     EXPECT_GE(run, 1);
 }
 
+// The same word would confirm a parameter.
+TEST(LostGateway, ACamWordThatWasLeftIsNotTakenForAParameter)
+{
+    int left = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        if (!gateway.lostAt(write, lostFraba,
+                            WriteCams{.programs = {lostCams()}, .afterwards = SwitchMode{}}))
+            break;
+        gateway.giveLinkBack();
+        gateway.bringBack(lostFraba);
+        const auto fault = gateway.faultThatOffers(FaultAction::run);
+        if (!fault)
+            continue;
+        ++left;
+        EXPECT_FALSE(fault->text.contains(QLatin1String("with the data"))) << fault->text.toStdString();
+        EXPECT_FALSE(fault->text.contains(QLatin1String("Parameter "))) << fault->text.toStdString();
+        EXPECT_TRUE(fault->text.contains(QLatin1String("says: Acknowledged: "))) << fault->text.toStdString();
+        EXPECT_TRUE(fault->text.contains(QLatin1String("from here: cam program 1")))
+            << fault->text.toStdString();
+    }
+    EXPECT_GE(left, 1);
+}
+
 } // namespace
 } // namespace codewheel

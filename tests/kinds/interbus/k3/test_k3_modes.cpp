@@ -181,6 +181,43 @@ TEST_F(K3Modes, AnEncoderInParameterizationIsNotSwitched)
     EXPECT_EQ(taken.error().id, RefusalId::inParameterization);
 }
 
+// It was told to be in position mode: the words of velocity mode set the active cams instead.
+TEST_F(K3Modes, AWordThatIsAcknowledgedWasACamWord)
+{
+    struct
+    {
+        Mode to;
+        Word out;
+        Word in;
+    } const rows[] = {{Mode::velocity, 0x2040'0001, 0xE040'0001}, {Mode::position, 0x2040'0000, 0xE040'0000}};
+    for (const auto &row : rows) {
+        DriverTable table(u"fraba-ocd-ib");
+        table.tell(Parameter::startUpMode, row.to == Mode::velocity ? 1 : 2);
+        ASSERT_TRUE(table.begin(SwitchMode{row.to}));
+        table.play({{0x0000'0000, pos}, {row.out, pos}, {row.out, pos}, {row.out, row.in}});
+        table.repeat(2, {0x0000'0000, row.in});
+        ASSERT_TRUE(table.outcome());
+        ASSERT_FALSE(table.outcome()->result);
+        EXPECT_EQ(table.outcome()->result.error(),
+                  (Refusal{RefusalKind::device, RefusalId::takenAsCamWord, {row.out, row.in}}));
+        EXPECT_EQ(table.driver().reading().mode, Mode::cam);
+    }
+}
+
+TEST_F(K3Modes, AnEncoderThatStaysInParameterizationIsInNoMode)
+{
+    isInVelocityMode();
+    m_table.play({{0x0000'0000, 0xC200'00FF}});
+    ASSERT_TRUE(m_table.begin(SwitchMode{Mode::position}));
+    m_table.play({{0x0000'0000, 0xC200'00FF}});
+    m_table.repeat(3, {0x2040'0000, 0xC200'00FF});
+    m_table.repeat(2, {0x0000'0000, 0xC200'00FF});
+    ASSERT_TRUE(m_table.outcome());
+    ASSERT_FALSE(m_table.outcome()->result);
+    EXPECT_EQ(m_table.outcome()->result.error().id, RefusalId::modeNotSwitched);
+    EXPECT_TRUE(m_table.outcome()->foundInParameterization);
+}
+
 TEST(K3ModesOfOthers, AreRefused)
 {
     DriverTable table(u"baumer-gxp6w");

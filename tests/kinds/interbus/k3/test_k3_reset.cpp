@@ -111,6 +111,8 @@ TEST_P(K3ResetCancelled, AfterTheConfirmationIsNotRun)
     table.repeat(2, {0x0000'0000, 0xCE00'0000});
     ASSERT_TRUE(table.outcome());
     EXPECT_EQ(table.outcome()->leftIn, EncoderState::parameterization);
+    EXPECT_TRUE(table.outcome()->resetWaits);
+    EXPECT_FALSE(table.outcome()->foundInParameterization);
     table.repeat(5, {0x0000'0000, 0xCE00'0000});
     EXPECT_EQ(table.known(Parameter::steps), std::nullopt);
 }

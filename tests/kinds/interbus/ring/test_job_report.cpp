@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "jobs/job_report.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QLocale>
 
@@ -28,11 +29,14 @@ TEST_F(JobReport, WrittenParametersAreNamed)
 {
     m_outcome.written = {{Parameter::steps, 255}, {Parameter::direction, 3}};
     m_outcome.eepromWrites = 2;
-    const QString text = QStringLiteral("%1 = 255, %2 = cw")
-                             .arg(parameterName(Parameter::steps), parameterName(Parameter::direction));
-    EXPECT_THAT(report(WriteParameters{}),
-                ElementsAre(Message{.id = MessageId::parametersWritten,
-                                    .arguments = Arguments{std::int64_t{2}, std::int64_t{2}, text}}));
+    const auto messages = report(WriteParameters{});
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_EQ(messages[0].id, MessageId::parametersWritten);
+    EXPECT_EQ(messages[0].arguments[0], RefusalArgument(std::int64_t{2}));
+    EXPECT_EQ(messages[0].arguments[1], RefusalArgument(std::int64_t{2}));
+    EXPECT_TRUE(messageText(messages[0])
+                    .contains(QStringLiteral("%1 = 255, %2 = cw")
+                                  .arg(parameterName(Parameter::steps), parameterName(Parameter::direction))));
 }
 
 TEST_F(JobReport, NothingIsSaidOfParametersThatWereThereAlready)
@@ -84,8 +88,9 @@ TEST_F(JobReport, ValuesFromBeforeAreToldWithTheirEvidence)
     ASSERT_EQ(messages.size(), 2u);
     const QString text = parameterName(Parameter::steps) +
                          QStringLiteral(" = %1, cam program 2").arg(QLocale().toString(8192));
-    EXPECT_EQ(messages[0],
-              (Message{.id = MessageId::restoredReadBack, .arguments = Arguments{text, std::int64_t{3}}}));
+    EXPECT_EQ(messages[0].id, MessageId::restoredReadBack);
+    EXPECT_EQ(messages[0].arguments[1], RefusalArgument(std::int64_t{3}));
+    EXPECT_TRUE(messageText(messages[0]).contains(text));
     EXPECT_EQ(messages[1].refusal, m_outcome.result.error());
     m_outcome.restored = Evidence::echoed;
     messages = report(WriteParameters{});
@@ -108,9 +113,29 @@ TEST_F(JobReport, AResetThatWasConfirmedAndNotRunIsTold)
 {
     refuseWith(RefusalKind::stopped, RefusalId::alarmStop);
     m_outcome.leftIn = EncoderState::parameterization;
+    m_outcome.resetWaits = true;
     const auto messages = report(ResetToDefault{});
     ASSERT_EQ(messages.size(), 2u);
     EXPECT_EQ(messages[1].id, MessageId::resetWaitsForRun);
+}
+
+TEST_F(JobReport, AResetThatWasNotSentDoesNotWaitForRun)
+{
+    refuseWith(RefusalKind::busy, RefusalId::inParameterization);
+    m_outcome.leftIn = EncoderState::parameterization;
+    m_outcome.foundInParameterization = true;
+    const auto messages = report(ResetToDefault{});
+    ASSERT_EQ(messages.size(), 1u) << "the refusal says in which state it is";
+    EXPECT_EQ(messages[0].refusal, m_outcome.result.error());
+}
+
+TEST_F(JobReport, AnEncoderFoundInParameterizationIsStillThere)
+{
+    m_outcome.leftIn = EncoderState::parameterization;
+    m_outcome.foundInParameterization = true;
+    const auto messages = report(ReadParameters{});
+    ASSERT_EQ(messages.size(), 2u);
+    EXPECT_EQ(messages[1].id, MessageId::stillInParameterization);
 }
 
 TEST_F(JobReport, AnEncoderBroughtBackIsTold)
