@@ -1149,6 +1149,24 @@
         <source>The position was set before, and stays so.</source>
         <translation>Die Position war schon gesetzt und bleibt es.</translation>
     </message>
+    <message>
+        <source>The position went from %1 to %2.</source>
+        <translation>Die Position ging von %1 auf %2.</translation>
+    </message>
+    <message>
+        <source>The position is %1.</source>
+        <translation>Die Position ist %1.</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <comment>names and values</comment>
+        <translation>Geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Valid now: %1.</source>
+        <comment>names and values</comment>
+        <translation>Jetzt gilt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Leds</name>
@@ -2069,6 +2087,18 @@
         <source>The link is lost, and nothing says whether the zeros of the ALARM STOP have arrived: they are sent again and again, and once it is back. Stop the machine by its own means.</source>
         <translation>Die Verbindung ist abgebrochen, und nichts sagt, ob die Nullen des ALARM-STOPPs angekommen sind: Sie werden immer wieder gesendet, und sobald die Verbindung wieder da ist. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
     </message>
+    <message>
+        <source>The encoder is still in parameterization, as it was before: it gives no position until run is sent.</source>
+        <translation>Der Geber ist weiterhin in der Parametrierung, wie schon vorher: Er gibt keine Position aus, bis Run gesendet wird.</translation>
+    </message>
+    <message>
+        <source>The encoder was left in %1: the controller gets no position. Switch it back to position mode.</source>
+        <translation>Der Geber blieb im %1: Die Steuerung bekommt keine Position. In den Positionsbetrieb zurückschalten.</translation>
+    </message>
+    <message>
+        <source>It is not known in which mode the encoder was left: the controller may get no position. Switch it to position mode.</source>
+        <translation>Es ist nicht bekannt, in welcher Betriebsart der Geber blieb: Die Steuerung bekommt vielleicht keine Position. In den Positionsbetrieb schalten.</translation>
+    </message>
 </context>
 <context>
     <name>Mode</name>
@@ -2542,10 +2572,6 @@
     <message>
         <source>Nothing was sent: the bus is stopped. Start it first.</source>
         <translation>Nichts gesendet: Der Bus ist angehalten. Erst starten.</translation>
-    </message>
-    <message>
-        <source>Nothing was sent: the encoder is in parameterization already (IN %1). End that first, with run.</source>
-        <translation>Nichts gesendet: Der Geber ist schon in der Parametrierung (IN %1). Diese erst mit Run beenden.</translation>
     </message>
     <message>
         <source>Error 1: the encoder refused the value of %1 (IN %2). Check the value and write it again.</source>
@@ -3187,6 +3213,18 @@
         <source>No two reads of IN of %1 agree, so it is not known what it shows. Check the word order, and where its registers begin. If they are right, its shaft is too fast for this gateway: stop it, or make the poll interval shorter.</source>
         <translation>Keine zwei Lesungen von IN von %1 stimmen überein, also ist nicht bekannt, was er zeigt. Die Reihenfolge der Worte prüfen, und wo seine Register beginnen. Stimmen sie, so ist seine Welle zu schnell für dieses Gateway: anhalten, oder das Abfrageintervall verkürzen.</translation>
     </message>
+    <message>
+        <source>Nothing was written: the encoder is in parameterization already (IN %1). End that first, with run.</source>
+        <translation>Nichts geschrieben: Der Geber ist schon in der Parametrierung (IN %1). Diese erst mit Run beenden.</translation>
+    </message>
+    <message>
+        <source>The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was changed, and it was left in parameterization. Switching the encoder off and on drops the change; run, or another mode, keeps it, and the cam program has to be written again.</source>
+        <translation>Der Geber ist im Nockenbetrieb. Dort gilt: Das Wort %1 %2 (IN %3). Sein Nockenprogramm wurde geändert, und er blieb in der Parametrierung. Aus- und Einschalten des Gebers verwirft die Änderung; mit Run oder einer anderen Betriebsart bleibt sie, und das Nockenprogramm muss neu geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The encoder does not show the mode: it is in parameterization (IN %1). End that first, with run, then try again.</source>
+        <translation>Der Geber zeigt die Betriebsart nicht: Er ist in der Parametrierung (IN %1). Diese erst mit Run beenden, dann noch einmal versuchen.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -3740,10 +3778,6 @@
         <translation>Bedeutung</translation>
     </message>
     <message>
-        <source>State afterwards</source>
-        <translation>Zustand danach</translation>
-    </message>
-    <message>
         <source>Not known</source>
         <translation>Nicht bekannt</translation>
     </message>
@@ -3766,6 +3800,22 @@
     <message>
         <source>Position to be set</source>
         <translation>Zu setzende Position</translation>
+    </message>
+    <message>
+        <source>Position set by the preset</source>
+        <translation>Position gesetzt nach dem Preset</translation>
+    </message>
+    <message>
+        <source>Preset to set the position by</source>
+        <translation>Preset, nach dem die Position zu setzen ist</translation>
+    </message>
+    <message>
+        <source>State at the end of the handshake</source>
+        <translation>Zustand am Ende des Handshakes</translation>
+    </message>
+    <message>
+        <source>Mode afterwards</source>
+        <translation>Betriebsart danach</translation>
     </message>
 </context>
 <context>
@@ -4987,6 +5037,10 @@
         <source>Restore writes the earlier values again and runs with them. EEPROM writes for that: %1 at most.</source>
         <translation>Wiederherstellen schreibt die vorigen Werte zurück und sendet Run. EEPROM-Schreibvorgänge dafür: höchstens %1.</translation>
     </message>
+    <message>
+        <source>Restore writes the earlier values again. EEPROM writes for that: %1 at most.</source>
+        <translation>Wiederherstellen schreibt die vorigen Werte zurück. EEPROM-Schreibvorgänge dafür: höchstens %1.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Catalog</name>
@@ -5669,10 +5723,6 @@ Rückgabewert 2.</translation>
     <message>
         <source>EEPROM writes: %1, one for each program that is changed and left.</source>
         <translation>EEPROM-Schreibvorgänge: %1, einer je Programm, das geändert und verlassen wird.</translation>
-    </message>
-    <message>
-        <source>Written and read back: cam program %1. EEPROM writes: %2.</source>
-        <translation>Geschrieben und zurückgelesen: Nockenprogramm %1. EEPROM-Schreibvorgänge: %2.</translation>
     </message>
     <message>
         <source>Nothing was written: there is nobody to ask. Add --yes to write, or use compare to look only.</source>
@@ -7889,6 +7939,18 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <source>The gateway closes the connection after each answer. Connections that ended so: %1.</source>
         <translation>Das Gateway schließt die Verbindung nach jeder Antwort. So beendete Verbindungen: %1.</translation>
     </message>
+    <message>
+        <source>Written and read back: cam program %1.</source>
+        <translation>Geschrieben und zurückgelesen: Nockenprogramm %1.</translation>
+    </message>
+    <message>
+        <source>Velocity mode: IN %1 shows no speed</source>
+        <translation>Drehzahlbetrieb: IN %1 zeigt keine Drehzahl</translation>
+    </message>
+    <message>
+        <source>The encoder is still in parameterization, as before: it shows no position.</source>
+        <translation>Der Geber ist weiterhin in der Parametrierung, wie schon vorher: Er zeigt keine Position.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -8593,8 +8655,8 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a whole number. Digits only: 1000.</source>
-        <translation>„%1“ ist keine ganze Zahl. Nur Ziffern: 1000.</translation>
+        <source>&quot;%1&quot; is not a whole number. Digits only, for example 1000.</source>
+        <translation>„%1“ ist keine ganze Zahl. Nur Ziffern, zum Beispiel 1000.</translation>
     </message>
 </context>
 <context>
@@ -9541,6 +9603,20 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <source>%1 was left in parameterization and gives no position.</source>
         <translation>%1 blieb in der Parametrierung und gibt keine Position aus.</translation>
     </message>
+    <message>
+        <source>%1 was left in %2: the controller gets no position.</source>
+        <comment>an encoder, a mode</comment>
+        <translation>%1 blieb im %2: Die Steuerung bekommt keine Position.</translation>
+    </message>
+    <message>
+        <source>mode?</source>
+        <comment>it is not known</comment>
+        <translation>Betriebsart?</translation>
+    </message>
+    <message>
+        <source>It is not known in which mode %1 was left: the controller may get no position.</source>
+        <translation>Es ist nicht bekannt, in welcher Betriebsart %1 blieb: Die Steuerung bekommt vielleicht keine Position.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::EncoderFunctions</name>
@@ -9683,10 +9759,6 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>Send run to %1?</source>
         <translation>Run an %1 senden?</translation>
-    </message>
-    <message>
-        <source>The encoder then gives its position by these values: it can jump, and what the controller drives by it can move. Which position it will read is not known.</source>
-        <translation>Danach gibt der Geber seine Position nach diesen Werten aus: Sie kann springen, und was die Steuerung danach antreibt, kann sich bewegen. Welche Position er anzeigen wird, ist nicht bekannt.</translation>
     </message>
     <message>
         <source>&amp;Send run</source>
@@ -12462,10 +12534,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Durch Fehler angehalten</translation>
     </message>
     <message>
-        <source>The position will then read %1%2.</source>
-        <translation>Die Position ist dann %1%2.</translation>
-    </message>
-    <message>
         <source>about </source>
         <translation>etwa </translation>
     </message>
@@ -12504,6 +12572,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Writes the earlier values again.</source>
         <translation>Schreibt die vorigen Werte wieder.</translation>
+    </message>
+    <message>
+        <source>If the shaft has not moved since the encoder last showed its position, it will then read %1%2.</source>
+        <comment>&apos;about &apos; or nothing, position</comment>
+        <translation>Wenn sich die Welle nicht bewegt hat, seit der Geber zuletzt seine Position zeigte, ist sie dann %1%2.</translation>
     </message>
 </context>
 <context>
@@ -13261,6 +13334,19 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>OUT is 00000000 already</source>
         <translation>OUT ist schon 00000000</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>OUT 1.0 is 020000FF, a sentence</comment>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>An encoder has not been left in position mode.</source>
+        <translation>Ein Geber blieb nicht im Positionsbetrieb.</translation>
+    </message>
+    <message>
+        <source>Leave it as it is? Otherwise cancel, and switch it to position mode.</source>
+        <translation>So lassen? Sonst abbrechen und in den Positionsbetrieb schalten.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LedRow</name>
@@ -13436,10 +13522,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Exceptions %1</translation>
     </message>
     <message>
-        <source>Closed by the gateway while idle</source>
-        <translation>Vom Gateway in Ruhe geschlossen</translation>
-    </message>
-    <message>
         <source>Stray bytes</source>
         <translation>Verirrte Bytes</translation>
     </message>
@@ -13448,8 +13530,20 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Echos von Anfragen</translation>
     </message>
     <message>
-        <source>Closed by the gateway after each answer</source>
-        <translation>Vom Gateway nach jeder Antwort geschlossen</translation>
+        <source>Closed while idle</source>
+        <translation>In Ruhe geschlossen</translation>
+    </message>
+    <message>
+        <source>Connections that the gateway closed while nothing was sent</source>
+        <translation>Verbindungen, die das Gateway geschlossen hat, während nichts gesendet wurde</translation>
+    </message>
+    <message>
+        <source>Closed after each answer</source>
+        <translation>Nach jeder Antwort geschlossen</translation>
+    </message>
+    <message>
+        <source>Connections that the gateway closed after an answer</source>
+        <translation>Verbindungen, die das Gateway nach einer Antwort geschlossen hat</translation>
     </message>
 </context>
 <context>
@@ -15250,8 +15344,8 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <translation>Preset, nullen, Nullpunkt</translation>
     </message>
     <message>
-        <source>What was being typed for the encoder before was not taken: %1 %2.</source>
-        <translation>Die angefangene Eingabe für den vorigen Geber wurde nicht übernommen: %1 %2.</translation>
+        <source>What was being typed for encoder %1 was not taken: %2 %3.</source>
+        <translation>Die angefangene Eingabe für Geber %1 wurde nicht übernommen: %2 %3.</translation>
     </message>
 </context>
 <context>
@@ -15327,6 +15421,18 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>What was set in the wizard is undone: %1.</source>
         <translation>Was im Assistenten eingestellt wurde, wird zurückgenommen: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is sent before the first step.</source>
+        <translation>Vor dem ersten Schritt wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>The handshake is under way: until it has ended, the encoder may give no position.</source>
+        <translation>Der Handshake läuft noch: Bis er beendet ist, liefert der Geber vielleicht keine Position.</translation>
+    </message>
+    <message>
+        <source>Wizard shows it again.</source>
+        <translation>Assistent zeigt ihn wieder.</translation>
     </message>
 </context>
 <context>
@@ -15588,6 +15694,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>What is planned for %1 is in no file: the project has no device there. Compare (F9), take it into the project, then save.</source>
         <translation>Was für %1 geplant ist, steht in keiner Datei: Das Projekt hat dort kein Gerät. Vergleichen (F9), ins Projekt übernehmen, dann speichern.</translation>
     </message>
+    <message>
+        <source>The project %1 was closed: the training bus has its own. File &gt; Recent files opens it again.</source>
+        <translation>Das Projekt %1 wurde geschlossen: Der Übungsbus hat sein eigenes. Datei &gt; Zuletzt benutzt öffnet es wieder.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ProjectPage</name>
@@ -15763,6 +15873,18 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Sequence %1</source>
         <translation>Sequenz %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ProjectStep</name>
+    <message>
+        <source>Change of %1</source>
+        <comment>a device</comment>
+        <translation>Änderung an %1</translation>
+    </message>
+    <message>
+        <source>Earlier change</source>
+        <translation>Frühere Änderung</translation>
     </message>
 </context>
 <context>
@@ -16394,6 +16516,10 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>The encoders of the catalog that fit this place</source>
         <translation>Die Geber des Katalogs, die auf diesem Platz stehen können</translation>
     </message>
+    <message>
+        <source>The project does not say which encoder was here before: whether this one is like it is not known. Compare the labels.</source>
+        <translation>Das Projekt sagt nicht, welcher Geber vorher hier war: Ob dieser ihm gleicht, ist nicht bekannt. Die Typenschilder vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplacePage</name>
@@ -16412,10 +16538,6 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>To the previous step</source>
         <translation>Zum vorigen Schritt</translation>
-    </message>
-    <message>
-        <source>Ends here; a running handshake is asked about first</source>
-        <translation>Endet hier; bei einem laufenden Handshake wird zuerst gefragt</translation>
     </message>
     <message>
         <source>Replace encoder %1</source>
@@ -16457,6 +16579,10 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>The bus of %1 is starting. Once it runs, this begins anew, with what was given of the new encoder.</source>
         <translation>Der Bus von %1 startet. Sobald er läuft, beginnt dies von vorn, mit dem, was zum neuen Geber eingegeben war.</translation>
+    </message>
+    <message>
+        <source>Ends here; nothing is written</source>
+        <translation>Endet hier; nichts wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -16585,6 +16711,10 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>%1. How the encoder was scaled then is not known in full: it is right if all of its scale was the same.</source>
         <comment>most of a sentence</comment>
         <translation>%1. Wie der Geber damals skaliert war, ist nicht ganz bekannt: Sie stimmt, wenn seine ganze Skalierung dieselbe war.</translation>
+    </message>
+    <message>
+        <source>The bus was stopped or the encoder was away since the position was chosen. Choose it once more.</source>
+        <translation>Seit die Position gewählt wurde, war der Bus angehalten oder der Geber weg. Bitte noch einmal wählen.</translation>
     </message>
 </context>
 <context>
@@ -17960,6 +18090,10 @@ Zustand: %3 (%4)</translation>
         <source>In OUT when it was last seen: %1.</source>
         <translation>In OUT, als es zuletzt gesehen wurde: %1.</translation>
     </message>
+    <message>
+        <source>The ring could not be started.</source>
+        <translation>Der Ring ließ sich nicht starten.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingKind</name>
@@ -18606,6 +18740,18 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Not a training bus</source>
         <translation>Kein Übungsbus</translation>
+    </message>
+    <message>
+        <source>Position mode</source>
+        <translation>Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>Operate, and position mode</source>
+        <translation>Bedienen und Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>Switches %1 back to position mode, after asking</source>
+        <translation>Schaltet %1 nach einer Rückfrage zurück in den Positionsbetrieb</translation>
     </message>
 </context>
 <context>
@@ -21653,6 +21799,21 @@ Worte: IN %3, OUT %4</translation>
         <comment>the position</comment>
         <translation>Gesetzt</translation>
     </message>
+    <message>
+        <source>%1; in which mode is not known</source>
+        <comment>a state</comment>
+        <translation>%1; in welcher Betriebsart, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1, in %2</source>
+        <comment>a state, a mode</comment>
+        <translation>%1, im %2</translation>
+    </message>
+    <message>
+        <source>%1; left in %2: the controller gets no position</source>
+        <comment>a state, a mode</comment>
+        <translation>%1; blieb im %2: Die Steuerung bekommt keine Position</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TreeFilter</name>
@@ -22315,6 +22476,23 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Run makes valid what it has taken, from here: %1.</source>
         <translation>Run macht gültig, was er von hier übernommen hat: %1.</translation>
+    </message>
+    <message>
+        <source>IN (%1) says: %2.</source>
+        <comment>what it may confirm</comment>
+        <translation>IN (%1) sagt: %2.</translation>
+    </message>
+    <message>
+        <source>The encoder then gives its position by these values: it can jump, and what the controller drives by it can move. Which position it will read is not known.</source>
+        <translation>Danach gibt der Geber seine Position nach diesen Werten aus: Sie kann springen, und was die Steuerung danach antreibt, kann sich bewegen. Welche Position er anzeigen wird, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The encoder then switches its cams by these values, and what the controller drives by them can move.</source>
+        <translation>Danach schaltet der Geber seine Nocken nach diesen Werten, und was die Steuerung danach antreibt, kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>Its mode is not known: the encoder then gives its position by these values, or switches its cams by them. The position can jump, cams can switch, and what the controller drives by them can move.</source>
+        <translation>Seine Betriebsart ist nicht bekannt: Danach gibt der Geber seine Position nach diesen Werten aus oder schaltet seine Nocken danach. Die Position kann springen, Nocken können schalten, und was die Steuerung danach antreibt, kann sich bewegen.</translation>
     </message>
 </context>
 <context>

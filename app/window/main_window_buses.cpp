@@ -237,8 +237,11 @@ void MainWindow::tellWhose()
 // What was undone there is seen.
 void MainWindow::showOneOf(const std::vector<Place> &places)
 {
+    const auto isSeen = [this, row = m_structure->row()](Place place) {
+        return place == row || (place.isEmpty() && place.bus == m_chosenBus);
+    };
     const auto shown = std::ranges::find_if(places, [this](Place place) { return m_structure->has(place); });
-    if (shown == places.end() || std::ranges::find(places, m_chosenBus, &Place::bus) != places.end())
+    if (shown == places.end() || std::ranges::any_of(places, isSeen))
         return;
     if (shown->isEmpty())
         m_structure->choose(shown->bus);

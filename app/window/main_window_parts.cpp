@@ -109,7 +109,7 @@ void MainWindow::makeFinder()
 void MainWindow::makeDocks(MessageModel &messages)
 {
     m_structure = new StructureView(this);
-    m_parameters = new ParameterPanel(*m_wanted, this);
+    m_parameters = new ParameterPanel(*m_buses, *m_wanted, this);
     auto *dial = new DialPanel(this);
     dial->setPrinting(*m_actions.print);
     connect(dial, &DialPanel::trendWanted, this, &MainWindow::showInTrend);

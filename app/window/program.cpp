@@ -188,11 +188,14 @@ void Program::makeWindowAnew()
     }
     m_window->saveWindow();
     useLanguage();
+    m_project.nameStepsAnew();
     const bool visible = m_window->isVisible();
     const auto pinned = m_window->pinnedDial();
     WorkInWindow work = m_window->takeWork();
     const bool showsRecording = m_plant && m_window->recording().showsDetails();
     m_window.reset();
+    if (m_plant)
+        m_plant->nameAnew();
     openWindow();
     if (pinned)
         m_window->pinDial(*pinned);

@@ -69,6 +69,25 @@ TEST_F(FaultBannerInWindow, ComesWithTheFaultAndGoesWhenTheBusRunsAgain)
     EXPECT_FALSE(banner().isVisible());
 }
 
+TEST_F(FaultBannerInWindow, NamesTheFaultThatAStartHasMet)
+{
+    befall(TrainingFault::wireBreak, "1.0"_ring);
+    const QString sentence = banner().sentence();
+    befall(TrainingFault::wireBreak, "1.0"_ring, 0);
+    befall(TrainingFault::wireBreak, "1.0"_ring);
+    EXPECT_TRUE(banner().sentence().endsWith(QStringLiteral("Start it again."))) << "nobody looks in READY";
+    press("startAgain");
+    advance(99);
+    EXPECT_EQ(banner().sentence(), QStringLiteral("The ring could not be started. ") + sentence);
+    press("showFault");
+    EXPECT_EQ(row(), "1.0"_ring);
+    befall(TrainingFault::wireBreak, "1.0"_ring, 0);
+    press("startAgain");
+    advance(99);
+    EXPECT_TRUE(bus().isRunning());
+    EXPECT_FALSE(banner().isVisible());
+}
+
 TEST_F(FaultBannerInWindow, ShowLeadsToThePlaceAndToThePanelThatTellsMore)
 {
     befall(TrainingFault::wireBreak, "4.0"_ring);
@@ -166,6 +185,23 @@ TEST_F(FaultBannerInWindow, RunIsSentAfterAsking)
     EXPECT_TRUE(k3::isOperation(in(test::baumer)));
 }
 
+// In cam mode run does not change how the position is scaled.
+TEST_F(FaultBannerInWindow, RunOfACamWordIsAboutCams)
+{
+    send(test::fraba, 0x2080'0001);
+    advance(100);
+    send(test::fraba, 0x4200'0064);
+    advance(100);
+    send(test::fraba, 0);
+    advance(100);
+    ASSERT_TRUE(button("sendRun").isVisible()) << banner().sentence().toStdString();
+    const test::Question question([](QWidget &box) { QTest::keyClick(&box, Qt::Key_Return); });
+    press("sendRun");
+    EXPECT_TRUE(question.text().contains(QStringLiteral("switches its cams by these values")))
+        << question.text().toStdString();
+    EXPECT_FALSE(question.text().contains(QStringLiteral("gives its position by these values")));
+}
+
 // In Watch nothing is written, unless a button says that it leaves Watch.
 TEST_F(FaultBannerInWindow, BringBackSaysThatItGoesToOperate)
 {
@@ -222,6 +258,39 @@ TEST_F(FaultBannerInWindow, OfTwoRingsItNamesTheOne)
     befall(TrainingFault::wireBreak, "4.0"_ring);
     EXPECT_TRUE(banner().sentence().startsWith(QStringLiteral("Ring: The cable between 3.0")))
         << banner().sentence().toStdString();
+}
+
+// A PLC takes the cams for a position.
+TEST_F(FaultBannerInWindow, AnEncoderThatAJobHasLeftInCamModeIsBroughtBack)
+{
+    EncoderSession &encoder = *bus().encoder(test::fraba);
+    encoder.tell(Parameter::startUpMode, 1);
+    advance(50);
+    ASSERT_TRUE(encoder.start(WriteCams{
+        .programs = {CamProgram{}}, .onlyWhatDiffers = true, .afterwards = SwitchMode{Mode::position}}));
+    for (int i = 0; i < 300 && encoder.latest().mode != Mode::cam; ++i)
+        advance(1);
+    ASSERT_EQ(encoder.latest().mode, Mode::cam);
+    bus().alarmStop();
+    advance(200);
+    bus().setRunning(true);
+    advance(200);
+    EXPECT_TRUE(banner().sentence().startsWith(QStringLiteral("1.0 was left in cam mode, program 1")))
+        << banner().sentence().toStdString();
+    {
+        const test::Question question = test::Question::answeredBy(QStringLiteral("Cancel"));
+        window().close();
+        EXPECT_TRUE(question.text().contains(QStringLiteral("was left in cam mode, program 1")))
+            << question.text().toStdString();
+    }
+    EXPECT_TRUE(window().isVisible());
+    bus().setOperate(true);
+    advance(50);
+    const test::Question question = test::Question::answeredBy(QStringLiteral("Leave cam mode"));
+    press("backToPositionMode");
+    advance(500);
+    EXPECT_EQ(encoder.latest().mode, Mode::position);
+    EXPECT_FALSE(banner().isVisible());
 }
 
 } // namespace

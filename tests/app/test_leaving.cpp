@@ -80,6 +80,22 @@ TEST_F(LeavingTest, AWordThatBeganAParameterizationIsBroughtBackByRun)
     EXPECT_FALSE(window().isVisible());
 }
 
+TEST_F(LeavingTest, ACamWordIsNotTakenForAParameter)
+{
+    send(fraba, 0x2080'0001);
+    advance(100);
+    send(fraba, 0x4200'0064);
+    advance(100);
+    send(fraba, 0);
+    ASSERT_EQ(in(fraba), 0xC200'0064u);
+    test::Question question = test::Question::answeredBy(QStringLiteral("Leave as they are"));
+    actions().stop->trigger();
+    EXPECT_TRUE(
+        question.text().contains(QStringLiteral("IN (C2000064) says: Acknowledged: Start of cam 1 = 100.")))
+        << question.text().toStdString();
+    EXPECT_FALSE(question.text().contains(QStringLiteral("with the data")));
+}
+
 TEST_F(LeavingTest, AnEncoderThatStaysInParameterizationIsSaidTo)
 {
     send(baumer, 0x0200'00FF);

@@ -17,6 +17,7 @@
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_table.h"
 #include "widgets/parameters/value_input.h"
+#include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/trace/trace_view.h"
@@ -27,16 +28,19 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPointer>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -144,6 +148,36 @@ TEST_F(LanguageInMidWork, WhatIsBeingTypedInTheWizardIsStillBeingTyped)
     EXPECT_EQ(wizard().page(), ParameterWizard::values);
     EXPECT_EQ(steps().text(), QStringLiteral("25"));
     EXPECT_FALSE(window().findChild<WantedValues *>()->value(test::fraba, Parameter::steps)) << "not taken";
+}
+
+TEST_F(LanguageInMidWork, ABusThatNoProjectNamesIsCalledInTheNewLanguage)
+{
+    const auto says = [this](const QString &name) {
+        return QTest::qWaitFor(
+            [&] {
+                window().findChild<StructureView *>()->choose(placeOnLine({5}));
+                const auto labels = window().statusBar()->findChildren<QLabel *>();
+                return std::ranges::any_of(
+                    labels, [&](const QLabel *label) { return label->text().startsWith(name + u':'); });
+            },
+            5000);
+    };
+    EXPECT_TRUE(says(QStringLiteral("Line")));
+    becomeGerman();
+    EXPECT_TRUE(says(QStringLiteral("Leitung")));
+}
+
+TEST_F(LanguageInMidWork, WhatCanBeUndoneIsNamedInTheNewLanguage)
+{
+    auto &wanted = *window().findChild<WantedValues *>();
+    wanted.set(test::fraba, Parameter::steps, Value(255));
+    EXPECT_EQ(window().actions().undo->text(), QStringLiteral("&Undo Steps wanted for 1.0"));
+    becomeGerman();
+    const QString undo = window().actions().undo->text();
+    EXPECT_FALSE(undo.contains(QStringLiteral("wanted"))) << undo.toStdString();
+    EXPECT_TRUE(undo.contains(QStringLiteral("1.0"))) << undo.toStdString();
+    QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(window().findChild<WantedValues *>()->values(test::fraba).empty());
 }
 
 TEST_F(LanguageInMidWork, TheTraceKeepsItsRows)
@@ -276,6 +310,21 @@ TEST_F(WizardFields, WhatIsBeingTypedIsTakenWithWhatIsSaved)
     takeFocusedField();
     EXPECT_TRUE(isWanted());
     EXPECT_TRUE(steps().hasFocus());
+}
+
+TEST_F(WizardFields, TheLetterOfADisabledButtonIsNotTyped)
+{
+    QTest::keyClicks(&steps(), QStringLiteral("99999999"));
+    QTest::keyClick(&steps(), Qt::Key_Tab);
+    ASSERT_FALSE(wizard().findChild<QPushButton *>(QStringLiteral("wizardNext"))->isEnabled());
+    steps().setFocus();
+    steps().deselect();
+    const QString typed = steps().text();
+    QTest::keyClick(&steps(), Qt::Key_N, Qt::AltModifier);
+    EXPECT_EQ(steps().text(), typed);
+    EXPECT_EQ(wizard().page(), ParameterWizard::values);
+    QTest::keyClick(&steps(), Qt::Key_1);
+    EXPECT_EQ(steps().text(), typed + u'1');
 }
 
 TEST_F(WizardFields, AHalfTypedValueIsNotTakenByChoosingAnotherDevice)

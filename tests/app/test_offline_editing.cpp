@@ -51,6 +51,19 @@ protected:
     ParameterValues wanted(Place number) { return shown->project().device(number).wanted; }
 };
 
+TEST_F(OfflineEditing, WhatIsUndoneOfAnotherEncoderIsShown)
+{
+    ASSERT_TRUE(want(4096));
+    tree().choose(baumer);
+    QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(wanted(fraba).empty());
+    EXPECT_EQ(tree().current(), fraba);
+    tree().choose(baumer);
+    actions().redo->trigger();
+    EXPECT_EQ(wanted(fraba), (ParameterValues{{Parameter::steps, 4096}}));
+    EXPECT_EQ(tree().current(), fraba);
+}
+
 TEST_F(OfflineEditing, WantedValuesOfThePlannedEncoderAreEdited)
 {
     goOffline();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The common head of all pages: what it says, and how it closes a page, with mouse and keys.
+#include "language.h"
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_editor.h"
@@ -12,11 +13,13 @@
 #include "widgets/transfer/transfer_page.h"
 #include "widgets/wizard/parameter_wizard.h"
 
+#include <QAbstractScrollArea>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QTreeView>
@@ -58,6 +61,19 @@ protected:
         QTest::mouseClick(&find<QPushButton>("transferBegin"), Qt::LeftButton);
         advance(4);
         return *window().findChild<TransferPage *>();
+    }
+    // 255 steps, by hand.
+    ParameterWizard &toHandshake()
+    {
+        actions().wizard->trigger();
+        auto &wizard = *window().findChild<ParameterWizard *>();
+        while (wizard.page() < ParameterWizard::handshake) {
+            if (wizard.page() == ParameterWizard::values)
+                QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("255"));
+            QTest::mouseClick(&find<QPushButton>("wizardNext"), Qt::LeftButton);
+        }
+        advance(60);
+        return wizard;
     }
     QList<QAction *> opening()
     {
@@ -264,6 +280,65 @@ TEST_F(PagesTest, TheWizardBeginsWithTheEncoderThatIsChosenThen)
     EXPECT_EQ(wizard.page(), ParameterWizard::device);
     EXPECT_EQ(wizard.encoder()->place(), baumer);
 }
+
+TEST_F(PagesTest, AHandshakeIsNotLeftWithoutAWord)
+{
+    choose(fraba);
+    auto &wizard = toHandshake();
+    QTest::mouseClick(&find<QPushButton>("nextStep"), Qt::LeftButton);
+    advance(60);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Stay"));
+        press(Qt::Key_Escape);
+        EXPECT_TRUE(question.text().contains(QStringLiteral("the encoder may give no position")))
+            << question.text().toStdString();
+    }
+    EXPECT_EQ(page(), &wizard);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Close the page"));
+        clickClose();
+        EXPECT_TRUE(question.wasAsked());
+    }
+    EXPECT_EQ(page(), &monitors());
+    actions().wizard->trigger();
+    EXPECT_EQ(wizard.page(), ParameterWizard::handshake);
+    EXPECT_TRUE(wizard.isBusy());
+}
+
+class PagesInLanguage : public PagesTest, public testing::WithParamInterface<const char *>
+{
+protected:
+    PagesInLanguage()
+    {
+        language.use(QLatin1String(GetParam()));
+        open();
+        resizeTo({1024, 640});
+    }
+    ~PagesInLanguage() override { QLocale::setDefault(QLocale::c()); }
+
+private:
+    Language language;
+};
+
+TEST_P(PagesInLanguage, AHandshakeDoesNotScrollSidewaysInASmallWindow)
+{
+    choose(fraba);
+    auto &wizard = toHandshake();
+    auto &next = find<QPushButton>("nextStep");
+    for (int step = 0; wizard.isBusy() && step < 20; ++step) {
+        for (int i = 0; i < 10; ++i)
+            QCoreApplication::processEvents();
+        for (const auto *area : wizard.findChildren<QAbstractScrollArea *>())
+            EXPECT_FALSE(area->isVisible() && area->horizontalScrollBar()->isVisible())
+                << area->objectName().toStdString() << " at step " << step;
+        if (next.isEnabled())
+            QTest::mouseClick(&next, Qt::LeftButton);
+        advance(60);
+    }
+    EXPECT_FALSE(wizard.isBusy());
+}
+
+INSTANTIATE_TEST_SUITE_P(, PagesInLanguage, testing::Values("en", "de"));
 
 TEST_F(PagesTest, AReplacementThatHasBegunIsAskedAbout)
 {

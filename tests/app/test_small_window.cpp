@@ -206,6 +206,9 @@ TEST_P(SmallWindow, AReviewShowsTwoRowsWhatItCostsAndItsButtons)
     const QRect twoRows(0, 0, table.viewport()->width(), table.rowViewportPosition(1) + table.rowHeight(1));
     EXPECT_TRUE(QRegion(twoRows).subtracted(table.viewport()->visibleRegion()).isEmpty())
         << table.viewport()->visibleRegion().boundingRect().height() << " of " << twoRows.height();
+    EXPECT_TRUE(
+        review.findChild<QLabel *>(QStringLiteral("eepromCost"))->text().contains(QStringLiteral("200")))
+        << "what the manual states";
     for (const char *id : {"eepromCost", "confirmWrite"})
         expectWhole(*review.findChild<QWidget *>(QLatin1String(id)));
     QScrollBar &bar = *review.findChild<QScrollArea *>()->verticalScrollBar();

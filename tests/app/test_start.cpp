@@ -227,6 +227,10 @@ TEST_F(StartPageTest, TheTrainingBusLeavesAProjectThatWasOpened)
     EXPECT_TRUE(shown->project().file().isEmpty());
     EXPECT_FALSE(shown->project().project().devices.empty()) << "it is that of the plant";
     EXPECT_EQ(shown->buses().open().size(), 2u);
+    const auto *notice = window().findChild<InlineMessage *>(QStringLiteral("notice"));
+    EXPECT_TRUE(notice->isVisible());
+    EXPECT_TRUE(notice->sentence().startsWith(QStringLiteral("The project crane.codewheel was closed")))
+        << notice->sentence().toStdString();
 }
 
 // As after a gateway was connected without saving.

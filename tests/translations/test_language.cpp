@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "catalog/explain_word.h"
+#include "jobs/job_report.h"
 #include "language.h"
 #include "tests/translations/ts_file.h"
 #include "vocabulary/refusal_text.h"
@@ -12,8 +13,11 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 
+#include <algorithm>
 #include <cstdio>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <vector>
 
 namespace codewheel {
 namespace {
@@ -31,6 +35,24 @@ protected:
             .toStdString();
     }
     QString notes() const { return m_fraba.notesText(); }
+    std::vector<Message> ofJobs() const
+    {
+        const ParameterValue steps{Parameter::steps, 7200};
+        const ParameterValue direction{Parameter::direction, 3};
+        const WriteParameters job{.values = {steps, direction}, .previous = {}};
+        Outcome written{.eepromWrites = 2, .written = {steps, direction}, .alreadyThere = {}, .read = {}};
+        Outcome restored{.eepromWrites = 3, .written = {steps}, .alreadyThere = {}, .read = {}};
+        restored.restored = Evidence::read;
+        restored.camsWritten = {{.number = 1}};
+        std::vector<Message> messages = jobReport(job, written, m_fraba);
+        std::ranges::copy(jobReport(job, restored, m_fraba), std::back_inserter(messages));
+        std::ranges::copy(
+            doubtReport(
+                {.values = {steps}, .reset = true, .camPrograms = {2}, .out = {0x0200'1C20, 0x8000'0000}},
+                m_fraba),
+            std::back_inserter(messages));
+        return messages;
+    }
 
 private:
     Language m_language;
@@ -77,6 +99,26 @@ TEST_F(LanguageTest, GermanHasTheNotesOnDevices)
     EXPECT_TRUE(notes().contains(QStringLiteral("angenommen"))) << qPrintable(notes());
     use("en");
     EXPECT_TRUE(notes().contains(QStringLiteral("assumed"))) << qPrintable(notes());
+}
+
+// As stored messages are: made in one language, read in another.
+TEST_F(LanguageTest, MessagesOfAnEnglishWindowAreReadInGerman)
+{
+    use("en");
+    const std::vector<Message> messages = ofJobs();
+    use("de");
+    QStringList told;
+    for (const Message &message : messages)
+        told << messageText(message);
+    EXPECT_EQ(told.join(u'\n').toStdString(),
+              "Geschrieben und aktiv: Schritte = 7.200, Zählrichtung = cw (Parameter: 2, "
+              "EEPROM-Schreibvorgänge: 2).\n"
+              "Die vorigen Werte wurden wieder geschrieben und zurückgelesen: Schritte = 7.200, "
+              "Nockenprogramm 1 (EEPROM-Schreibvorgänge: 3).\n"
+              "Es ist nicht bekannt, ob der Geber dies hat: Schritte = 7.200, Werkseinstellungen, "
+              "Nockenprogramm 2. Auslesen, um es zu wissen.\n"
+              "In OUT steht vielleicht noch 02001C20 oder 80000000: Der Geber liefert dann "
+              "womöglich keine Position. Zurückholen, sobald der Bus wieder läuft.");
 }
 
 TEST_F(LanguageTest, GermanIsBuiltIn)

@@ -126,7 +126,7 @@ QWidget *FindPage::makePlaces()
     m_host->setMaxLength(longestHostName);
     m_host->setPlaceholderText(QStringLiteral("192.168.0.5"));
     m_tcpPort->setRange(1, lastTcpPort);
-    m_tcpPort->setGroupSeparatorShown(false);
+    leaveSeparatorsOut(*m_tcpPort);
     m_tcpPort->setValue(usualTcpPort);
     auto *port = new QLabel(tr("por&t"), this);
     port->setBuddy(m_tcpPort);

@@ -36,9 +36,13 @@ QStringList restoringTexts(const EncoderSession &encoder, const CancelSituation 
                                "encoder would show yet another one: they are not restored.")};
     if (!situation.canRestore)
         return {CancelQuestion::tr("The earlier values are not all known, so they cannot be restored.")};
-    QStringList lines{CancelQuestion::tr("Restore writes the earlier values again and runs with them. EEPROM "
-                                         "writes for that: %1 at most.")
-                          .arg(situation.writesToRestore)};
+    const QString restore =
+        activatesByRun(encoder.device())
+            ? CancelQuestion::tr("Restore writes the earlier values again and runs with them. EEPROM "
+                                 "writes for that: %1 at most.")
+            : CancelQuestion::tr(
+                  "Restore writes the earlier values again. EEPROM writes for that: %1 at most.");
+    QStringList lines{restore.arg(situation.writesToRestore)};
     if (!situation.isActive && restoresBehindRun(encoder.device()))
         lines +=
             CancelQuestion::tr("Before that, run makes valid what it has taken: until the earlier values are "
@@ -58,8 +62,8 @@ QString explanation(const EncoderSession &encoder, const CancelSituation &situat
         lines += CancelQuestion::tr("What it has taken is valid already.");
     else
         lines += CancelQuestion::tr("Run makes what it has taken valid.");
-    if (!situation.positionNote.isEmpty())
-        lines += situation.positionNote;
+    if (situation.positionNote)
+        lines += situation.positionNote();
     if (!situation.isActive)
         lines +=
             CancelQuestion::tr("Left in parameterization, it gives no position until somebody sends run.");
@@ -94,7 +98,7 @@ CancelSituation situationOf(const EncoderSession &encoder, const Progress &progr
             .isActive = !activatesByRun(encoder.device()) || isActive,
             .canRestore = progress.canRestore,
             .setsPosition = progress.setsPosition,
-            .writesToRestore = mostWritesToRestore(progress),
+            .writesToRestore = mostWritesToRestore(encoder, progress),
             .positionNote = {}};
 }
 
@@ -126,9 +130,13 @@ CancelQuestion::CancelQuestion(QWidget *parent)
 
 void CancelQuestion::ask(EncoderSession &encoder, const CancelSituation &situation)
 {
+    if (m_encoder)
+        m_encoder->disconnect(this);
     m_encoder = &encoder;
     m_situation = situation;
-    m_text->setText(explanation(encoder, situation));
+    explain();
+    if (situation.positionNote)
+        connect(&encoder, &EncoderSession::latestChanged, this, &CancelQuestion::explain);
     m_restore->setEnabled(situation.canRestore);
     m_run->setVisible(!situation.isActive);
     m_leave->setText(situation.isActive ? tr("&Leave it with what it has")
@@ -138,6 +146,11 @@ void CancelQuestion::ask(EncoderSession &encoder, const CancelSituation &situati
     show();
     m_goOn->setDefault(true); // it changes nothing and costs nothing
     m_goOn->setFocus();
+}
+
+void CancelQuestion::explain()
+{
+    m_text->setText(explanation(*m_encoder, m_situation));
 }
 
 void CancelQuestion::answer(OnCancel how)
@@ -167,8 +180,12 @@ std::optional<OnCancel> askHowToCancel(QWidget *parent, EncoderSession &encoder,
     QObject::connect(&encoder, &EncoderSession::finished, &dialog, &QDialog::reject);
     QObject::connect(&encoder, &QObject::destroyed, &dialog, &QDialog::reject);
     question->ask(encoder, situation);
-    // Once it has a width, it is known how high its text is.
-    QTimer::singleShot(0, &dialog, [&dialog] { dialog.resize(dialog.width(), dialog.sizeHint().height()); });
+    // Once it has a width, it is known how high its text is; beside a scroll bar it was higher than that.
+    const auto fit = [&dialog] { dialog.resize(dialog.width(), dialog.sizeHint().height()); };
+    QTimer::singleShot(0, &dialog, [&dialog, fit] {
+        fit();
+        QTimer::singleShot(0, &dialog, fit);
+    });
     dialog.exec();
     return answer;
 }

@@ -6,6 +6,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <functional>
+
 class QLabel;
 class QPushButton;
 
@@ -20,7 +22,9 @@ struct CancelSituation
     bool canRestore = false;   // the previous values are known, and the position was not set
     bool setsPosition = false; // or may have
     int writesToRestore = 0;   // to the EEPROM, at most
-    QString positionNote;      // what the position will read if it runs with what it has; may be empty
+    // What the position will read if it keeps what it has, or that it is not known; asked again as the shaft
+    // moves. May be empty.
+    std::function<QString()> positionNote{};
 };
 
 // For a job whose latest progress this is.
@@ -45,6 +49,7 @@ Q_SIGNALS:
 
 private:
     void answer(OnCancel how);
+    void explain();
 
     QPointer<EncoderSession> m_encoder;
     CancelSituation m_situation;

@@ -187,7 +187,6 @@ void JobReview::showContents()
         m_problem->showMessage(Role::attention, refusalText(*shown.problem));
     else
         m_problem->withdraw();
-    shown.notes << statedText(*m_encoder);
     shown.notes.removeAll(QString());
     m_notes->setText(shown.problem ? QString() : shown.notes.join(u'\n'));
     m_cost->setVisible(!shown.problem);
@@ -202,7 +201,7 @@ void JobReview::allow()
 // What has to be agreed to may be further down.
 void JobReview::showCost()
 {
-    QStringList sentences{atMostText(m_writes)};
+    QStringList sentences{m_encoder ? eepromCostText(*m_encoder, m_writes) : atMostText(m_writes)};
     if (!m_gate->isOpen())
         sentences << tr("Agree to that first, at the end of the list.");
     m_cost->setText(sentences.join(u' '));

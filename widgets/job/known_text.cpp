@@ -2,6 +2,9 @@
 #include "widgets/job/known_text.h"
 
 #include "catalog/value_text.h"
+#include "jobs/job_report.h"
+#include "jobs/value_notes.h"
+#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -17,6 +20,21 @@ struct KnownText
 {
     Q_DECLARE_TR_FUNCTIONS(KnownText)
 };
+
+// The positions of the job, or that of now.
+QStringList whereItWent(const EncoderSession &encoder, const Outcome &outcome)
+{
+    if (outcome.leftIn != EncoderState::operation)
+        return {};
+    const auto after =
+        outcome.positionAfter || !encoder.showsPosition() ? outcome.positionAfter : encoder.latest().position;
+    if (!after)
+        return {};
+    return {outcome.positionBefore && outcome.positionBefore != after
+                ? KnownText::tr("The position went from %1 to %2.")
+                      .arg(numberText(*outcome.positionBefore), numberText(*after))
+                : KnownText::tr("The position is %1.").arg(numberText(*after))};
+}
 
 } // namespace
 
@@ -117,6 +135,26 @@ QStringList positionNowTexts(const EncoderSession &encoder)
            << movementTexts(encoder);
 }
 
+bool isCancelled(const Outcome &outcome)
+{
+    return !outcome.result && outcome.result.error().id == RefusalId::cancelled;
+}
+
+QStringList validNowTexts(const EncoderSession &encoder, const Outcome &outcome)
+{
+    if (outcome.restored || outcome.written.empty())
+        return {};
+    ParameterValues values = outcome.written;
+    for (const ParameterValue &along : outcome.setAlong)
+        replaceValue(values, along);
+    const QString list = valueList(encoder.device(), values);
+    const auto unscaled = scalingNote(encoder, values);
+    const QString valid =
+        unscaled ? KnownText::tr("Written: %1.", "names and values").arg(list) + u' ' + noteText(*unscaled)
+                 : KnownText::tr("Valid now: %1.", "names and values").arg(list);
+    return QStringList(valid) << whereItWent(encoder, outcome);
+}
+
 QString leftInText(EncoderState state)
 {
     switch (state) {
@@ -148,7 +186,10 @@ QString endText(const Outcome &outcome)
         sentences << KnownText::tr("The position was set before, and stays so.");
     if (outcome.restored)
         sentences << restoredText(outcome.restored);
-    return (sentences << leftInText(outcome.leftIn)).join(u' ');
+    sentences << leftInText(outcome.leftIn);
+    if (outcome.leftInMode)
+        sentences << messageText(leftModeMessage(*outcome.leftInMode));
+    return sentences.join(u' ');
 }
 
 } // namespace codewheel

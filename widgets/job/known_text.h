@@ -31,6 +31,11 @@ QString restoredText(const std::optional<Evidence> &restored);
 QStringList movementTexts(const EncoderSession &encoder);
 QStringList positionNowTexts(const EncoderSession &encoder);
 
+bool isCancelled(const Outcome &outcome);
+// What a cancelled job wrote, which is valid now, and where the position went. Empty if nothing was written,
+// or all was restored.
+QStringList validNowTexts(const EncoderSession &encoder, const Outcome &outcome);
+
 // The state an encoder was left in, as a sentence.
 QString leftInText(EncoderState state);
 // Both: the restored values, and the state it was left in.

@@ -99,9 +99,14 @@ QString modeSentence(const Reading &reading)
                : OutcomeText::tr("In which mode the encoder is now is not known.");
 }
 
-QString successText(const EncoderSession &encoder, const Outcome &outcome)
+QString resetText(const Outcome &outcome)
 {
-    QStringList sentences = doneTexts(encoder, outcome);
+    return messageText({.id = MessageId::resetDone, .arguments = {std::int64_t{outcome.eepromWrites}}});
+}
+
+QString successText(const EncoderSession &encoder, const Outcome &outcome, bool isReset)
+{
+    QStringList sentences = isReset ? QStringList{resetText(outcome)} : doneTexts(encoder, outcome);
     if (encoder.device().mayHaveModes() && encoder.latest().mode != Mode::position)
         sentences << modeSentence(encoder.latest());
     if (!outcome.alreadyThere.empty())
@@ -147,16 +152,18 @@ QString programList(const std::vector<CamProgram> &programs)
     return numbers.join(QStringLiteral(", "));
 }
 
-JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome, const DoneJobs &before)
+JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome, const DoneJobs &before, bool isReset)
 {
     const WayBack way = wayBack(encoder.device(), outcome.leftIn);
     if (outcome.result)
         return {.role = way == WayBack::none ? Role::running : Role::attention,
-                .text = successText(encoder, before.followedBy(outcome)),
+                .text = successText(encoder, before.followedBy(outcome), isReset),
                 .wayBack = wayBackText(way)};
     const Refusal &why = outcome.result.error();
+    const QStringList validTexts = isCancelled(outcome) ? validNowTexts(encoder, outcome) : QStringList();
     return {.role = why.kind == RefusalKind::device ? Role::fault : Role::attention,
-            .text = (QStringList{refusalText(why), endText(before.followedBy(outcome))} +
+            .text = (QStringList(refusalText(why)) + validTexts +
+                     QStringList(endText(before.followedBy(outcome))) +
                      doubtSentences(outcome.inDoubt, encoder.device()) + perhapsWritten(outcome) +
                      doneBefore(encoder, before))
                         .join(u' '),

@@ -17,7 +17,9 @@ struct JobEnd
     QString text;
     QString wayBack; // on a button, if the encoder was left in a state it can be brought back from
 };
-// `before`: the jobs of the same handshake, which are told along with it.
-JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome, const DoneJobs &before = {});
+// `before`: the jobs of the same handshake, which are told along with it. `isReset`: it was the reset to
+// factory settings.
+JobEnd endOf(const EncoderSession &encoder, const Outcome &outcome, const DoneJobs &before = {},
+             bool isReset = false);
 
 } // namespace codewheel

@@ -48,11 +48,11 @@ constexpr int tableLines = 5;     // that are worth having beside it: its head a
 
 } // namespace
 
-ParameterPanel::ParameterPanel(WantedValues &wanted, QWidget *parent)
+ParameterPanel::ParameterPanel(const Buses &buses, WantedValues &wanted, QWidget *parent)
     : QWidget(parent)
     , m_wanted(wanted)
     , m_model(new ParameterModel(wanted, this))
-    , m_functions(new EncoderFunctions(this))
+    , m_functions(new EncoderFunctions(buses, this))
     , m_whose(new QLabel(this))
     , m_pages(new QStackedWidget(this))
     , m_empty(new EmptyState(Icon::parameters, {}, {}, this))
@@ -213,6 +213,7 @@ void ParameterPanel::setEncoder(const ShownEncoder &encoder)
     if (session() != nullptr)
         session()->disconnect(this);
     const auto typed = m_table->typed();
+    const QString before = m_encoder.isThere() ? m_encoder.place().shown() : QString();
     m_encoder = encoder;
     m_message->withdraw();
     m_bar->hide();
@@ -234,8 +235,8 @@ void ParameterPanel::setEncoder(const ShownEncoder &encoder)
     showRunningJob();
     if (typed)
         m_message->showMessage(Role::attention,
-                               tr("What was being typed for the encoder before was not taken: %1 %2.")
-                                   .arg(parameterName(typed->parameter), typed->text));
+                               tr("What was being typed for encoder %1 was not taken: %2 %3.")
+                                   .arg(before, parameterName(typed->parameter), typed->text));
 }
 
 QAction &ParameterPanel::isInPositionMode() const
@@ -466,7 +467,7 @@ void ParameterPanel::askWhatItHas()
 // For encoders whose command carries the value with it.
 void ParameterPanel::askWherePositionIs()
 {
-    if (!session())
+    if (!session() || m_functions->isRefusedInWatch())
         return;
     m_bar->ask({.parameter = positionToSet(*session()),
                 .label = tr("The position here is to be"),
@@ -542,10 +543,8 @@ void ParameterPanel::showRunningJob()
 void ParameterPanel::finished(const Outcome &outcome)
 {
     showRunningJob();
-    const bool resetWaits =
-        m_functions->isReset(outcome.job) && outcome.leftIn == EncoderState::parameterization;
     m_end.reset();
-    if (resetWaits) // without the way back: run would carry out the reset
+    if (outcome.resetWaits) // without the way back: run would carry out the reset
         showMessage(Cause::outcome, Role::attention, messageText({.id = MessageId::resetWaitsForRun}));
     else
         showEnd(outcome);
@@ -553,7 +552,7 @@ void ParameterPanel::finished(const Outcome &outcome)
 
 void ParameterPanel::showEnd(const Outcome &outcome)
 {
-    const JobEnd end = endOf(*session(), outcome, doneBefore(outcome.job));
+    const JobEnd end = endOf(*session(), outcome, doneBefore(outcome.job), m_functions->isReset(outcome.job));
     m_end = outcome;
     m_endedAt = session()->latest().at;
     showMessage(Cause::outcome, end.role, end.text, end.wayBack);
@@ -578,10 +577,15 @@ void ParameterPanel::followState()
     const bool isTold = m_end && m_cause == Cause::outcome && !m_message->isHidden();
     if (!isTold || session()->runningJob() || !isSeenSince(*session(), m_endedAt))
         return;
-    if (wayBack(session()->device(), m_end->leftIn) == WayBack::none ||
-        session()->latest().state != EncoderState::operation)
+    const bool isBack =
+        m_end->leftIn != EncoderState::operation && session()->latest().state == EncoderState::operation;
+    const bool hasModeBack = m_end->leftInMode && session()->latest().mode == Mode::position;
+    if (!isBack && !hasModeBack)
         return;
-    m_end->leftIn = EncoderState::operation;
+    if (isBack)
+        m_end->leftIn = EncoderState::operation;
+    if (hasModeBack)
+        m_end->leftInMode.reset();
     showEnd(*m_end);
 }
 

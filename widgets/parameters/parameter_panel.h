@@ -17,6 +17,7 @@ class QToolButton;
 
 namespace codewheel {
 
+class Buses;
 class CopyMenu;
 class EmptyState;
 class EncoderFunctions;
@@ -39,7 +40,8 @@ class ParameterPanel : public QWidget
     Q_OBJECT
 
 public:
-    explicit ParameterPanel(WantedValues &wanted, QWidget *parent = nullptr);
+    // Buses and wanted values must outlive the panel.
+    ParameterPanel(const Buses &buses, WantedValues &wanted, QWidget *parent = nullptr);
 
     // What is being typed in the table, and typed again in the panel in another language.
     std::optional<ParameterTable::Typed> typed() const { return m_table->typed(); }

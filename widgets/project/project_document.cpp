@@ -249,6 +249,12 @@ void ProjectDocument::push(Project after, std::vector<DeviceId> ids, std::map<Pl
         m_undo.push(step.release());
 }
 
+void ProjectDocument::nameStepsAnew()
+{
+    for (int i = 0; i < m_undo.count(); ++i)
+        static_cast<ProjectStep *>(const_cast<QUndoCommand *>(m_undo.command(i)))->nameAnew();
+}
+
 ProjectDocument::Content ProjectDocument::content() const
 {
     Project header = m_project;

@@ -82,6 +82,8 @@ public:
 
     static constexpr int mostSteps = 1'000; // to be undone; older ones are dropped
     QUndoStack &undoStack() { return m_undo; }
+    // The language has changed: they were named in the one before.
+    void nameStepsAnew();
 
 Q_SIGNALS:
     void changed();     // anything of the project or of its devices

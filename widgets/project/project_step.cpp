@@ -75,6 +75,14 @@ std::vector<Place> ProjectStep::places() const
     return places;
 }
 
+void ProjectStep::nameAnew()
+{
+    const std::vector<Place> changed = places();
+    const bool isOfOneDevice = changed.size() == 1 && !changed.front().isEmpty();
+    setText(isOfOneDevice ? tr("Change of %1", "a device").arg(changed.front().shown())
+                          : tr("Earlier change"));
+}
+
 // Merges only changes to the same devices in the same gesture, so that the two spans are the same.
 bool ProjectStep::mergeWith(const QUndoCommand *next)
 {

@@ -3,6 +3,7 @@
 
 #include "widgets/project/project_document.h"
 
+#include <QCoreApplication>
 #include <QUndoCommand>
 
 namespace codewheel {
@@ -20,6 +21,8 @@ struct ProjectDocument::Content
 // last that changed.
 class ProjectStep final : public QUndoCommand
 {
+    Q_DECLARE_TR_FUNCTIONS(codewheel::ProjectStep)
+
 public:
     using Devices = std::vector<ProjectDevice>;
     using Ids = std::vector<ProjectDocument::DeviceId>;
@@ -29,6 +32,7 @@ public:
 
     bool changesNothing() const { return m_before == m_after; }
     std::vector<Place> places() const; // devices and buses whose plan it changes, devices first
+    void nameAnew();                   // in the present language, after the device it changes
 
     void undo() override;
     void redo() override;

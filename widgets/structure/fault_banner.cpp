@@ -29,6 +29,7 @@ FaultBanner::FaultBanner(OfferOf offerOf, QWidget *parent)
          {std::pair(FaultAction::start, "startAgain"), std::pair(FaultAction::switchOff, "switchFaultOff"),
           std::pair(FaultAction::confirm, "confirmFault"),
           std::pair(FaultAction::acknowledge, "acknowledgeWatchdog"), std::pair(FaultAction::run, "sendRun"),
+          std::pair(FaultAction::positionMode, "backToPositionMode"),
           std::pair(FaultAction::bringBack, "bringBack")}) {
         QToolButton *button = makeButton(id, tr("What can be done"), tr("What can be done about the fault"));
         addButton(button);

@@ -9,6 +9,7 @@
 #include <QGridLayout>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include <cmath>
 
@@ -18,11 +19,21 @@ namespace {
 
 constexpr int wheelSide = 54;
 
+// Has the focus once it was dragged; a mouse wheel that comes by scrolls the panel all the same.
+class DraggedDial : public QDial
+{
+public:
+    using QDial::QDial;
+
+protected:
+    void wheelEvent(QWheelEvent *event) override { event->ignore(); }
+};
+
 } // namespace
 
 HandWheel::HandWheel(QWidget *parent)
     : QWidget(parent)
-    , m_wheel(describe(new QDial(this), tr("Wheel"),
+    , m_wheel(describe(new DraggedDial(this), tr("Wheel"),
                        tr("Turn the shaft by hand: drag, or use the arrow keys and Page Up, Page Down")))
 {
     m_wheel->setRange(0, places);

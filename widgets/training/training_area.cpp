@@ -33,7 +33,7 @@ TrainingArea::TrainingArea(const QString &toolTip, QWidget *parent)
     training_fields::addCaption(device, 0, tr("Device"), m_device);
     device->addWidget(m_device, 0, 1);
     m_column->addLayout(device);
-    connect(m_device, &QComboBox::currentIndexChanged, this, &TrainingArea::choose);
+    connect(m_device, &QComboBox::currentIndexChanged, this, [this] { choose(); });
     m_afresh->setAutoDefault(false);
     m_afresh->hide();
     connect(m_afresh, &QPushButton::clicked, this, &TrainingArea::afreshWanted);
@@ -60,7 +60,7 @@ void TrainingArea::setDevices(std::vector<Place> devices, const QString &bus)
     for (const Place place : m_devices)
         m_device->addItem(place.isEmpty() ? bus : place.toString());
     if (m_lastChosen)
-        setDevice(*m_lastChosen);
+        choose(*m_lastChosen);
     content()->setEnabled(!m_devices.empty());
     choose();
 }
@@ -76,7 +76,14 @@ void TrainingArea::choose()
     refresh();
 }
 
+// It may have moved since the last frame.
 void TrainingArea::setDevice(Place place)
+{
+    refresh();
+    choose(place);
+}
+
+void TrainingArea::choose(Place place)
 {
     const auto found = std::ranges::find(m_devices, place);
     if (found != m_devices.end())

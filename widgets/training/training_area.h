@@ -23,7 +23,8 @@ class TrainingArea : public ScrolledPanel
 public:
     // Chooses this device, if it has anything to train with.
     void setDevice(Place place);
-    // Shows the present state; called by the window with each frame.
+    // Shows the present state, and lists the devices that are there now; called by the window with each
+    // frame.
     virtual void refresh() = 0;
     // Whether the whole bus can begin anew. Without a call there is no button for it.
     void offerAfresh(bool canBegin, const QString &toolTip);
@@ -45,6 +46,7 @@ protected:
 
 private:
     void choose();
+    void choose(Place place); // unless it is not listed
 
     std::vector<Place> m_devices; // by index of the field
     std::optional<Place> m_chosen;

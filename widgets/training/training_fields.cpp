@@ -7,7 +7,6 @@
 
 #include <QAbstractSpinBox>
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -84,7 +83,7 @@ QGridLayout *fieldGrid()
     return fields;
 }
 
-void addSpeed(QGridLayout *grid, int row, const QString &caption, QDoubleSpinBox *speed, double fastest,
+void addSpeed(QGridLayout *grid, int row, const QString &caption, DecimalField *speed, double fastest,
               const QString &stopName)
 {
     speed->setRange(-fastest, fastest);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/input/number_fields.h"
 #include "widgets/look/icons.h"
 
 #include <QString>
 
 class QAbstractSpinBox;
 class QCheckBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QToolButton;
@@ -24,7 +24,7 @@ QCheckBox *addBox(QVBoxLayout *column, const QString &text, const QString &toolT
 // Two columns, captions and fields, with room for a button after them.
 QGridLayout *fieldGrid();
 // The speed of something that moves, with a button that stops it.
-void addSpeed(QGridLayout *grid, int row, const QString &caption, QDoubleSpinBox *speed, double fastest,
+void addSpeed(QGridLayout *grid, int row, const QString &caption, DecimalField *speed, double fastest,
               const QString &stopName);
 void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field);
 void addNumber(QGridLayout *grid, int row, const QString &text, QLabel *number);

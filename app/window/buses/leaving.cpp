@@ -3,8 +3,10 @@
 
 #include "bus/buses.h"
 #include "bus/word_channel.h"
+#include "jobs/job_report.h"
 #include "jobs/what_run_makes_valid.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/job/cancel_question.h"
 
@@ -160,14 +162,15 @@ bool Leaving::askAboutZeros()
     return m_zerosAnswered;
 }
 
-// With a word in OUT, or an encoder that nobody has brought back from a parameterization.
+// With a word in OUT, or an encoder that nobody has brought back from a parameterization or another mode.
 std::vector<Place> Leaving::devicesToAskFor() const
 {
     std::vector<Place> devices;
     for (const EncoderBus *bus : buses()) {
         std::ranges::copy(devicesWithOut(*bus), std::back_inserter(devices));
         for (const Place place : bus->places())
-            if (isInParameterization(place) && std::ranges::count(devices, place) == 0)
+            if ((isInParameterization(place) || isInOtherMode(place)) &&
+                std::ranges::count(devices, place) == 0)
                 devices.push_back(place);
     }
     return devices;
@@ -178,6 +181,12 @@ bool Leaving::isInParameterization(Place device) const
     const EncoderSession *encoder = m_buses->encoder(device);
     return encoder != nullptr && (encoder->freshness().isLive() || isLost(device)) &&
            encoder->latest().state == EncoderState::parameterization;
+}
+
+bool Leaving::isInOtherMode(Place device) const
+{
+    const EncoderSession *encoder = m_buses->encoder(device);
+    return encoder != nullptr && encoder->leftInMode();
 }
 
 // What its device shows is as it was last seen.
@@ -281,6 +290,9 @@ QString Leaving::stateOf(Place device) const
                     : tr("OUT %1 was %2 when last seen"))
             .arg(device.shown(), word);
     const QString out = tr("OUT %1 is %2").arg(device.shown(), word);
+    if (isInOtherMode(device) && !isInParameterization(device))
+        return tr("%1. %2", "OUT 1.0 is 020000FF, a sentence")
+            .arg(out, messageText(leftModeMessage(*m_buses->encoder(device)->leftInMode())));
     return isInParameterization(device)
                ? tr("%1. The encoder is in parameterization, and stays there without a position until run is "
                     "sent. %2",
@@ -293,8 +305,11 @@ QString Leaving::headline(const std::vector<Place> &devices, bool needsRun) cons
 {
     if (std::ranges::any_of(devices, [this](Place device) { return isLost(device); }))
         return tr("The link is lost.");
-    return needsRun ? tr("An encoder has been left in parameterization.")
-                    : tr("Not all OUT words are 00000000.");
+    if (needsRun)
+        return tr("An encoder has been left in parameterization.");
+    return std::ranges::any_of(devices, [this](Place device) { return isInOtherMode(device); })
+               ? tr("An encoder has not been left in position mode.")
+               : tr("Not all OUT words are 00000000.");
 }
 
 // True: go on now. False: the user stays, or the zeros are being sent.
@@ -309,7 +324,9 @@ bool Leaving::askForOut(const std::vector<Place> &devices, Asked asked)
     QMessageBox box(QMessageBox::Question, title(), headline(devices, needsRun), QMessageBox::NoButton,
                     &m_window);
     setHelpTopic(box, "README.md#leaving");
-    const QString question = !whyNot.isEmpty()
+    const QString question = !hasOut && !needsRun && whyNot.isEmpty()
+                                 ? tr("Leave it as it is? Otherwise cancel, and switch it to position mode.")
+                             : !whyNot.isEmpty()
                                  ? tr("%1. Leave them as they are?", "why nothing can be sent").arg(whyNot)
                              : needsRun ? tr("What shall be sent first?")
                                         : tr("Set them to 00000000 (normal running) first?");
@@ -337,7 +354,7 @@ bool Leaving::askForOut(const std::vector<Place> &devices, Asked asked)
     const QPushButton *leave = add(tr("&Leave as they are"), QMessageBox::DestructiveRole,
                                    tr("Goes on without sending anything"), {});
     QPushButton *cancel = box.addButton(QMessageBox::Cancel);
-    box.setDefaultButton(whyNot.isEmpty() && !needsRun ? zeros : cancel);
+    box.setDefaultButton(whyNot.isEmpty() && hasOut && !needsRun ? zeros : cancel);
     bool isOld = false;
     const QObject whileOpen;
     connect(m_buses, &Buses::updated, &whileOpen, [&] {

@@ -47,6 +47,7 @@ private:
     void zero(const std::vector<Place> &devices, bool runsFirst);
     std::vector<Place> devicesToAskFor() const;
     bool isInParameterization(Place device) const; // or was, when the link was lost
+    bool isInOtherMode(Place device) const;        // in which a job that was cut off has left it
     bool isLost(Place device) const;               // the link to it
     QStringList statesOf(const std::vector<Place> &devices) const;
     QString stateOf(Place device) const;

@@ -53,8 +53,10 @@ QString Plant::nameOf(BusId bus) const
 void Plant::callBuses()
 {
     const Names before = std::exchange(m_called, {});
-    for (const PlannedBus &planned : m_surroundings.project.project().buses)
+    for (const PlannedBus &planned : m_surroundings.project.project().buses) {
         m_called[planned.id] = planned.name;
+        m_named.insert(planned.id);
+    }
     const auto isTaken = [this](const QString &name) {
         return std::ranges::find(m_called, name, &Names::value_type::second) != m_called.end();
     };
@@ -64,6 +66,12 @@ void Plant::callBuses()
         if (!m_called.contains(bus->id()))
             m_called[bus->id()] = freeName(name, isTaken);
     }
+}
+
+void Plant::nameAnew()
+{
+    std::erase_if(m_called, [this](const auto &called) { return !m_named.contains(called.first); });
+    nameBuses();
 }
 
 BusAtWork *Plant::find(BusId bus) const
@@ -142,6 +150,7 @@ void Plant::removeUnneeded()
             m_sessions.remove(bus->bus());
             Q_EMIT aboutToRemove(bus);
             m_called.erase(bus->id());
+            m_named.erase(bus->id());
             std::erase_if(m_buses, [bus](const auto &its) { return its.get() == bus; });
         }
     nameBuses();

@@ -7,6 +7,10 @@
 #include "history/histories.h"
 #include "transfer/last_positions.h"
 
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace codewheel {
@@ -55,6 +59,8 @@ public:
 
     // Connects the training buses, which start in Operate.
     void openTraining();
+    // Names that no project has given are made in the present language.
+    void nameAnew();
     // In threads of their own from now on, unless they are driven by hand.
     void start();
 
@@ -73,6 +79,7 @@ private:
     const BusAtWork::Surroundings m_surroundings;
     using Names = std::map<BusId, QString>;
     Names m_called;                  // each one unique
+    std::set<BusId> m_named;         // those of them that a project has given
     std::pair<Names, Names> m_names; // of those whose places others may also have, and of all
     Buses m_sessions;
     Histories m_histories{m_sessions};

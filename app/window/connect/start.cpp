@@ -122,7 +122,7 @@ void Start::openTraining()
                 Q_EMIT trainingRequested(bus->id());
         return;
     }
-    if (!m_parts.files.makeNew())
+    if (!m_parts.files.makeNewForTraining())
         return;
     m_parts.plant.openTraining();
     m_parts.plant.start();

@@ -6,6 +6,7 @@
 #include "project/file_access.h"
 #include "project/project_file.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/shown_text.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/inline_message.h"
@@ -106,6 +107,19 @@ bool ProjectFiles::makeNew()
         return false;
     m_notice.withdraw();
     m_document.setProject({}, {});
+    return true;
+}
+
+bool ProjectFiles::makeNewForTraining()
+{
+    const QString closed = m_document.file();
+    if (!makeNew())
+        return false;
+    if (!closed.isEmpty())
+        m_notice.showMessage(
+            Role::running,
+            tr("The project %1 was closed: the training bus has its own. File > Recent files opens it again.")
+                .arg(shownInLine(QFileInfo(closed).fileName())));
     return true;
 }
 

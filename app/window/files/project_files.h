@@ -38,6 +38,8 @@ public:
     // nothing was opened.
     bool open(const QString &path);
     bool makeNew();
+    // The same for the training bus, which says what was closed.
+    bool makeNewForTraining();
     // With a dialog.
     bool askOpen();
     // Removes it from the recent files.

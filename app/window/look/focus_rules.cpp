@@ -3,7 +3,9 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QShortcutEvent>
@@ -19,9 +21,33 @@ FocusRules::FocusRules(QStackedWidget &pages, QObject *parent)
     connect(qApp, &QApplication::focusChanged, this, [](QWidget *, QWidget *now) { bringIntoSight(now); });
 }
 
+namespace {
+
+bool takesLetters(const QObject &object)
+{
+    const auto *widget = qobject_cast<const QWidget *>(&object);
+    return widget != nullptr && (widget->testAttribute(Qt::WA_InputMethodEnabled) ||
+                                 qobject_cast<const QComboBox *>(widget) != nullptr);
+}
+
+// Alt and a letter that no button has at the moment, or only one that is disabled: a field would take the
+// letter as typed.
+bool isLetterOfNoButton(const QObject &watched, const QEvent &event)
+{
+    if (event.type() != QEvent::KeyPress || !takesLetters(watched))
+        return false;
+    const auto &key = static_cast<const QKeyEvent &>(event);
+    const bool isAlt = (key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::AltModifier;
+    return isAlt && !key.text().isEmpty() && key.text().front().isPrint();
+}
+
+} // namespace
+
 // Qt would give each in turn only the focus.
 bool FocusRules::eventFilter(QObject *watched, QEvent *event)
 {
+    if (isLetterOfNoButton(*watched, *event))
+        return true;
     if (event->type() != QEvent::Shortcut || !static_cast<QShortcutEvent *>(event)->isAmbiguous())
         return QObject::eventFilter(watched, event);
     const QWidget *part = partWithFocus();

@@ -133,9 +133,9 @@ void RecordingAtWork::finish()
     const QString file = ended->plan().settings.file;
     if (m_problem == RefusalId::recordingGone)
         return;
-    const QString size = QLocale().formattedDataSize(QFileInfo(file).size(), 1, QLocale::DataSizeSIFormat);
-    Q_EMIT messaged({.id = MessageId::recordingEnded, .arguments = {file, size}});
-    Q_EMIT this->ended(file, size);
+    const qint64 size = QFileInfo(file).size();
+    Q_EMIT messaged({.id = MessageId::recordingEnded, .arguments = {file, std::int64_t{size}}});
+    Q_EMIT this->ended(file, QLocale().formattedDataSize(size, 1, QLocale::DataSizeSIFormat));
 }
 
 } // namespace codewheel

@@ -156,7 +156,7 @@ TEST_F(CamEditorView, WhatIsNoNumberIsToldAsSuch)
     shift().setFocus();
     shift().selectAll();
     QTest::keyClicks(&shift(), QStringLiteral("2.5"));
-    EXPECT_EQ(message(), QStringLiteral("\"2.5\" is not a whole number. Digits only: 1000."));
+    EXPECT_EQ(message(), QStringLiteral("\"2.5\" is not a whole number. Digits only, for example 1000."));
     shift().selectAll();
     QTest::keyClicks(&shift(), QStringLiteral("two"));
     EXPECT_EQ(message(), QStringLiteral("\"two\" is not a number."));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter panel on the training bus, in virtual time, with mouse and keys.
+#include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "kinds/interbus/ring/ring_session.h"
@@ -128,7 +129,8 @@ protected:
     RingSession bus{std::move(training.link), catalog, QDateTime(QDate(2026, 3, 2), QTime(14, 2))};
     ProjectDocument project;
     WantedValues wanted{project};
-    ParameterPanel panel{wanted};
+    Buses buses;
+    ParameterPanel panel{buses, wanted};
 };
 
 TEST_F(Parameters, WithoutAnEncoderItSaysWhatBelongsHere)
@@ -353,6 +355,32 @@ TEST_F(Parameters, EscapeGivesBadInputUp)
     EXPECT_EQ(wanted.value(fraba, Parameter::steps), std::nullopt);
 }
 
+TEST_F(Parameters, AFieldLeftByReturnOrEscapeIsClosedOnce)
+{
+    static QStringList warnings;
+    const QtMessageHandler before = qInstallMessageHandler(
+        [](QtMsgType, const QMessageLogContext &, const QString &text) { warnings << text; });
+    panel.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&panel));
+    want(Parameter::steps, QStringLiteral("255"));
+    clickWanted(Parameter::revolutions);
+    QTest::keyClick(panel.findChild<ValueInput *>(), Qt::Key_1);
+    QTest::keyClick(panel.findChild<ValueInput *>(), Qt::Key_Escape);
+    settle();
+    qInstallMessageHandler(before);
+    EXPECT_TRUE(warnings.filter(QStringLiteral("does not belong")).isEmpty())
+        << warnings.join(u'\n').toStdString();
+    EXPECT_EQ(wanted.values(fraba), (ParameterValues{{Parameter::steps, 255}}));
+}
+
+TEST_F(Parameters, WhatWasTypedForAnotherEncoderIsToldWithItsPlace)
+{
+    clickWanted(Parameter::steps);
+    QTest::keyClicks(panel.findChild<ValueInput *>(), QStringLiteral("77"));
+    panel.setEncoder(bus.encoder(baumer));
+    EXPECT_EQ(message(), QStringLiteral("What was being typed for encoder 1.0 was not taken: Steps 77."));
+}
+
 TEST_F(Parameters, AWantedValueHasItsUnitLikeTheKnownOneBesideIt)
 {
     want(Parameter::preset, QStringLiteral("5"));
@@ -493,6 +521,29 @@ TEST_F(Parameters, AValueIsToldAndTakenAsWanted)
     EXPECT_EQ(wanted.values(baumer), (ParameterValues{{Parameter::steps, 4096}}));
     menu->actions().at(3)->trigger();
     EXPECT_TRUE(wanted.values(baumer).empty());
+}
+
+TEST_F(Parameters, RunWithWhatItHasTellsWhatIsValidThen)
+{
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    training.controls->setFault(TrainingFault::slowConfirmation, fraba.node, 1);
+    want(Parameter::steps, QStringLiteral("255"));
+    want(Parameter::revolutions, QStringLiteral("2"));
+    click(QStringLiteral("Write…"));
+    click(QStringLiteral("Write these 2 values"));
+    ParameterValues confirmed;
+    QObject::connect(bus.encoder(fraba), &EncoderSession::progressed, &panel,
+                     [&](const Progress &progress) { confirmed = progress.confirmed; });
+    for (int i = 0; i < 3000 && confirmed.empty(); ++i)
+        bus.advance(1);
+    click(QStringLiteral("Cancel"));
+    click(QStringLiteral("Run with what it has"));
+    finishJob();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("The job was cancelled. Valid now: Steps = 255.")))
+        << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("The encoder is in operation.")))
+        << message().toStdString();
 }
 
 TEST_F(Parameters, CancelAsksHowToLeaveAnEncoderThatHasTakenSomething)

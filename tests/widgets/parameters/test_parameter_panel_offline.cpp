@@ -78,7 +78,7 @@ protected:
     test::TrainingBusSession ring;
     ProjectDocument project;
     WantedValues wanted{project};
-    ParameterPanel panel{wanted};
+    ParameterPanel panel{ring.buses, wanted};
 };
 
 TEST_F(OfflineParameters, WhatIsWantedIsEditedInTheProjectAndUndone)

@@ -85,6 +85,13 @@ protected:
             }
         ADD_FAILURE() << "no " << text.toStdString();
     }
+    QAction *setPosition()
+    {
+        for (QAction *action : panel.findChild<QMenu *>(QStringLiteral("moreMenu"))->actions())
+            if (action->text().contains(QStringLiteral("Set the position")))
+                return action;
+        return nullptr;
+    }
     void finishJob()
     {
         for (int i = 0; i < 500 && rod().runningJob(); ++i)
@@ -95,7 +102,7 @@ protected:
     test::TrainingBusSession ring{RingSession::Start::operating, test::makeRodBus};
     ProjectDocument project;
     WantedValues wanted{project};
-    ParameterPanel panel{wanted};
+    ParameterPanel panel{ring.buses, wanted};
 };
 
 TEST_F(ParametersOfARod, ReadsAllAndNamesTheErrorStatus)
@@ -148,12 +155,20 @@ TEST_F(ParametersOfARod, TheReviewShowsTheWordsOfTheServicesAndWritesThem)
     EXPECT_EQ(ring.channel(rodPlace).out(), 0u);
 }
 
+TEST_F(ParametersOfARod, InWatchThePositionIsNotAskedFor)
+{
+    ring.bus.setOperate(false);
+    ring.bus.advance(50);
+    setPosition()->trigger();
+    EXPECT_TRUE(panel.findChild<InlineMessage *>(QStringLiteral("panelMessage"))
+                    ->sentence()
+                    .contains(QStringLiteral("Switch to Operate first")));
+    EXPECT_EQ(panel.findChild<ValueInput *>(QStringLiteral("toldValue")), nullptr);
+}
+
 TEST_F(ParametersOfARod, ThePositionIsSetToWhatIsTyped)
 {
-    QAction *set = nullptr;
-    for (QAction *action : panel.findChild<QMenu *>(QStringLiteral("moreMenu"))->actions())
-        if (action->text().contains(QStringLiteral("Set the position")))
-            set = action;
+    QAction *set = setPosition();
     ASSERT_NE(set, nullptr);
     ASSERT_TRUE(set->isVisible());
     ring.controls->moveMagnetTo(rodPlace.node, 200);

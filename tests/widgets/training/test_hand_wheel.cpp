@@ -2,9 +2,11 @@
 #include "widgets/training/hand_wheel.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QDial>
 #include <QPoint>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -53,6 +55,16 @@ TEST_F(HandWheelTest, KeysTurnALittle)
     QTest::keyClick(&dial(), Qt::Key_Up);
     QTest::keyClick(&dial(), Qt::Key_PageDown);
     EXPECT_EQ(turned, (std::vector<qint64>{8, -1024}));
+}
+
+TEST_F(HandWheelTest, TheWheelOfAMouseTurnsNothingEvenAfterADrag)
+{
+    dial().setFocus();
+    const QPoint middle = dial().rect().center();
+    QWheelEvent notch(middle, dial().mapToGlobal(middle), {}, {0, -120}, {}, {}, {}, false);
+    QApplication::sendEvent(&dial(), &notch);
+    EXPECT_TRUE(turned.empty());
+    EXPECT_FALSE(notch.isAccepted()) << "the panel scrolls";
 }
 
 TEST_F(HandWheelTest, ShowingTheShaftTurnsNothing)

@@ -14,6 +14,7 @@
 #include "kinds/interbus/words/device_number.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/device/device_panel.h"
+#include "widgets/eeprom/eeprom_question.h"
 #include "widgets/functions/function_questions.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/kinds/interbus/gateway/gateway_panel.h"
@@ -32,6 +33,7 @@
 #include "widgets/structure_editor/structure_editor.h"
 
 #include <QAction>
+#include <QPointer>
 #include <QStackedWidget>
 
 #include <algorithm>
@@ -280,6 +282,10 @@ FaultBanner::Offer RingViews::offer(const Fault &fault, FaultAction action) cons
                 tr("Goes to Operate, sets OUT of %1 to 00000000, and reads what is not known since")
                     .arg(fault.node.toString()),
                 m_ring.bus()->isRunning() ? QString() : tr("The bus does not run. Start it first.")};
+    if (action == FaultAction::positionMode)
+        return {m_ring.bus()->isOperating() ? tr("Position mode") : tr("Operate, and position mode"),
+                tr("Switches %1 back to position mode, after asking").arg(fault.node.toString()),
+                m_ring.bus()->isRunning() ? QString() : tr("The bus does not run. Start it first.")};
     const QString whyNot =
         m_ring.bus()->isOperating() ? QString() : tr("The program only watches. Switch to Operate first.");
     if (action == FaultAction::run)
@@ -309,6 +315,8 @@ void RingViews::act(const Fault &fault, FaultAction action)
         m_ring.bus()->acknowledgeWatchdog();
     else if (action == FaultAction::run)
         sendRun(m_ring.bus()->placeOf(fault.node));
+    else if (action == FaultAction::positionMode)
+        askToOperate([this, place = m_ring.bus()->placeOf(fault.node)] { goToPositionMode(place); });
     else if (action == FaultAction::bringBack)
         askToOperate([this, place = m_ring.bus()->placeOf(fault.node)] { m_ring.bus()->bringBack(place); });
     else
@@ -320,6 +328,18 @@ void RingViews::sendRun(Place place)
     const EncoderSession *encoder = m_ring.bus()->encoder(place.node);
     if (encoder != nullptr && askToSendRun(m_parts.pages.window(), *encoder))
         m_ring.bus()->sendRun(place);
+}
+
+void RingViews::goToPositionMode(Place place)
+{
+    QWidget *window = m_parts.pages.window();
+    const QPointer<EncoderSession> encoder = m_ring.bus()->encoder(place.node);
+    const Job job = SwitchMode{Mode::position};
+    if (!encoder || (encoder->latest().mode == Mode::cam && !askToLeaveCamMode(window, *encoder)) ||
+        !encoder || !askForEeprom(window, *encoder, job) || !encoder)
+        return;
+    if (const auto started = encoder->start(job); !started)
+        showRefused(started.error());
 }
 
 QAction *RingViews::actionFor(DataCheck::Action action) const

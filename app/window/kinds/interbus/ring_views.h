@@ -58,6 +58,7 @@ private:
     void showCurrent() override;
     void leaveActions();
     void sendRun(Place place);
+    void goToPositionMode(Place place);
     std::optional<int> chosenSegment() const; // as the master numbers them
     void showState();
     void showTraining();

@@ -6,12 +6,14 @@
 #include "tests/app/window_test.h"
 #include "tests/support/plans.h"
 #include "widgets/comparison/comparison_page.h"
+#include "widgets/kinds/esc/training/esc_line_training_panel.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
@@ -160,6 +162,46 @@ TEST_F(EscLineInProject, OfAnUnplannedEncoderTheWrittenAddressIsNotWantedEither)
     writeAddress(seventh, {9});
     EXPECT_EQ(wanted(placeOnLine({9})), (ParameterValues{{Parameter::steps, 3000}}));
     EXPECT_EQ(shown->project().notKept(), std::vector{placeOnLine({9})});
+}
+
+TEST_F(EscLineInProject, TheTrainingPanelFollowsAnEncoderToItsNewAddress)
+{
+    auto &training = *window().findChild<EscLineTrainingPanel *>();
+    const auto *device = training.findChild<QComboBox *>();
+    const auto rawOf = [this](const EscLineAddress &address) {
+        std::int64_t raw = -1;
+        shown->line().training()->withEncoder(
+            address, [&](SimulatedEscEncoder &encoder) { raw = encoder.shaft().raw(); });
+        return raw;
+    };
+    const auto turn = [&training] {
+        for (auto *button : training.findChildren<QAbstractButton *>())
+            if (button->accessibleName() == QStringLiteral("1 turn clockwise"))
+                button->click();
+    };
+    writeAddress(fifth, {7});
+    EXPECT_EQ(device->currentText(), QStringLiteral("esc:07"));
+    EXPECT_LT(device->findText(QStringLiteral("esc:05")), 0);
+    choose(third);
+    EXPECT_EQ(device->currentText(), QStringLiteral("esc:03"));
+    choose(seventh);
+    EXPECT_EQ(device->currentText(), QStringLiteral("esc:07"));
+    const std::int64_t before = rawOf({7});
+    turn();
+    EXPECT_EQ(rawOf({7}), before + 8192);
+}
+
+TEST_F(EscLineInProject, TheTrainingPanelStaysAtAnotherEncoderThatWasChosenInIt)
+{
+    auto *device = window().findChild<EscLineTrainingPanel *>()->findChild<QComboBox *>();
+    choose(fifth);
+    device->setCurrentIndex(device->findText(QStringLiteral("esc:12")));
+    ASSERT_TRUE(line().encoder(third)->start(
+        WriteParameters{.values = {{Parameter::lineAddress, 9}}, .previous = {}}));
+    advance(4'000);
+    ASSERT_NE(line().encoder(placeOnLine({9})), nullptr);
+    EXPECT_EQ(device->currentText(), QStringLiteral("esc:12"));
+    EXPECT_GE(device->findText(QStringLiteral("esc:09")), 0);
 }
 
 TEST_F(EscLineInProject, OfALineAtAPortNothingMovesWithTheTrainingLine)

@@ -10,10 +10,12 @@
 #include "widgets/connect/check_list.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/job/known_before_bar.h"
+#include "widgets/kinds/interbus/gateway/gateway_panel.h"
 #include "widgets/kinds/interbus/gateway/link_figures_model.h"
 #include "widgets/kinds/interbus/gateway/registers_page.h"
 #include "widgets/kinds/interbus/master/ring_comparison.h"
 #include "widgets/kinds/interbus/training/training_panel.h"
+#include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/structure/structure_view.h"
@@ -21,6 +23,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -506,7 +509,12 @@ TEST_F(GatewayInWindowTest, AGatewayThatClosesTheConnectionAfterEachAnswerIsTold
         shownThere[figures.headerData(row, Qt::Vertical).toString()] =
             figures.index(row, 0).data().toString();
     EXPECT_EQ(shownThere[QStringLiteral("Connections")], QStringLiteral("42"));
-    EXPECT_EQ(shownThere[QStringLiteral("Closed by the gateway after each answer")], QStringLiteral("40"));
+    EXPECT_EQ(shownThere[QStringLiteral("Closed after each answer")], QStringLiteral("40"));
+    const auto &table = *window().findChild<GatewayPanel *>()->findChild<QTableView *>();
+    const int figure = QFontMetrics(numberFont()).horizontalAdvance(QStringLiteral("1234567"));
+    EXPECT_GE(table.viewport()->width(), figure);
+    EXPECT_LE(table.verticalHeader()->sizeHint().width(), table.verticalHeader()->width())
+        << "no title is cut off";
 }
 
 TEST_F(GatewayInWindowTest, TheCountOfAnotherEncoderIsInDoubtAtOnce)

@@ -92,8 +92,8 @@ QComboBox *EscLineSettingsForm::addChoice(QFormLayout &form, const QString &labe
     return box;
 }
 
-QSpinBox *EscLineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
-                                         line_limits::Limits limits)
+IntegerField *EscLineSettingsForm::addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
+                                             line_limits::Limits limits)
 {
     auto *field = describe(new IntegerField(this), plainLabel(label), toolTip);
     field->setRange(limits.least, limits.most);
@@ -271,7 +271,7 @@ QString EscLineSettingsForm::wrong() const
     if (line_limits::baudRate.hold(settings().serial.baudRate))
         return {};
     return tr("The baud rate is a number from %1 to %2.")
-        .arg(numberText(line_limits::baudRate.least), numberText(line_limits::baudRate.most));
+        .arg(QString::number(line_limits::baudRate.least), QString::number(line_limits::baudRate.most));
 }
 
 // A line may be planned before anybody knows its port.

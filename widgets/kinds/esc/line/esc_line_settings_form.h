@@ -3,16 +3,15 @@
 
 #include "kinds/esc/line/esc_line_limits.h"
 #include "widgets/connect/link_form.h"
+#include "widgets/input/number_fields.h"
 
 #include <optional>
 #include <vector>
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QPushButton;
-class QSpinBox;
 
 namespace codewheel {
 
@@ -62,8 +61,8 @@ private:
     void makeTimes(QFormLayout &form);
     void makeEncoder(QFormLayout &form);
     void makeFractionBits(QFormLayout &form);
-    QSpinBox *addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
-                        line_limits::Limits limits);
+    IntegerField *addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
+                            line_limits::Limits limits);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
     void takeRate();
 
@@ -74,14 +73,14 @@ private:
     QComboBox *m_dataBits = nullptr;
     QComboBox *m_parity = nullptr;
     QComboBox *m_stopBits = nullptr;
-    QSpinBox *m_pollInterval = nullptr;
-    QSpinBox *m_timeOut = nullptr;
-    QSpinBox *m_retries = nullptr;
-    QSpinBox *m_quiet = nullptr;
+    IntegerField *m_pollInterval = nullptr;
+    IntegerField *m_timeOut = nullptr;
+    IntegerField *m_retries = nullptr;
+    IntegerField *m_quiet = nullptr;
     QCheckBox *m_lowLatency = nullptr;
-    QSpinBox *m_fractionBits = nullptr;
+    IntegerField *m_fractionBits = nullptr;
     QPushButton *m_determine = nullptr;
-    QDoubleSpinBox *m_topSpeed = nullptr;
+    DecimalField *m_topSpeed = nullptr;
     esc::Timing m_timing; // includes what the form does not show
 };
 

@@ -71,8 +71,8 @@ void EscEncoderBox::showShaft(const TurningShaft &shaft)
     m_wheel->setStepsPerTurn(shaft.resolution().stepsPerTurn);
     m_wheel->showRaw(shaft.raw());
     m_raw->setText(QLocale().toString(qlonglong{shaft.raw()}));
-    if (m_speed->hasFocus())
-        return;
+    if (m_speed->hasFocus() || shaft.speed() == m_speed->value())
+        return; // what was refused stays to be corrected
     const QSignalBlocker silent(m_speed);
     m_speed->setValue(shaft.speed());
 }

@@ -3,13 +3,13 @@
 
 #include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
+#include "widgets/input/number_fields.h"
 
 #include <QWidget>
 
 #include <array>
 
 class QCheckBox;
-class QDoubleSpinBox;
 class QLabel;
 
 namespace codewheel {
@@ -49,7 +49,7 @@ private:
     EscLineAddress m_address;
     HandWheel *m_wheel;
     QLabel *m_raw;
-    QDoubleSpinBox *m_speed;
+    DecimalField *m_speed;
     std::array<Trouble, 9> m_troubles;
 };
 

@@ -3,6 +3,7 @@
 
 #include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
+#include "widgets/input/number_fields.h"
 
 #include <QWidget>
 
@@ -11,7 +12,6 @@
 
 class QCheckBox;
 class QGridLayout;
-class QSpinBox;
 
 namespace codewheel {
 
@@ -37,7 +37,7 @@ private:
         QString name;
         QString toolTip;
         LineAct act;
-        QSpinBox *field = nullptr;
+        IntegerField *field = nullptr;
     };
 
     void makeRates(QGridLayout &grid);
@@ -50,7 +50,7 @@ private:
 
     SimulatedEscLine *m_line = nullptr;
     std::array<Rate, 4> m_rates;
-    QSpinBox *m_delay;
+    IntegerField *m_delay;
     QCheckBox *m_echo = nullptr;
     QCheckBox *m_silent = nullptr;
     QCheckBox *m_unplugged = nullptr;

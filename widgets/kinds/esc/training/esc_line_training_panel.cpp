@@ -7,6 +7,8 @@
 
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace codewheel {
 
 EscLineTrainingPanel::EscLineTrainingPanel(BusId bus, QWidget *parent)
@@ -26,17 +28,39 @@ EscLineTrainingPanel::EscLineTrainingPanel(BusId bus, QWidget *parent)
 void EscLineTrainingPanel::setLine(SimulatedEscLine *line)
 {
     m_line = line;
+    listEncoders();
+}
+
+void EscLineTrainingPanel::listEncoders()
+{
+    m_addresses.clear();
     std::vector<Place> devices;
     if (m_line != nullptr) {
+        m_addresses = m_line->addresses();
         devices.push_back({m_bus, {}});
-        for (const EscLineAddress address : m_line->addresses())
-            devices.push_back({m_bus, address.node()});
     }
+    for (const EscLineAddress address : m_addresses)
+        devices.push_back({m_bus, address.node()});
     setDevices(std::move(devices), tr("Serial line"));
+}
+
+// An encoder that has another address now is still the one that was chosen.
+void EscLineTrainingPanel::followAddresses()
+{
+    const auto before = chosen();
+    const auto found = std::ranges::find_if(m_addresses, [&](EscLineAddress address) {
+        return before == Place{m_bus, address.node()};
+    });
+    const auto encoder = static_cast<std::size_t>(found - m_addresses.begin());
+    listEncoders();
+    if (encoder < m_addresses.size())
+        setDevice({m_bus, m_addresses[encoder].node()});
 }
 
 void EscLineTrainingPanel::refresh()
 {
+    if (m_line != nullptr && m_line->addresses() != m_addresses)
+        followAddresses();
     const auto place = chosen();
     m_faults->setVisible(!place || place->isEmpty());
     m_encoder->setVisible(place && !place->isEmpty());

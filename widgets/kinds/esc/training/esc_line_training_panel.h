@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/esc/protocol/esc_line_address.h"
 #include "widgets/training/training_area.h"
+
+#include <vector>
 
 namespace codewheel {
 
@@ -23,8 +26,12 @@ public:
     void refresh() override;
 
 private:
+    void listEncoders();
+    void followAddresses();
+
     const BusId m_bus;
     SimulatedEscLine *m_line = nullptr;
+    std::vector<EscLineAddress> m_addresses; // listed, by encoder
     EscLineFaultsBox *m_faults;
     EscEncoderBox *m_encoder;
 };

@@ -101,7 +101,7 @@ void GatewayForm::makeWhere(QFormLayout &form)
     addSettingRow(form, tr("Ho&st"), m_host, m_host, m_host->toolTip());
     m_tcpPort = describe(new IntegerField(this), "tcpPort", tr("Port"), tr("502 with nearly every gateway"));
     m_tcpPort->setRange(gateway_limits::tcpPort.least, gateway_limits::tcpPort.most);
-    m_tcpPort->setGroupSeparatorShown(false);
+    leaveSeparatorsOut(*m_tcpPort);
     addSettingRow(form, tr("&Port"), m_tcpPort, m_tcpPort, m_tcpPort->toolTip());
     connect(m_host, &QLineEdit::textEdited, this, &LinkForm::edited);
 }
@@ -139,6 +139,8 @@ void GatewayForm::addField(QFormLayout &form, const SettingField &field)
         number->setRange(field.limits.least - (field.none.isEmpty() ? 0 : 1), field.limits.most);
         number->setSpecialValueText(field.none);
         number->setSuffix(field.unit);
+        if (field.unit.isEmpty())
+            leaveSeparatorsOut(*number);
         connect(number, &QSpinBox::valueChanged, this, &GatewayForm::showPreset);
         m_numbers[field.name] = number;
         editor = number;

@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/gateway/gateway_settings.h"
 #include "widgets/connect/link_form.h"
+#include "widgets/input/number_fields.h"
 
 #include <map>
 #include <vector>
@@ -10,7 +11,6 @@
 class QComboBox;
 class QFormLayout;
 class QLabel;
-class QSpinBox;
 
 namespace codewheel {
 
@@ -56,12 +56,12 @@ private:
 
     const GatewaySettings::Transport m_transport;
     TextField *m_host = nullptr;
-    QSpinBox *m_tcpPort = nullptr;
+    IntegerField *m_tcpPort = nullptr;
     PortField *m_port = nullptr;
     QComboBox *m_preset = nullptr;
     QLabel *m_presetSentence = nullptr;
     Texts m_last;
-    std::map<QString, QSpinBox *> m_numbers; // by the name of the setting
+    std::map<QString, IntegerField *> m_numbers; // by the name of the setting
     std::map<QString, QComboBox *> m_choices;
     std::map<QString, TextField *> m_texts;
     bool m_isSetting = false;

@@ -6,10 +6,12 @@
 #include "vocabulary/refusal_text.h"
 #include "widgets/kinds/interbus/gateway/link_figures_model.h"
 #include "widgets/look/describe.h"
+#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
 
+#include <QEvent>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -17,10 +19,13 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
 constexpr int gatewayPanelHeight = 260; // the rest is scrolled to
+constexpr int figureDigits = 9;
 
 } // namespace
 
@@ -79,6 +84,8 @@ void GatewayPanel::makeTable()
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->verticalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
+    m_table->verticalHeader()->setTextElideMode(Qt::ElideRight);
+    m_table->installEventFilter(this);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const auto fit = [this] {
@@ -87,6 +94,16 @@ void GatewayPanel::makeTable()
     };
     connect(m_figures, &QAbstractItemModel::modelReset, this, fit);
     fit();
+}
+
+// The titles give way to the figures.
+bool GatewayPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_table && event->type() == QEvent::Resize)
+        m_table->verticalHeader()->setMaximumWidth(std::max(
+            0, m_table->width() - QFontMetrics(numberFont()).horizontalAdvance(QString(figureDigits, u'0')) -
+                   2 * grid::margin));
+    return ScrolledPanel::eventFilter(watched, event);
 }
 
 void GatewayPanel::setGateway(const QString &gateway)

@@ -35,7 +35,8 @@ std::vector<LinkFiguresModel::Row> LinkFiguresModel::rowsOf(const LinkFigures &f
         {tr("Time-outs"), countText(figures.noAnswers)},
         {tr("Wrong answers"), countText(figures.wrongAnswers)},
         {tr("Connections"), countText(figures.connections)},
-        {tr("Closed by the gateway while idle"), countText(figures.reconnections)},
+        {tr("Closed while idle"), countText(figures.reconnections),
+         tr("Connections that the gateway closed while nothing was sent")},
         {tr("Connections lost"), countText(figures.closed)},
         {tr("Stray bytes"), countText(figures.strayBytes)},
         {tr("Echoes of requests"), countText(figures.echoes)},
@@ -45,7 +46,8 @@ std::vector<LinkFiguresModel::Row> LinkFiguresModel::rowsOf(const LinkFigures &f
         {tr("Round trip, longest, ms"), time ? milliseconds(time->longest) : none},
     };
     if (figures.closesAfterEach)
-        rows.push_back({tr("Closed by the gateway after each answer"), countText(figures.closedAfterEach)});
+        rows.push_back({tr("Closed after each answer"), countText(figures.closedAfterEach),
+                        tr("Connections that the gateway closed after an answer")});
     for (const auto &[code, count] : figures.exceptions)
         rows.push_back({sentence(tr("Exceptions %1"), {QString::number(code)}), countText(count)});
     return rows;
@@ -104,7 +106,10 @@ QVariant LinkFiguresModel::headerData(int section, Qt::Orientation orientation, 
         return {};
     if (role == Qt::TextAlignmentRole)
         return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-    return role == Qt::DisplayRole ? m_rows[static_cast<std::size_t>(section)].title : QVariant();
+    const Row &row = m_rows[static_cast<std::size_t>(section)];
+    if (role == Qt::ToolTipRole)
+        return row.toolTip.isEmpty() ? row.title : row.toolTip;
+    return role == Qt::DisplayRole ? row.title : QVariant();
 }
 
 } // namespace codewheel

@@ -29,6 +29,7 @@ private:
     {
         QString title;
         QString figure;
+        QString toolTip = {}; // empty: the title says it all
 
         friend bool operator==(const Row &, const Row &) = default;
     };

@@ -56,6 +56,7 @@ RingPlanFields::RingPlanFields(ProjectDocument &document, BusId ring, QWidget *p
                        tr("Length of all remote bus cables: each km takes 0.016 ms")))
     , m_stepping(document.newGesture())
 {
+    leaveSeparatorsOut(*m_first);
     m_counts->setObjectName(QStringLiteral("planCounts"));
     m_counts->setWordWrap(true);
     auto *rows = layOut<QVBoxLayout>(this, grid::unit);

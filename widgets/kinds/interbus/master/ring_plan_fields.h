@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/input/number_fields.h"
 #include "widgets/project/project_document.h"
 
 #include <QWidget>
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
-class QSpinBox;
 
 namespace codewheel {
 
@@ -36,11 +35,11 @@ private:
     ProjectDocument &m_document;
     const BusId m_ring;
     QComboBox *m_unit;
-    QSpinBox *m_first;
+    IntegerField *m_first;
     QCheckBox *m_step5;
     QLabel *m_counts;
     QLabel *m_times;
-    QDoubleSpinBox *m_cable;
+    DecimalField *m_cable;
     ProjectDocument::Gesture m_stepping; // until the field is left or Return is pressed
 };
 

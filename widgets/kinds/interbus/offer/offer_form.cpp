@@ -48,7 +48,7 @@ OfferForm::OfferForm(QWidget *parent)
 {
     m_port->setRange(0, OfferWish::lastPort);
     m_port->setSpecialValueText(tr("any free one"));
-    m_port->setGroupSeparatorShown(false);
+    leaveSeparatorsOut(*m_port);
     m_seats->setRange(1, OfferWish::mostSeats);
     m_warning->setFont(textFont(TextSize::small));
     auto *form = new QFormLayout(this);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vocabulary/training_act.h"
+#include "widgets/input/number_fields.h"
 #include "widgets/kinds/interbus/training/shared_controls.h"
 
 #include <QWidget>
@@ -10,7 +11,6 @@
 #include <optional>
 
 class QCheckBox;
-class QSpinBox;
 class QVBoxLayout;
 
 namespace codewheel {
@@ -39,7 +39,7 @@ private:
     const SharedControls &m_controls;
     std::map<TrainingFault, QCheckBox *> m_boxes;
     QWidget *m_rateRow = nullptr;
-    QSpinBox *m_rate = nullptr; // of 1000 cycles
+    IntegerField *m_rate = nullptr; // of 1000 cycles
     std::optional<TrainingPlace> m_shown;
 };
 

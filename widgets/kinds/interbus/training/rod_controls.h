@@ -51,7 +51,7 @@ private:
     QSlider *m_track; // in tenths of mm
     QLabel *m_place;
     DecimalField *m_target;
-    QDoubleSpinBox *m_speed;
+    DecimalField *m_speed;
     QCheckBox *m_inRange;
 };
 

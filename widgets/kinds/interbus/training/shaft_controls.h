@@ -50,7 +50,7 @@ private:
     QLabel *m_raw;
     QLabel *m_turn;
     IntegerField *m_target;
-    QDoubleSpinBox *m_speed;
+    DecimalField *m_speed;
 };
 
 } // namespace codewheel
