@@ -210,10 +210,9 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
 void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
 {
     for (const JsonObject &row :
-         json.array("parameters",
-                    {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum", "maximum",
-                     "factory", "unit", "stored", "onLabel", "choices", "chapter", "read", "write", "bit",
-                     "text"})) {
+         json.array("parameters", {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum",
+                                   "maximum", "factory", "unit", "stored", "onLabel", "choices", "chapter",
+                                   "read", "write", "bit", "text"})) {
         const ProtocolRules &rules = protocolRules(device.profile);
         ParameterDescription parameter = readParameter(row, device);
         refuseTaken(row, parameter, device);

@@ -28,8 +28,9 @@ void JobAccount::notWritten(Parameter parameter)
 
 bool JobAccount::knowsBefore(const ParameterValues &taken) const
 {
-    return std::ranges::all_of(
-        taken, [this](const ParameterValue &value) { return findValue(before, value.parameter).has_value(); });
+    return std::ranges::all_of(taken, [this](const ParameterValue &value) {
+        return findValue(before, value.parameter).has_value();
+    });
 }
 
 ParameterValues JobAccount::valuesBefore(const ParameterValues &taken) const

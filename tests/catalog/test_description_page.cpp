@@ -46,7 +46,7 @@ TEST(DescriptionPage, NamesEverythingTheReaderKnows)
         {R"("manual")", 24},                                      // the device
         {R"("profile": "LA-66")", 6, R"("profile": "nonsense")"}, // profiles
         {R"("direction")", 29},                                   // parameters
-        {R"("readOut")", 17},                                     // a parameter
+        {R"("readOut")", 18},                                     // a parameter
         {R"("micrometres")", 7},                                  // units
         {R"("magnetOutOfRange")", 9},                             // meanings of errors
         {R"("text")", 4},                                         // an error

@@ -41,9 +41,8 @@ bool WriteAccount::wasBegun(Parameter parameter) const
 {
     const Progress &last = lastStep();
     const auto begun = std::min(last.steps.size(), static_cast<std::size_t>(last.index) + 1);
-    return std::ranges::any_of(std::span(last.steps).first(begun), [&](const Step &step) {
-        return takesValue(step) && step.carries(parameter);
-    });
+    return std::ranges::any_of(std::span(last.steps).first(begun),
+                               [&](const Step &step) { return takesValue(step) && step.carries(parameter); });
 }
 
 QString WriteAccount::toText() const

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Jobs of encoders that the program does not know: negative numbers and texts, several values a line, and what is
-// in force and what is stored.
+// Jobs of encoders that the program does not know: negative numbers and texts, several values a line, and
+// what is in force and what is stored.
 #include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "tests/kinds/plain/plain_bus.h"
@@ -57,9 +57,8 @@ TEST_F(PlainJobs, ALineCarriesThreeValuesAndOneStepStoresThemAll)
     EXPECT_EQ(outcome.written, fourValues);
     EXPECT_EQ(outcome.eepromWrites, 1);
     EXPECT_EQ(node.writes(), 1);
-    EXPECT_THAT(node.heard(),
-                ElementsAre("set steps=100 direction=1 2000:1=-5", "set 1008=Hoist%202", "go", "keep",
-                            "get steps", "get direction", "get 2000:1", "get 1008"));
+    EXPECT_THAT(node.heard(), ElementsAre("set steps=100 direction=1 2000:1=-5", "set 1008=Hoist%202", "go",
+                                          "keep", "get steps", "get direction", "get 2000:1", "get 1008"));
     for (const ParameterValue &value : fourValues) {
         const auto known = encoder.known(value.parameter);
         ASSERT_TRUE(known);
@@ -114,7 +113,8 @@ TEST_F(PlainJobs, WhatWasNotStoredIsGoneWithTheSupply)
 TEST_F(PlainJobs, WhatDoesNotFitIsRefusedBeforeAnythingIsSent)
 {
     EXPECT_EQ(whyNot({{plainFilter(), -1001}}), RefusalId::valueOutOfRange);
-    EXPECT_EQ(whyNot({{plainName(), Value(QStringLiteral("seventeen letters"))}}), RefusalId::valueNotAllowed);
+    EXPECT_EQ(whyNot({{plainName(), Value(QStringLiteral("seventeen letters"))}}),
+              RefusalId::valueNotAllowed);
     EXPECT_EQ(whyNot({{plainName(), 5}}), RefusalId::valueNotAllowed);
     EXPECT_EQ(whyNot({{Parameter::steps, Value(QStringLiteral("many"))}}), RefusalId::valueNotAllowed);
     EXPECT_EQ(whyNot({{Parameter::coding, 1}}), RefusalId::parameterNotSupported);
@@ -132,9 +132,8 @@ TEST_F(PlainJobs, ThePositionIsSetByItsCommand)
 
 TEST_F(PlainJobs, ACancelledWriteGivesBackWhatWasThere)
 {
-    ASSERT_TRUE(encoder.start(WriteParameters{.values = {{plainFilter(), -5}},
-                                              .previous = {{plainFilter(), 3}}},
-                              Pace::byHand));
+    ASSERT_TRUE(encoder.start(
+        WriteParameters{.values = {{plainFilter(), -5}}, .previous = {{plainFilter(), 3}}}, Pace::byHand));
     for (int step = 0; step < 3; ++step) { // set, go, keep
         bus.advance(5ms);
         encoder.proceed();

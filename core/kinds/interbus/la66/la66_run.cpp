@@ -127,7 +127,8 @@ void La66Run::readDone(const La66Step &step, std::int64_t value)
         if (value == *step.expected)
             return;
         m_account.notWritten(*step.parameter());
-        fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter(), *step.expected, value}});
+        fail(
+            {RefusalKind::device, RefusalId::verificationFailed, {*step.parameter(), *step.expected, value}});
         return;
     }
     m_account.read({*step.parameter(), value});

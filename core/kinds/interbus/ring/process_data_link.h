@@ -57,9 +57,9 @@ public:
         const std::vector<Word> zeros(in.size());
         return exchange(zeros, in).map([] { return ZerosSent(); });
     }
-    // sendZeros(), or open(), comes next: until then nothing is begun that would keep it waiting, a call that blocks ends
-    // after the transaction under way, with a refusal of kind `stopped`. A link that never blocks may ignore
-    // it. Any thread.
+    // sendZeros(), or open(), comes next: until then nothing is begun that would keep it waiting, a call that
+    // blocks ends after the transaction under way, with a refusal of kind `stopped`. A link that never blocks
+    // may ignore it. Any thread.
     virtual void hurryToZeros() {}
     // Sends 00000000 to all devices though nothing is heard of the peer: it may hear us. Opens the link for
     // that, and closes it. Whether anything went out; it is not known whether it arrived.

@@ -68,7 +68,7 @@ QString wordStepText(const DeviceDescription &device, const Step &step)
         if (step.parameter() == Parameter::multiTurnAndStepsMinusOne)
             return StepText::tr("Read whether the encoder counts steps minus 1");
         return step.parameter() ? StepText::tr("Read %1").arg(parameterNameInText(*step.parameter()))
-                              : StepText::tr("Read out");
+                                : StepText::tr("Read out");
     case StepKind::endReadOut:
         return StepText::tr("End the read-out");
     case StepKind::manufacturerPreset:

@@ -34,9 +34,10 @@ TEST_F(JobReport, WrittenParametersAreNamed)
     EXPECT_EQ(messages[0].id, MessageId::parametersWritten);
     EXPECT_EQ(messages[0].arguments[0], RefusalArgument(std::int64_t{2}));
     EXPECT_EQ(messages[0].arguments[1], RefusalArgument(std::int64_t{2}));
-    EXPECT_TRUE(messageText(messages[0])
-                    .contains(QStringLiteral("%1 = 255, %2 = cw")
-                                  .arg(parameterName(Parameter::steps), parameterName(Parameter::direction))));
+    EXPECT_TRUE(
+        messageText(messages[0])
+            .contains(QStringLiteral("%1 = 255, %2 = cw")
+                          .arg(parameterName(Parameter::steps), parameterName(Parameter::direction))));
 }
 
 TEST_F(JobReport, NothingIsSaidOfParametersThatWereThereAlready)
