@@ -40,8 +40,12 @@ protected:
         const ParameterValue steps{Parameter::steps, 7200};
         const ParameterValue direction{Parameter::direction, 3};
         const WriteParameters job{.values = {steps, direction}, .previous = {}};
-        Outcome written{.eepromWrites = 2, .written = {steps, direction}, .alreadyThere = {}, .read = {}};
-        Outcome restored{.eepromWrites = 3, .written = {steps}, .alreadyThere = {}, .read = {}};
+        Outcome written;
+        written.eepromWrites = 2;
+        written.written = {steps, direction};
+        Outcome restored;
+        restored.eepromWrites = 3;
+        restored.written = {steps};
         restored.restored = Evidence::read;
         restored.camsWritten = {{.number = 1}};
         std::vector<Message> messages = jobReport(job, written, m_fraba);
