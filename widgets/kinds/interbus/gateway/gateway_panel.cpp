@@ -96,12 +96,13 @@ void GatewayPanel::makeTable()
     fit();
 }
 
-// The titles give way to the figures.
+// The titles of its only table give way to the figures. Other events come while the panel is being made.
 bool GatewayPanel::eventFilter(QObject *watched, QEvent *event)
 {
-    if (watched == m_table && event->type() == QEvent::Resize)
-        m_table->verticalHeader()->setMaximumWidth(std::max(
-            0, m_table->width() - QFontMetrics(numberFont()).horizontalAdvance(QString(figureDigits, u'0')) -
+    auto *table = qobject_cast<QTableView *>(watched);
+    if (table != nullptr && event->type() == QEvent::Resize)
+        table->verticalHeader()->setMaximumWidth(std::max(
+            0, table->width() - QFontMetrics(numberFont()).horizontalAdvance(QString(figureDigits, u'0')) -
                    2 * grid::margin));
     return ScrolledPanel::eventFilter(watched, event);
 }
