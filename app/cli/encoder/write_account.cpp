@@ -32,7 +32,7 @@ QString WriteAccount::fateOf(const ParameterValue &value) const
         return CommandLine::tr("already there");
     if (findValue(outcome().inDoubt.values, value.parameter))
         return CommandLine::tr("sent: it is not known whether the encoder has it");
-    if (valueOf(outcome().confirmed, value.parameter))
+    if (findValue(outcome().confirmed, value.parameter))
         return CommandLine::tr("confirmed; takes effect only with run");
     return wasBegun(value.parameter) ? CommandLine::tr("did not become active") : CommandLine::tr("not sent");
 }
