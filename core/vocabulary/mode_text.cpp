@@ -30,11 +30,16 @@ const ModeRow &modeRow(Mode mode)
     return modeRows.at(static_cast<std::size_t>(mode));
 }
 
+std::optional<unsigned> programOf(const SwitchMode &mode)
+{
+    return mode.mode == Mode::cam ? std::optional(mode.camProgram) : std::nullopt;
+}
+
 } // namespace
 
 QString modeText(const SwitchMode &mode)
 {
-    return modeText(mode.mode, mode.mode == Mode::cam ? std::optional(mode.camProgram) : std::nullopt);
+    return modeText(mode.mode, programOf(mode));
 }
 
 QString modeText(Mode mode, std::optional<unsigned> camProgram)
@@ -46,7 +51,7 @@ QString modeText(Mode mode, std::optional<unsigned> camProgram)
 
 std::vector<RefusalArgument> modeArguments(const SwitchMode &mode)
 {
-    return modeArguments(mode.mode, mode.mode == Mode::cam ? std::optional(mode.camProgram) : std::nullopt);
+    return modeArguments(mode.mode, programOf(mode));
 }
 
 std::vector<RefusalArgument> modeArguments(Mode mode, std::optional<unsigned> camProgram)
