@@ -27,6 +27,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_pin.h"
+#include "widgets/input/held_enter_rule.h"
 #include "widgets/input/undo_rule.h"
 #include "widgets/input/wheel_rule.h"
 #include "widgets/look/content_scroll_area.h"
@@ -82,6 +83,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     setObjectName(QStringLiteral("mainWindow"));
     qApp->installEventFilter(new WheelRule(this));
     qApp->installEventFilter(new UndoRule(this));
+    qApp->installEventFilter(new HeldEnterRule(this));
     auto *center = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(center, 0);
     rows->addWidget(m_notice);

@@ -22,6 +22,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -500,6 +501,35 @@ TEST_F(EscLineInWindow, WhatAJobHasSetIsNotSaidAnyLongerAfterAWriteByHand)
     advance(1000);
     EXPECT_EQ(encoder(standing).latest().position, 6'000);
     EXPECT_TRUE(said->isHidden()) << said->sentence().toStdString();
+}
+
+// Only the first press of a held key is meant.
+TEST_F(EscLineInWindow, EnterHeldInTheFieldOfThePositionSetsNothing)
+{
+    choose(standing);
+    const auto before = encoder(standing).latest().position;
+    auto &panel = *window().findChild<ParameterPanel *>();
+    for (QAction *action : panel.findChildren<QAction *>())
+        if (action->text() == QStringLiteral("&Set the position…"))
+            action->trigger();
+    auto *field = panel.findChild<ValueInput *>(QStringLiteral("toldValue"));
+    ASSERT_NE(field, nullptr);
+    QTest::keyClicks(field, QStringLiteral("6000"));
+    QTest::keyPress(field, Qt::Key_Return);
+    advance(50);
+    const auto *set = panel.findChild<QPushButton *>(QStringLiteral("confirmPreset"));
+    ASSERT_TRUE(set->isVisible());
+    QTest::qWait(QApplication::doubleClickInterval() + 50);
+    for (int repeats = 0; repeats < 10; ++repeats) {
+        QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Return, {}, QStringLiteral("\r"), true);
+        QApplication::sendEvent(QApplication::focusWidget(), &repeat);
+        advance(1'000);
+    }
+    EXPECT_TRUE(set->isVisible());
+    EXPECT_EQ(encoder(standing).latest().position, before);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    advance(4'000);
+    EXPECT_EQ(encoder(standing).latest().position, 6'000);
 }
 
 TEST_F(EscLineInWindow, TheButtonsOfThePanelAreInTheSamePlaceForEachEncoder)
