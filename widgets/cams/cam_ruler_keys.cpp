@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys of the cam ruler.
+#include "widgets/cams/cam_circle.h"
 #include "widgets/cams/cam_ruler.h"
 #include "widgets/cams/cam_texts.h"
 
@@ -45,6 +46,8 @@ void CamRuler::moveByKey(std::int64_t by)
 {
     const std::size_t number = m_sheet.current();
     const Cam &cam = m_sheet.cam(number);
+    if (m_grip == CamGrip::bar && cam_circle::isEmpty(cam))
+        return; // there is none to be moved
     const std::int64_t total = m_scale.total();
     if (m_keyGesture == CamDocument::noGesture)
         m_keyGesture = m_sheet.document().newGesture();

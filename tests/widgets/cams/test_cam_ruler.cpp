@@ -176,6 +176,16 @@ TEST_F(CamRulerTest, KeysMoveBarAndEdges)
     EXPECT_EQ(steps(), 3);
 }
 
+TEST_F(CamRulerTest, KeysMoveNoCamThatNobodyHasSet)
+{
+    key(Qt::Key_Right);
+    EXPECT_EQ(sheet.cam(0), Cam());
+    EXPECT_EQ(steps(), 0);
+    key(Qt::Key_End);
+    key(Qt::Key_Right); // an edge makes one
+    EXPECT_EQ(sheet.cam(0), (Cam{0, 1, false}));
+}
+
 TEST_F(CamRulerTest, SpaceAndDeleteActOnTheCam)
 {
     sheet.setCurrent(manualCam);
