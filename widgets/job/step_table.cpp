@@ -93,6 +93,8 @@ void StepTable::answer(const Exchange &row)
         const StepRow &of = rowAt(i);
         if (of.step.out != row.out || of.state == StepState::next || of.state == StepState::planned)
             continue;
+        if (of.state == StepState::done && of.in)
+            return; // what comes behind its answer is not of it
         StepRow answered = of;
         answered.in = row.in;
         if (answered != of)

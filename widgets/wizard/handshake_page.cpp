@@ -305,11 +305,14 @@ void HandshakePage::showOutcome(const Outcome &ended)
     (m_work.isRecovery ? record.recovery : record.outcome) = outcome;
     record.endedAt = m_setup.encoder->latest().at;
     record.after = allKnown(*m_setup.encoder);
-    record.positionAfter = m_setup.encoder->latest().position;
+    record.positionAfter = outcome.result || m_setup.encoder->showsPosition()
+                               ? m_setup.encoder->latest().position
+                               : std::nullopt;
     if (!m_setup.encoder->device().hasWords())
         record.takePositions(outcome);
     record.ended = m_setup.encoder->dateTime(m_setup.encoder->latest().at);
     record.eepromWritesInAll = m_setup.encoder->eepromCount().writes;
+    m_setup.byHand = true;  // the next one
     if (!m_work.isRecovery) // those to come will not be sent
         m_steps.showSteps(m_setup.encoder->device(), record.progress.steps);
     const bool isBroughtBack = isCancelled(outcome);

@@ -142,6 +142,7 @@ void ParameterWizard::follow(EncoderSession *encoder)
     m_setup->encoder = encoder;
     m_setup->wish = {};
     m_setup->byHand = true;
+    m_setup->hasChosenPosition = false;
     m_setup->takeWanted();
     m_setup->keep();
     m_setup->record = {};
@@ -164,6 +165,7 @@ ParameterWizard::UnderWay ParameterWizard::takeUnderWay()
                  .wish = m_setup->wish,
                  .given = m_setup->given,
                  .byHand = m_setup->byHand,
+                 .hasChosenPosition = m_setup->hasChosenPosition,
                  .record = m_setup->record,
                  .handshake = m_handshakePage->underWay(),
                  .page = page()};
@@ -179,6 +181,7 @@ void ParameterWizard::goOn(const UnderWay &before)
     m_setup->wish = before.wish;
     m_setup->given = before.given;
     m_setup->byHand = before.byHand;
+    m_setup->hasChosenPosition = before.hasChosenPosition;
     m_setup->record = before.record;
     showPage(before.page);
     if (before.page == handshake || before.page == report)

@@ -46,6 +46,7 @@ public:
         WriteWish wish;
         std::map<Parameter, Setup::Given> given;
         bool byHand = true;
+        bool hasChosenPosition = false;
         HandshakeRecord record;
         HandshakePage::UnderWay handshake;
         Page page = device;

@@ -28,6 +28,7 @@ struct Setup
     };
     std::map<Parameter, Given> given = {}; // by the pages of the wizard
     bool byHand = true;
+    bool hasChosenPosition = false; // the user has said whether the position is set
     HandshakeRecord record;
 
     // The value after the handshake: the wanted one, otherwise the known one.

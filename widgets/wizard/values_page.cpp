@@ -54,6 +54,7 @@ ValuesPage::ValuesPage(Setup &setup, QWidget *parent)
     connect(m_initialise, &QCheckBox::clicked, this, [this](bool on) {
         const bool needsValue = m_setup.encoder->can().presetNeedsValue;
         m_setup.wish.initialisePreset = on && !needsValue;
+        m_setup.hasChosenPosition = true;
         takeFields();
         if (on && needsValue)
             m_position->setFocus();
@@ -147,15 +148,10 @@ void ValuesPage::makeRows()
             form->addWidget(new QLabel(unit, m_form), at, 2);
         form->addWidget(row.now, at, 3);
         m_rows[parameter.parameter] = row;
+        if (parameter.parameter == Parameter::preset)
+            connect(field, &ValueField::typed, this, &ValuesPage::followPreset);
         connect(field, &ValueField::typed, this, &ValuesPage::checkFields);
-        connect(field, &ValueField::edited, this, [this, changed = parameter.parameter] {
-            if (changed == Parameter::preset) { // entering a preset means wanting it in effect
-                const auto value = m_rows.at(Parameter::preset).field->value();
-                m_setup.wish.initialisePreset = value && *value && m_setup.encoder->can().presets;
-                m_initialise->setChecked(m_setup.wish.initialisePreset);
-            }
-            takeFields();
-        });
+        connect(field, &ValueField::edited, this, &ValuesPage::takeFields);
         field->show(); // at once, to take the focus
         if (before == nullptr)
             setFocusProxy(field);
@@ -166,6 +162,16 @@ void ValuesPage::makeRows()
     setTabOrder(before, m_initialise);
     form->setColumnStretch(1, 2);
     form->setColumnStretch(3, 3);
+}
+
+// Entering a preset means wanting it in effect, unless the user has said.
+void ValuesPage::followPreset()
+{
+    if (!m_setup.encoder || m_setup.hasChosenPosition)
+        return;
+    const auto value = m_rows.at(Parameter::preset).field->value();
+    m_setup.wish.initialisePreset = value && *value && m_setup.encoder->can().presets;
+    m_initialise->setChecked(m_setup.wish.initialisePreset);
 }
 
 void ValuesPage::showKnown()

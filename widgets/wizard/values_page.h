@@ -40,6 +40,7 @@ private:
     };
 
     void makeRows();
+    void followPreset();
     void checkFields();
     void takeFields();
     void readPosition();

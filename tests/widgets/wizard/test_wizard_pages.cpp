@@ -6,6 +6,7 @@
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/now_and_then.h"
 #include "widgets/job/account_view.h"
+#include "widgets/job/step_table.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -564,6 +565,74 @@ TEST_F(WizardPages, EachSessionBeginsByHandAndWithoutSettingThePosition)
     const QAbstractItemModel &words = *find<QTableView>("plannedWords")->model();
     for (int row = 0; row < words.rowCount(); ++row)
         EXPECT_NE(words.index(row, 1).data(), QStringLiteral("40000000"));
+}
+
+TEST_F(WizardPages, ThePositionIsSetOnlyIfTheBoxShowsIt)
+{
+    const auto isTicked = [this] { return find<QAbstractButton>("initialisePreset")->isChecked(); };
+    wizard.setEncoder(&fraba());
+    next();
+    next();
+    next();
+    type("preset", "5");
+    EXPECT_TRUE(isTicked()) << "while it is typed";
+    click("initialisePreset");
+    EXPECT_FALSE(isTicked());
+    next();
+    click("wizardBack");
+    type("preset", "6");
+    EXPECT_FALSE(isTicked());
+    next();
+    click("wizardBack");
+    EXPECT_FALSE(isTicked()) << "as the user has said";
+}
+
+TEST_F(WizardPages, EachHandshakeBeginsByHand)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "4096");
+    type("revolutions", "1");
+    next();
+    next();
+    bus.advance(600);
+    click("runByItself");
+    for (int i = 0; i < 100 && wizard.isBusy(); ++i)
+        bus.advance(60);
+    ASSERT_FALSE(wizard.isBusy());
+    click("wizardBack");
+    ASSERT_EQ(wizard.page(), ParameterWizard::review);
+    EXPECT_TRUE(find<QAbstractButton>("byHand")->isChecked());
+}
+
+// IN is 00000000 then, which is also what an encoder in operation at position 0 shows.
+TEST_F(WizardPages, AnEncoderWithoutPowerIsNotSaidToBeAtZero)
+{
+    wizard.setEncoder(&baumer());
+    next();
+    next();
+    next();
+    type("steps", "4096");
+    type("revolutions", "1");
+    next();
+    next();
+    stepByHand(1);
+    bus.advance(600);
+    const auto answerOfFirst = [this] {
+        return find<QTableView>("steps")->model()->index(0, StepTable::in).data().toString();
+    };
+    const QString confirmed = answerOfFirst();
+    ASSERT_NE(confirmed, QString());
+    controls->powerCycle(NodeId("2.0"));
+    bus.advance(3000);
+    EXPECT_FALSE(wizard.isBusy());
+    EXPECT_EQ(answerOfFirst(), confirmed);
+    next();
+    const QString report = find<QPlainTextEdit>("account")->toPlainText();
+    EXPECT_FALSE(report.contains(QRegularExpression(QStringLiteral("Position after: \\+?0\n"))))
+        << report.toStdString();
 }
 
 // The offset of a Baumer encoder can neither be read nor guessed.
