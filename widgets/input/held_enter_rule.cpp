@@ -13,8 +13,8 @@ bool HeldEnterRule::eventFilter(QObject *watched, QEvent *event)
         return false;
     const auto *key = static_cast<QKeyEvent *>(event);
     const bool isEnter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
-    const bool makesLines = qobject_cast<QPlainTextEdit *>(watched) != nullptr ||
-                            qobject_cast<QTextEdit *>(watched) != nullptr;
+    const bool makesLines =
+        qobject_cast<QPlainTextEdit *>(watched) != nullptr || qobject_cast<QTextEdit *>(watched) != nullptr;
     return isEnter && key->isAutoRepeat() && !makesLines;
 }
 
