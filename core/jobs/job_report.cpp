@@ -207,6 +207,12 @@ Message leftModeMessage(const LeftMode &left)
             .arguments = modeArguments(*left.mode, left.camProgram)};
 }
 
+std::optional<Message> leftModeReport(const Outcome &outcome)
+{
+    const bool isSaid = !outcome.result && outcome.result.error().id == RefusalId::takenAsCamWord;
+    return outcome.leftInMode && !isSaid ? std::optional(leftModeMessage(*outcome.leftInMode)) : std::nullopt;
+}
+
 QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
 {
     return itemsText(itemsInDoubt(doubt, device));
@@ -260,8 +266,8 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
         messages.push_back({.severity = Severity::attention, .id = *left});
     if (outcome.leftIn == EncoderState::service)
         messages.push_back({.severity = Severity::attention, .id = MessageId::leftInService});
-    if (outcome.leftInMode)
-        messages.push_back(leftModeMessage(*outcome.leftInMode));
+    if (auto left = leftModeReport(outcome))
+        messages.push_back(*std::move(left));
     return messages;
 }
 

@@ -7,6 +7,7 @@
 
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace codewheel {
@@ -19,6 +20,8 @@ std::vector<Message> jobReport(const Job &job, const Outcome &outcome, const Dev
 
 // That a job that was cut off has left the encoder in this mode.
 Message leftModeMessage(const LeftMode &left);
+// Empty: it has left it in none but the one it was in, or the reason why it failed says that and what to do.
+std::optional<Message> leftModeReport(const Outcome &outcome);
 
 // "Steps = 255, position"; empty: nothing.
 QString doubtText(const InDoubt &doubt, const DeviceDescription &device);

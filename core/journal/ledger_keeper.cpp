@@ -427,10 +427,18 @@ void LedgerKeeper::count(Place place, int writes)
     warn(place, before);
 }
 
+// A job that was not to write anything may have left something to be stored.
+std::optional<qint64> LedgerKeeper::beginDoubtful(Watched &watched, int perhaps)
+{
+    return perhaps > 0 && watched.encoder && ledger() ? beginEntry(watched, perhaps) : std::nullopt;
+}
+
 void LedgerKeeper::settle(Place place, const Outcome &outcome)
 {
     Watched &watched = m_watched[place];
-    const auto job = std::exchange(watched.job, std::nullopt);
+    auto job = std::exchange(watched.job, std::nullopt);
+    if (!job)
+        job = beginDoubtful(watched, outcome.inDoubt.eepromWrites);
     if (!job)
         return;
     std::vector<Ledger::Value> read;

@@ -112,6 +112,7 @@ private:
     void move(Place from, Place to);
     void begin(Place place, const Job &job);
     std::optional<qint64> beginEntry(Watched &watched, int planned);
+    std::optional<qint64> beginDoubtful(Watched &watched, int perhaps);
     void planToRestore(Place place);
     void count(Place place, int writes);
     void settle(Place place, const Outcome &outcome);

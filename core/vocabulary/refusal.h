@@ -108,7 +108,7 @@ enum class RefusalId : std::uint8_t {
     outNotOurs,         // place, Word OUT of ours, Word OUT found there
     // device
     wrongParameterData,     // error 1: Parameter or number, Word IN; several where it came late
-    unknownParameterNumber, // error 2
+    unknownParameterNumber, // error 2; Word OUT before IN where the mode of the encoder was not seen
     parametersLost,         // error 3
     valuesMissingAfterLoss, // names of the parameters
     eepromStoreError,       // Baumer 13
@@ -145,7 +145,7 @@ enum class RefusalId : std::uint8_t {
     presetNotTaken,         // position by the preset, position shown (or IN)
     presetUsedUp,           // the same: the preset flag of a FRABA was 0
     presetNotKnownWithout,  // Parameter that is not known, position shown (or IN)
-    presetNotKnown,         // position shown (or IN)
+    presetNotKnown,         // position shown (or IN); or position by the preset, IN that may be a speed
     escNotFoundAgain,       // where it was looked for
     escFactorFitsNothing,   // factor, steps, measuring range, as reported by the encoder
     encoderSilent,          // place

@@ -354,9 +354,9 @@ constexpr std::array refusalRows{
         RefusalId::takenAsCamWord, "takenAsCamWord",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was "
-                          "changed, and it was left in parameterization. Switching the encoder off and on "
-                          "drops the change; run, or another mode, keeps it, and the cam program has to be "
-                          "written again.")},
+                          "changed, and it was left in parameterization: the controller gets no position. "
+                          "Switching the encoder off and on drops the change. Run, or another mode, keeps "
+                          "it: then the cam program has to be written again.")},
     RefusalRow{RefusalId::modeNotSwitched, "modeNotSwitched",
                QT_TRANSLATE_NOOP("Refusal",
                                  "The encoder does not show the mode: it is in parameterization (IN %1). End "
@@ -574,11 +574,12 @@ constexpr std::array refusalRows{
                                  "The encoder seems to answer differently each time (IN %1): the gateway "
                                  "puts halves of different words together. Set a longer copy time in "
                                  "the settings of the gateway, then read again.")},
-    RefusalRow{RefusalId::outAreaTooShort, "outAreaTooShort",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "%1 does not have all OUT registers of the ring as planned (%2), though it has "
-                              "the first. Nothing was sent. Compare the bus structure with the ring, and the "
-                              "first register of OUT with the manual of the gateway.")},
+    RefusalRow{
+        RefusalId::outAreaTooShort, "outAreaTooShort",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 does not have all OUT registers of the ring as planned (%2), though it has "
+                          "the first. Compare the bus structure with the ring, and the first register of OUT "
+                          "with the manual of the gateway.")},
     RefusalRow{RefusalId::outputsBlocked, "outputsBlocked",
                QT_TRANSLATE_NOOP(
                    "Refusal", "%1 does not carry out %2 (exception 4). The watchdog of its outputs may have "
@@ -651,6 +652,21 @@ QString camPositionText(const Refusal &refusal)
         argumentTexts(refusal.arguments));
 }
 
+// With a second figure, what is shown may be a speed.
+QString presetNotKnownText(const Refusal &refusal)
+{
+    const bool mayBeSpeed = refusal.arguments.size() > 1;
+    return sentence(
+        refusalPattern(mayBeSpeed ? QT_TRANSLATE_NOOP(
+                                        "Refusal",
+                                        "The preset was sent, but it is not known whether the position was "
+                                        "set: position mode would show %1, but IN is %2, which may be the "
+                                        "speed of velocity mode. Compare the position with the machine, in "
+                                        "position mode, before you go on.")
+                                  : refusalRow(refusal.id).text),
+        argumentTexts(refusal.arguments));
+}
+
 QString labelKeyText(const Refusal &refusal)
 {
     const QStringList parts = argumentTexts(refusal.arguments);
@@ -666,14 +682,15 @@ QString labelKeyText(const Refusal &refusal)
     return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
 }
 
-// The parameters that may be to blame, and IN. A number stands for a parameter without a name.
+// The parameters that may be to blame, and IN. A number stands for a parameter without a name. Before
+// IN stands the word that was refused where nobody has seen the mode of the encoder.
 QString suspectsText(const Refusal &refusal)
 {
     QStringList suspects;
-    QString in = QStringLiteral("?");
+    QStringList words;
     for (const RefusalArgument &argument : refusal.arguments) {
         if (std::holds_alternative<Word>(argument))
-            in = argumentText(argument);
+            words << argumentText(argument);
         else if (std::holds_alternative<std::int64_t>(argument))
             suspects << sentence(refusalPattern(QT_TRANSLATE_NOOP("Refusal", "parameter %1")),
                                  {argumentText(argument)});
@@ -682,6 +699,14 @@ QString suspectsText(const Refusal &refusal)
     }
     const RefusalRow &row = refusalRow(refusal.id);
     const QString either = refusalPattern(QT_TRANSLATE_NOOP("Refusal", " or "));
+    const QString in = words.isEmpty() ? QStringLiteral("?") : words.last();
+    if (words.size() > 1)
+        return sentence(
+            refusalPattern(QT_TRANSLATE_NOOP(
+                "Refusal", "Error 2: the encoder refused %3, the word for %1 (IN %2). Perhaps it is in cam "
+                           "mode, where it takes no parameters: switch it to position mode, then try again. "
+                           "If it was in position mode, check which encoder it is.")),
+            {suspects.join(either), in, words.first()});
     return sentence(refusalPattern(suspects.isEmpty() ? row.textWithoutArguments : row.text),
                     {suspects.join(either), in});
 }
@@ -724,6 +749,8 @@ QString refusalText(const Refusal &refusal)
         return suspectsText(refusal);
     case RefusalId::camPositionAboveRange:
         return camPositionText(refusal);
+    case RefusalId::presetNotKnown:
+        return presetNotKnownText(refusal);
     case RefusalId::modeNotKnown:
     case RefusalId::inCamMode:
     case RefusalId::camWordRefused:

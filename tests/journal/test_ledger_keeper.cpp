@@ -70,6 +70,25 @@ TEST_F(LedgerKeeperTest, CountsWhatAJobWrites)
     EXPECT_EQ(countAt(baumer).writes, 0);
 }
 
+// A cam that an earlier job has set is stored once its program is left, perhaps when nobody looks any more.
+TEST_F(LedgerKeeperTest, WhatIsInDoubtAfterAJobThatWritesNothingIsCounted)
+{
+    keep(DatabasePlace::memory());
+    run(fraba, SwitchMode{Mode::cam, 1});
+    run(fraba, SendWords{{0x4600'0015, 0x8000'0000, 0}});
+    ASSERT_EQ(countAt(fraba).atMost(), 0);
+    EncoderSession &encoder = *bus.encoder(fraba);
+    InDoubt doubt;
+    QObject::connect(&encoder, &EncoderSession::finished, &encoder,
+                     [&](const Outcome &outcome) { doubt = outcome.inDoubt; });
+    ASSERT_TRUE(encoder.start(ReadParameters{{Parameter::steps}}));
+    bus.advance(1);
+    bus.setRunning(false);
+    bus.advance(10);
+    ASSERT_EQ(doubt.eepromWrites, 1);
+    EXPECT_EQ(countAt(fraba).perhaps, 1);
+}
+
 // In another run, it may have been this encoder.
 TEST_F(LedgerKeeperTest, WhatWasCountedByThePlaceIsNotLostWithTheSerialNumber)
 {

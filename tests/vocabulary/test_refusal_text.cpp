@@ -62,6 +62,17 @@ TEST(RefusalText, SaysWhatWasWrongAndWhatWouldBeRight)
         {RefusalId::wrongParameterData,
          {Word{0x8200'0000}},
          "Error 1: the encoder refused a value (IN 82000000). Check the values and write them again."},
+        {RefusalId::unknownParameterNumber,
+         {Parameter::steps, Word{0x0200'03E8}, Word{0x8400'0000}},
+         "Error 2: the encoder refused 020003E8, the word for Steps (IN 84000000). Perhaps it is in cam "
+         "mode, "
+         "where it takes no parameters: switch it to position mode, then try again. If it was in position "
+         "mode, check which encoder it is."},
+        {RefusalId::presetNotKnown,
+         {std::int64_t{1'000}, Word{10}},
+         "The preset was sent, but it is not known whether the position was set: position mode would show "
+         "1000, but IN is 0000000A, which may be the speed of velocity mode. Compare the position with the "
+         "machine, in position mode, before you go on."},
         {RefusalId::verificationFailed,
          {Parameter::steps, std::int64_t{255}, std::int64_t{254}},
          "Steps was written as 255 but read back as 254. Read the encoder before you rely on it, and write "

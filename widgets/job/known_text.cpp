@@ -187,8 +187,8 @@ QString endText(const Outcome &outcome)
     if (outcome.restored)
         sentences << restoredText(outcome.restored);
     sentences << leftInText(outcome.leftIn);
-    if (outcome.leftInMode)
-        sentences << messageText(leftModeMessage(*outcome.leftInMode));
+    if (const auto left = leftModeReport(outcome))
+        sentences << messageText(*left);
     return sentences.join(u' ');
 }
 

@@ -142,8 +142,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
         for (const QString &one : doubtSentences(last->inDoubt, device))
             fact(WizardReport::tr("Not known"), one);
     fact(WizardReport::tr("State at the end of the handshake"), leftInText(leftIn(record)));
-    if (last && last->leftInMode)
-        fact(WizardReport::tr("Mode afterwards"), messageText(leftModeMessage(*last->leftInMode)));
+    if (const auto left = last ? leftModeReport(*last) : std::nullopt)
+        fact(WizardReport::tr("Mode afterwards"), messageText(*left));
     if (record.leftOut)
         fact(WizardReport::tr("Left out"), noteText(*record.leftOut));
     if (record.setsPosition)

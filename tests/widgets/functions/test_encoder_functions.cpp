@@ -117,6 +117,7 @@ TEST_F(EncoderFunctionsTest, AnEncoderInCamModeThatWasToldToBeInPositionModeIsNo
     EXPECT_EQ(encoder().latest().in, 0xE040'0001u);
     EXPECT_TRUE(message().contains(QStringLiteral("The encoder is in cam mode: there the word 20400001")))
         << message().toStdString();
+    EXPECT_FALSE(message().contains(QStringLiteral("Switch it back"))) << "which keeps what was changed";
     EXPECT_FALSE(action("velocityMode").isChecked());
     EXPECT_EQ(encoder().latest().mode, Mode::cam);
 }
@@ -200,6 +201,32 @@ TEST_F(EncoderFunctionsTest, TheFrabaPresetStandsForOneCycle)
     EXPECT_EQ(encoder().latest().position, 0);
     EXPECT_EQ(encoder().eepromWrites(), 1);
     EXPECT_TRUE(message().contains(QStringLiteral("Position: 0."))) << message().toStdString();
+}
+
+// It takes the preset, and goes on showing its speed.
+TEST_F(EncoderFunctionsTest, ASpeedIsNotTakenForThePositionThatWasNotSet)
+{
+    isInPositionMode();
+    ASSERT_TRUE(encoder().start(WriteParameters{.values = {{Parameter::preset, 1'000}}, .previous = {}}));
+    finishJobs();
+    click("velocityMode");
+    finishJobs();
+    m_ring.controls->setSpeed(fraba.node, 10);
+    isInPositionMode(); // it is not
+    {
+        const Question question = Question::answeredBy(QStringLiteral("Set position"));
+        click("frabaPreset");
+    }
+    m_ring.bus.advance(2'500);
+    finishJobs();
+    EXPECT_TRUE(
+        message().contains(QStringLiteral("it is not known whether the position was set: position mode "
+                                          "would show 1000, but IN is 0000000A")))
+        << message().toStdString();
+    EXPECT_FALSE(message().contains(QStringLiteral("was not set")));
+    EXPECT_EQ(encoder().latest().mode, std::nullopt);
+    EXPECT_EQ(encoder().latest().position, std::nullopt);
+    EXPECT_TRUE(action("velocityMode").text().contains(QStringLiteral("now: not known")));
 }
 
 // Also while the shaft turns; nothing is sent before the answer.

@@ -15,16 +15,15 @@ void K3CamKnowledge::set(const std::vector<KnownCams> &known)
             m_programs.at(one.program.number).values[i] = {valueOf(one.program, camField(i)), one.evidence};
 }
 
-void K3CamKnowledge::observe(Word in, Word out, std::optional<Mode> mode, std::optional<unsigned> program,
-                             Instant now)
+void K3CamKnowledge::observe(Word in, Word out, const Seen &seen, Instant now)
 {
-    m_program = program;
+    m_program = seen.program;
     if (in == m_in && out == m_out)
         return;
     m_now = now;
-    const bool mayBeCamMode = mode.value_or(Mode::cam) == Mode::cam;
+    const bool mayBeCamMode = seen.mode.value_or(Mode::cam) == Mode::cam;
     if (out != m_out)
-        observeOut(out, mayBeCamMode);
+        observeOut(out, mayBeCamMode, seen.isOfOthers);
     if (k3::isConfirmation(in))
         observeAnswer(in);
     else if (k3::isOperation(in))
@@ -38,7 +37,7 @@ void K3CamKnowledge::observe(Word in, Word out, std::optional<Mode> mode, std::o
     m_out = out;
 }
 
-void K3CamKnowledge::observeOut(Word out, bool mayBeCamMode)
+void K3CamKnowledge::observeOut(Word out, bool mayBeCamMode, bool isOfOthers)
 {
     m_answerIsFresh = false;
     if (k3::isProgramWord(out)) {
@@ -50,6 +49,7 @@ void K3CamKnowledge::observeOut(Word out, bool mayBeCamMode)
         m_mayEnd = false;
         doubtAsked();
         m_asked = out;
+        m_askedByOthers = isOfOthers;
     }
 }
 
@@ -67,7 +67,7 @@ void K3CamKnowledge::observeAnswer(Word in)
     m_isParameterized = true;
     if (!m_program) {
         forgetAll(); // it was in cam mode, in an unknown program
-        m_change = Change::certainly;
+        raiseChange(Change::certainly);
         return;
     }
     beginChange(Change::certainly);
@@ -108,6 +108,12 @@ void K3CamKnowledge::beginChange(Change how)
 {
     if (m_program && m_change == Change::no)
         m_saved = m_programs[*m_program];
+    raiseChange(how);
+}
+
+void K3CamKnowledge::raiseChange(Change how)
+{
+    m_isOwnChange = (m_change != Change::no && m_isOwnChange) || !m_askedByOthers;
     m_change = std::max(m_change, how);
 }
 
@@ -118,7 +124,7 @@ void K3CamKnowledge::doubtAsked()
         return;
     if (!m_program) {
         forgetValues();
-        m_change = std::max(m_change, Change::perhaps);
+        raiseChange(Change::perhaps);
         return;
     }
     beginChange(Change::perhaps);
@@ -129,13 +135,13 @@ void K3CamKnowledge::doubtAsked()
 bool K3CamKnowledge::loseSight(const Unseen &unseen)
 {
     if (unseen.out != m_out)
-        observeOut(unseen.out, unseen.mayBeCamMode);
+        observeOut(unseen.out, unseen.mayBeCamMode, false);
     doubtAsked();
     loseChange(false);
     m_asked.reset();
     m_answerIsFresh = false;
     m_in = m_out = k3::normalRunning;
-    if (!unseen.mayLeave && !unseen.isOfJob)
+    if (!unseen.mayLeave && !(unseen.isOfJob && m_isOwnChange))
         return false;
     return std::exchange(m_change, Change::no) != Change::no;
 }

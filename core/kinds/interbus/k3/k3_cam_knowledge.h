@@ -16,8 +16,15 @@ class K3CamKnowledge
 {
 public:
     void set(const std::vector<KnownCams> &known);
-    // One bus cycle. `mode` and `program` (in cam mode) as far as they are known.
-    void observe(Word in, Word out, std::optional<Mode> mode, std::optional<unsigned> program, Instant now);
+    // What the words mean depends on.
+    struct Seen
+    {
+        std::optional<Mode> mode{};
+        std::optional<unsigned> program{}; // in cam mode
+        bool isOfOthers = false;           // what is in OUT
+    };
+    // One bus cycle.
+    void observe(Word in, Word out, const Seen &seen, Instant now);
     // Of the program in use, since it was entered; `perhaps` by a word that left OUT without an answer.
     enum class Change : std::uint8_t { no, perhaps, certainly };
     // A word that leaves the program was taken: a change costs an EEPROM write.
@@ -34,7 +41,8 @@ public:
         bool isOfJob = false;
     };
     // Nobody sees any more what becomes of it, nor of what was changed and is not saved. True: the program
-    // was perhaps saved, or a job leaves it to be saved when nobody counts. It is not counted later.
+    // was perhaps saved, or a job leaves what this program changed to be saved when nobody counts. It is not
+    // counted later.
     bool loseSight(const Unseen &unseen);
     // The program in use that was changed, or perhaps was, and is not saved.
     std::optional<unsigned> unsaved() const;
@@ -56,13 +64,14 @@ private:
         Instant at{};
     };
 
-    void observeOut(Word out, bool mayBeCamMode);
+    void observeOut(Word out, bool mayBeCamMode, bool isOfOthers);
     void observeAnswer(Word in);
     void observeOperation(Word in);
     void observeReadOut(Word in, Word out);
     void observeError(Word in);
     void learn(unsigned program, CamField field, Value value);
     void beginChange(Change how);
+    void raiseChange(Change how);
     void doubtAsked();
     void loseChange(bool certainly);
 
@@ -71,10 +80,12 @@ private:
     std::optional<unsigned> m_program; // the one in use
     Change m_change = Change::no;      // not yet saved
     Program m_saved;                   // that program, before the first change
+    bool m_isOwnChange = false;        // or some of it
     std::optional<Word> m_asked;       // a cam word not yet answered, still in OUT or not
-    bool m_isParameterized = false;    // an acknowledgement was in IN, and its end has not been seen
-    bool m_mayEnd = false;             // run has been sent since, or another mode
-    bool m_answerIsFresh = false;      // IN has held no read-out answer since the request was put into OUT
+    bool m_askedByOthers = false;
+    bool m_isParameterized = false; // an acknowledgement was in IN, and its end has not been seen
+    bool m_mayEnd = false;          // run has been sent since, or another mode
+    bool m_answerIsFresh = false;   // IN has held no read-out answer since the request was put into OUT
     bool m_isDirty = false;
     Word m_shown = 0; // last in operation
     Word m_in = 0;

@@ -100,14 +100,26 @@ void K3Encoder::loseSightByHand(Word out)
         events.emplace_back(std::move(doubt));
 }
 
+void K3Encoder::read(Word in, Instant now)
+{
+    reading = decodeReading(in, now,
+                            {device.dialect.as<k3::Dialect>(), device.mayHaveModes(), knowledge.mode(),
+                             knowledge.coding(), knowledge.camProgram()});
+}
+
+void K3Encoder::doubtMode()
+{
+    knowledge.doubtMode(reading.at);
+    read(reading.in, reading.at);
+    reportChanges();
+}
+
 // The jump of the position at a preset is not a movement of the shaft.
 void K3Encoder::observe(Word in, Word out, Instant now)
 {
     knowledge.observe(in, out, now);
     reportChanges();
-    reading = decodeReading(in, now,
-                            {device.dialect.as<k3::Dialect>(), device.mayHaveModes(), knowledge.mode(),
-                             knowledge.coding(), knowledge.camProgram()});
+    read(in, now);
     const bool isSetting = (out & k3::presetBit) != 0;
     reading.stepsPerSecond = m_speed.after(isSetting ? std::nullopt : reading.position, now);
     reading.mayMissTurns = m_speed.mayMissTurns();

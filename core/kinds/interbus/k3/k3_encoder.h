@@ -20,6 +20,8 @@ struct K3Encoder
     void forget();
     // One bus cycle.
     void observe(Word in, Word out, Instant now);
+    // What it does contradicts a mode that was only told.
+    void doubtMode();
     // A job has ended, and nobody sees any more what IN shows, nor what becomes of `out`, which is in OUT or
     // on its way there. Returns how many writes that may cost which are not counted.
     int loseSight(Word out);
@@ -46,6 +48,7 @@ struct K3Encoder
 
 private:
     Result<void> checkMode(const Job &job) const;
+    void read(Word in, Instant now);
     void updateScale();
     void reportChanges();
 

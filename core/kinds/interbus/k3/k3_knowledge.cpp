@@ -41,8 +41,10 @@ void K3Knowledge::set(const std::vector<Known> &known)
         // A start-up mode that was read says nothing about the present: something may have switched the mode
         // since.
         if (one.parameter == Parameter::startUpMode && one.evidence == Evidence::told &&
-            one.at >= m_modeSince)
-            tellMode(modeAfterStartUp(one.value.number()), camProgramAfterStartUp(one.value.number()));
+            one.at >= m_modeSince) {
+            m_mode.believe(modeAfterStartUp(one.value.number()), camProgramAfterStartUp(one.value.number()));
+            m_mayHoldOldCams = true;
+        }
     }
 }
 
@@ -63,9 +65,10 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
     observeMode(out, now);
     if (k3::isOperation(in))
         m_lastPosition = in;
-    if (m_device.capabilities.cams)
-        m_cams.observe(in, out, mode(), camProgram(), now);
     const bool isFirst = !std::exchange(m_hasSeenWords, true); // what was in OUT by then was sent by others
+    const bool isOfOthers = isFirst || m_othersWrite;
+    if (m_device.capabilities.cams)
+        m_cams.observe(in, out, {mode(), camProgram(), isOfOthers}, now);
     if (!isFirst && isManufacturerPreset(out) && mayTakePreset(m_in))
         observeManufacturerPreset();
     const bool outChanged = out != m_out;
@@ -83,7 +86,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
             m_asked = out;
             m_inWhenAsked = m_in;
             m_askedIsProcessed = false;
-            m_wordIsOfOthers = isFirst || m_othersWrite;
+            m_wordIsOfOthers = isOfOthers;
         }
     }
     if (!k3::isOperation(in))
@@ -97,7 +100,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
         break;
     case EncoderState::error:
         if (in != m_in)
-            observeError(in, out);
+            observeError(in, out, now);
         break;
     case EncoderState::readOut:
         observeReadOut(in, out, now);
@@ -118,6 +121,15 @@ void K3Knowledge::tellMode(std::optional<Mode> mode, std::optional<unsigned> cam
 {
     m_mode.tell(mode, camProgram);
     m_mayHoldOldCams = true;
+}
+
+void K3Knowledge::doubtMode(Instant now)
+{
+    if (!modeIsOnlyTold())
+        return;
+    tellMode(std::nullopt);
+    m_modeSince = now;
+    m_known.forget(Parameter::startUpMode);
 }
 
 bool K3Knowledge::mayHoldOldCams() const
@@ -205,7 +217,7 @@ void K3Knowledge::observeConfirmation(Word in, Word out)
 
 // An error in answer to run is about the whole set, which stays pending. Otherwise, or where a confirmation
 // comes before the check (FRABA), it may be the last confirmed value that was refused late.
-void K3Knowledge::observeError(Word in, Word out)
+void K3Knowledge::observeError(Word in, Word out, Instant now)
 {
     constexpr unsigned parametersLost = 3;
     constexpr unsigned unknownWord = 2;
@@ -213,6 +225,8 @@ void K3Knowledge::observeError(Word in, Word out)
     const bool isInPositionMode = !mode() || mode() == Mode::position;
     if ((mode() == Mode::cam && refusesCams) || (!isInPositionMode && k3::number(in) == parametersLost))
         tellMode(std::nullopt);
+    if (mode() != Mode::cam && k3::isParameterWord(out) && k3::number(in) == unknownWord)
+        doubtMode(now); // as in cam mode
     m_asked.reset();
     if (k3::isParameterWord(out) && m_pending.erase(k3::number(out)) != 0)
         return;

@@ -52,6 +52,12 @@ public:
     std::optional<std::int64_t> value(Parameter parameter) const { return m_known.value(parameter); }
     ParameterValues values() const { return m_known.values(); }
     std::optional<Mode> mode() const { return m_mode.now(); }
+    // By somebody's word, which no word that passed has borne out.
+    bool modeIsOnlyTold() const { return m_mode.isOnlyBelieved(); }
+    // What the encoder does contradicts a mode that was only told.
+    void doubtMode(Instant now);
+    // Whether its preset is programmed and not yet activated (FRABA manual 5.4.1); empty: not known.
+    std::optional<bool> isPresetArmed() const { return m_presetArmed; }
     // The cam program the encoder is in, in cam mode.
     std::optional<unsigned> camProgram() const { return m_mode.camProgram(); }
     std::optional<KnownCams> cams(unsigned program) const { return m_cams.known(program); }
@@ -74,7 +80,7 @@ public:
 private:
     void observeConfirmation(Word in, Word out);
     bool provesCamMode(Word in, Word out) const;
-    void observeError(Word in, Word out);
+    void observeError(Word in, Word out, Instant now);
     void observeReadOut(Word in, Word out, Instant now);
     bool mayBeTorn(unsigned code, Word in);
     void observeOperation(Word in, Word out, Instant now);

@@ -16,6 +16,13 @@ void K3Mode::tell(std::optional<Mode> mode, std::optional<unsigned> camProgram)
 {
     m_mode = mode;
     m_camProgram = mode == Mode::cam ? camProgram : std::nullopt;
+    m_isBelieved = false;
+}
+
+void K3Mode::believe(std::optional<Mode> mode, std::optional<unsigned> camProgram)
+{
+    tell(mode, camProgram);
+    m_isBelieved = true;
 }
 
 K3Mode::Switched K3Mode::observe(Word out)
@@ -36,10 +43,22 @@ K3Mode::Switched K3Mode::observe(Word out)
 
 bool K3Mode::loseSight(Word out)
 {
-    const bool mayBeSwitched = (isOpen() && leadsElsewhere(m_out)) || (out != m_out && leadsElsewhere(out));
-    if (mayBeSwitched)
+    const bool before = isOpen() && leadsElsewhere(m_out);
+    const bool now = out != m_out && leadsElsewhere(out);
+    if (before)
+        mayBeSwitchedBy(m_out);
+    if (now)
+        mayBeSwitchedBy(out);
+    return before || now;
+}
+
+// From one cam program to another it stays in cam mode either way.
+void K3Mode::mayBeSwitchedBy(Word out)
+{
+    if (modeOf(out) != m_mode)
         tell(std::nullopt);
-    return mayBeSwitched;
+    else if ((out & ~k3::programWord) != m_camProgram)
+        tell(Mode::cam);
 }
 
 // Its word has not been there long enough to be certain that it was taken.

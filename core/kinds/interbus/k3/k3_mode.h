@@ -23,14 +23,17 @@ public:
     static constexpr int cyclesUntilTaken = 3;
 
     void tell(std::optional<Mode> mode, std::optional<unsigned> camProgram = {});
+    // The same, by somebody's word: no word that passed has shown it.
+    void believe(std::optional<Mode> mode, std::optional<unsigned> camProgram);
     enum class Switched : std::uint8_t { no, perhaps, certainly };
     // Once a word has switched the mode, even if to the one it was in; or perhaps has, since it left OUT too
     // early to know.
     Switched observe(Word out);
-    // Nobody sees what becomes of `out`. True: it, or the word before it, may switch the mode, which is not
-    // known from now on.
+    // Nobody sees what becomes of `out`. True: it, or the word before it, may switch the mode, or the cam
+    // program, which is not known from now on.
     bool loseSight(Word out);
     std::optional<Mode> now() const { return m_mode; }
+    bool isOnlyBelieved() const { return m_mode && m_isBelieved; }
     // The cam program, 1..8, in cam mode.
     std::optional<unsigned> camProgram() const { return m_camProgram; }
 
@@ -40,9 +43,11 @@ private:
     bool leadsElsewhere(Word out) const;
     static Mode modeOf(Word out);
     void switchedBy(Word out);
+    void mayBeSwitchedBy(Word out);
 
     std::optional<Mode> m_mode;
     std::optional<unsigned> m_camProgram;
+    bool m_isBelieved = false;
     Word m_out = 0;
     int m_stoodFor = 0;
 };

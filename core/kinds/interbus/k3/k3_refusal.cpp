@@ -82,6 +82,8 @@ Refusal k3Refusal(const K3Circumstances &at, Word in)
         arguments = {std::int64_t{in & 0xFF}};
     else if (id == RefusalId::otherDeviceError)
         arguments = {std::int64_t{number}};
+    if (id == RefusalId::unknownParameterNumber && at.mayBeInCamMode && k3::isParameterWord(at.step.out))
+        arguments.emplace_back(at.step.out);
     arguments.emplace_back(in);
     return {RefusalKind::device, id, std::move(arguments)};
 }

@@ -15,6 +15,7 @@ struct K3Circumstances
     const ParameterValues &confirmed; // since the last run
     const ParameterValues &written;
     bool inCamMode = false;           // as far as known
+    bool mayBeInCamMode = false;      // nobody has seen its mode
     bool foundParameterizing = false; // the encoder was in a parameterization before the job
     bool foundInError = false;        // or in the error state
 };

@@ -4,6 +4,7 @@
 #include "kinds/interbus/k3/k3_refine.h"
 #include "kinds/interbus/k3/k3_refusal.h"
 #include "kinds/interbus/words/k3_cam_fields.h"
+#include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/word_reach.h"
 
 #include <algorithm>
@@ -114,11 +115,14 @@ void K3Run::begin(Word in, Instant now)
     K3Step &step = m_steps.current();
     step.inCamMode = m_encoder.knowledge.mode() == Mode::cam;
     m_resetIsSent = m_resetIsSent || (!step.inCamMode && isReset(step.out));
+    m_maySwitchMode = m_maySwitchMode || step.effect == Effect::switchesMode || k3::isProgramWord(step.out);
     m_handshake.begin(step, in, now);
     if (setsPosition(step) || step.standsUntilItActs)
         m_encoder.preset.begin(presetTarget(m_encoder.device, m_encoder.knowledge), now);
-    if (setsPosition(step))
+    if (setsPosition(step)) {
         m_account.outcome.positionBefore = m_reading.position;
+        m_wasArmed = m_encoder.knowledge.isPresetArmed().value_or(false);
+    }
 }
 
 // 60000000, even in words given by the user: another word follows it in OUT, so that its effect is seen.
@@ -218,6 +222,8 @@ void K3Run::ran()
     m_confirmed = {};
     m_resetIsSent = false;
     m_cams.ran();
+    if (m_ranAtZero)
+        readPresetAgain();
 }
 
 void K3Run::readDone(const K3Step &step, Word in)
@@ -345,9 +351,16 @@ Refusal K3Run::refusalFor(Word in) const
                       .confirmed = m_confirmed.values,
                       .written = m_account.outcome.written,
                       .inCamMode = m_encoder.knowledge.mode() == Mode::cam,
+                      .mayBeInCamMode = mayBeInCamMode(),
                       .foundParameterizing = m_foundParameterizing,
                       .foundInError = m_foundInError},
                      in);
+}
+
+bool K3Run::mayBeInCamMode() const
+{
+    const K3Knowledge &knowledge = m_encoder.knowledge;
+    return m_encoder.device.mayHaveModes() && (!knowledge.mode() || knowledge.modeIsOnlyTold());
 }
 
 bool K3Run::endsInError(std::size_t step) const
@@ -378,7 +391,8 @@ std::optional<LeftMode> K3Run::modeLeft() const
     const LeftMode now = modeNow();
     const auto *to = job<SwitchMode>();
     const bool isWanted = now.mode == Mode::position && (!m_modeBefore.mode || (to && to->mode == now.mode));
-    return isWanted || now == m_modeBefore ? std::nullopt : std::optional(now);
+    const bool isAsBefore = now == m_modeBefore && (now.mode || !m_maySwitchMode);
+    return isWanted || isAsBefore ? std::nullopt : std::optional(now);
 }
 
 void K3Run::complete(Outcome &outcome)
@@ -392,6 +406,8 @@ void K3Run::complete(Outcome &outcome)
         outcome.notActive = m_confirmed.values;
     const bool isUnproven = m_ranAtZero && !m_encoder.device.capabilities.reads;
     outcome.onlyZeroSinceRun = m_reading.in == 0 && (isUnproven || job<SwitchMode>() != nullptr);
+    if (m_mayBeSpeed)
+        m_encoder.doubtMode();
     if (!outcome.result)
         outcome.leftInMode = modeLeft();
     outcome.camsRead = m_cams.read();

@@ -42,6 +42,7 @@ private:
     void stepFailed(WordAnswer how, Word in) override;
     void fail(Refusal why) override;
     Refusal refusalFor(Word in) const override;
+    bool mayBeInCamMode() const;
     Result<void> resultAt(Word in) override;
     bool endsInError(std::size_t step) const override;
     void complete(Outcome &outcome) override;
@@ -56,7 +57,10 @@ private:
     bool presetIsOpen(Word in, Instant now) const;
     void judgePreset(Word in);
     void noteNotSet(RefusalId why, std::vector<RefusalArgument> arguments, Word in);
+    void noteMayBeSpeed(Word in);
     void presetFlagRead(std::int64_t flag);
+    void presetWasNotTaken();
+    void readPresetAgain();
 
     // What the answer to a step means.
     void ran();
@@ -95,12 +99,21 @@ private:
     std::optional<Refusal> m_mismatch; // found when reading back, which goes on
     LeftMode m_modeBefore;
     std::optional<Refusal> m_notSet; // the position, or it is not known whether it was; the rest goes on
+    // What was shown before and after a preset as positions, until it is certain that they are no speeds.
+    struct Shown
+    {
+        std::optional<std::int64_t> before;
+        std::optional<std::int64_t> after;
+    };
+    std::optional<Shown> m_mayBeSpeed;
+    bool m_wasArmed = false; // the preset, when its word was put into OUT
     Word m_inWhenAsked = 0;
     bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
     int m_readAgain = 0;                // of the value that is read: answers that may be torn
     bool m_foundInError = false;        // so was it in the error state
     bool m_ranAtZero = false;           // run was answered by 00000000h
     bool m_resetIsSent = false;         // to default, and not run
+    bool m_maySwitchMode = false;       // a word that does, or may do so in the mode it is in, was sent
 };
 
 } // namespace codewheel

@@ -2,6 +2,7 @@
 // Whether a preset was carried out, and why not.
 #include "kinds/interbus/k3/k3_run.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -38,7 +39,13 @@ bool K3Run::presetIsOpen(Word in, Instant now) const
 void K3Run::judgePreset(Word in)
 {
     m_account.outcome.positionAfter = m_reading.position;
-    switch (m_encoder.preset.says()) {
+    const K3PresetProof::Said said = m_encoder.preset.says();
+    if (said != K3PresetProof::Said::done && m_encoder.preset.target() &&
+        m_encoder.knowledge.modeIsOnlyTold()) {
+        noteMayBeSpeed(in);
+        return;
+    }
+    switch (said) {
     case K3PresetProof::Said::done:
         return;
     case K3PresetProof::Said::notDone:
@@ -67,10 +74,48 @@ void K3Run::noteNotSet(RefusalId why, std::vector<RefusalArgument> arguments, Wo
     m_notSet = {RefusalKind::device, why, std::move(arguments)};
 }
 
+// Velocity mode takes a preset, too, and does not show it. Whether it did is told by the flag.
+void K3Run::noteMayBeSpeed(Word in)
+{
+    Outcome &outcome = m_account.outcome;
+    m_mayBeSpeed = Shown{std::exchange(outcome.positionBefore, {}), std::exchange(outcome.positionAfter, {})};
+    m_notSet = {RefusalKind::device, RefusalId::presetNotKnown, {m_encoder.preset.target()->position, in}};
+    m_encoder.plan.appendRead(m_steps.all, Parameter::presetFlag);
+}
+
+// A preset that was programmed and is used up now was carried out, whatever the position shows.
 void K3Run::presetFlagRead(std::int64_t flag)
 {
-    if (flag == 0 && m_notSet && m_notSet->id == RefusalId::presetNotTaken)
+    const bool isUsedUp = flag == 0;
+    const bool isNotTaken = m_notSet && m_notSet->id == RefusalId::presetNotTaken;
+    if (isUsedUp && isNotTaken && m_wasArmed)
+        m_notSet = {RefusalKind::device, RefusalId::presetNotKnown, {m_notSet->arguments.back()}};
+    else if (isUsedUp && isNotTaken)
         m_notSet->id = RefusalId::presetUsedUp;
+    else if (!isUsedUp && m_mayBeSpeed)
+        presetWasNotTaken();
+}
+
+void K3Run::presetWasNotTaken()
+{
+    m_notSet = {RefusalKind::device, RefusalId::presetNotTaken, m_notSet->arguments};
+    if (m_mayBeSpeed->after)
+        m_notSet->arguments.back() = *m_mayBeSpeed->after;
+    m_account.outcome.positionBefore = m_mayBeSpeed->before;
+    m_account.outcome.positionAfter = m_mayBeSpeed->after;
+    m_mayBeSpeed.reset();
+}
+
+// Run that is answered by 00000000 does not prove what the encoder has now.
+void K3Run::readPresetAgain()
+{
+    const auto sets = std::find_if(m_steps.rest(), m_steps.all.end(),
+                                   [](const K3Step &step) { return setsPosition(step); });
+    if (sets == m_steps.all.end() || m_encoder.knowledge.value(Parameter::preset))
+        return;
+    K3Steps read;
+    m_encoder.plan.appendRead(read, Parameter::preset);
+    m_steps.all.insert(sets, read.begin(), read.end());
 }
 
 } // namespace codewheel

@@ -172,13 +172,26 @@ TEST(K3Preset, OneThatWasNotTakenIsAFailure)
     EXPECT_EQ(table.outcome()->positionAfter, pos);
 }
 
+DriverTable frabaSwitchedToPositionMode()
+{
+    DriverTable table(u"fraba-ocd-ib");
+    table.repeat(3, {0x0000'0000, pos});
+    EXPECT_TRUE(table.begin(SendWords{.words = {0x2080'0000, 0x2040'0000, 0x0000'0000}}));
+    table.play({{0x0000'0000, pos}});
+    table.repeat(3, {0x2080'0000, pos});
+    table.repeat(3, {0x2040'0000, pos});
+    table.repeat(4, {0x0000'0000, pos});
+    EXPECT_EQ(table.driver().reading().mode, Mode::position);
+    return table;
+}
+
 class UsedUpPreset : public testing::TestWithParam<std::pair<Word, RefusalId>>
 {};
 
 // FRABA manual 5.4.1: by its flag
 TEST_P(UsedUpPreset, IsNamedAsTheCause)
 {
-    DriverTable table = frabaInPositionMode();
+    DriverTable table = frabaSwitchedToPositionMode();
     table.tell(Parameter::preset, 100);
     ASSERT_TRUE(table.begin(WriteParameters{.values = {{Parameter::steps, 4096}},
                                             .onlyWhatDiffers = false,
@@ -207,6 +220,61 @@ TEST_P(UsedUpPreset, IsNamedAsTheCause)
 INSTANTIATE_TEST_SUITE_P(Flags, UsedUpPreset,
                          testing::Values(std::pair(Word{0xA000'0000}, RefusalId::presetUsedUp),
                                          std::pair(Word{0xA000'0001}, RefusalId::presetNotTaken)));
+
+// An armed preset that shows nothing, and its flag afterwards.
+Outcome presetThatShowsNothing(DriverTable table, Word flag)
+{
+    EXPECT_TRUE(table.begin(SetPreset{100}));
+    table.play({{0x0000'0000, pos},
+                {0x2021'0006, pos},
+                {0x2021'0006, 0xA000'0001},
+                {0x0000'0000, pos},
+                {0x2021'0004, pos},
+                {0x2021'0004, 0xA000'0064},
+                {0x0000'0000, pos}});
+    playUntilJudged(table, pos);
+    table.play({{0x0000'0000, pos},
+                {0x2021'0006, flag},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos},
+                {0x0000'0000, pos}});
+    return table.outcome().value_or(Outcome{});
+}
+
+constexpr Word usedUp = 0xA000'0000;
+constexpr Word stillArmed = 0xA000'0001;
+
+// In velocity mode a preset acts, and IN goes on showing the speed.
+TEST(K3Preset, WhereTheModeWasOnlyToldWhatIsShownMayBeASpeed)
+{
+    const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), usedUp);
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error(),
+              (Refusal{RefusalKind::device, RefusalId::presetNotKnown, {std::int64_t{100}, pos}}));
+    EXPECT_EQ(outcome.positionBefore, std::nullopt);
+    EXPECT_EQ(outcome.positionAfter, std::nullopt);
+    EXPECT_EQ(outcome.leftInMode, LeftMode()) << "it is not known any more";
+}
+
+TEST(K3Preset, AFlagThatIsStillSetProvesInAnyModeThatItWasNotTaken)
+{
+    const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), stillArmed);
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(
+        outcome.result.error(),
+        (Refusal{RefusalKind::device, RefusalId::presetNotTaken, {std::int64_t{100}, std::int64_t{pos}}}));
+    EXPECT_EQ(outcome.positionBefore, pos);
+    EXPECT_EQ(outcome.positionAfter, pos);
+    EXPECT_EQ(outcome.leftInMode, std::nullopt);
+}
+
+TEST(K3Preset, AnArmedOneThatIsUsedUpWasPerhapsCarriedOut)
+{
+    const Outcome outcome = presetThatShowsNothing(frabaSwitchedToPositionMode(), usedUp);
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error(),
+              (Refusal{RefusalKind::device, RefusalId::presetNotKnown, {std::int64_t{pos}}}));
+}
 
 // A shaft that turns 50 steps in each cycle
 TEST(K3Preset, OfATurningShaftIsProvedByTheJump)
