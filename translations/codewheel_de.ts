@@ -3178,10 +3178,6 @@
         <translation>%1 antwortet zu spät (%2, Versuche: %3): Was kommt, gehört zu früheren Anfragen. Stellen Sie eine längere Zeitgrenze ein.</translation>
     </message>
     <message>
-        <source>%1 does not have all OUT registers of the ring as planned (%2), though it has the first. Nothing was sent. Compare the bus structure with the ring, and the first register of OUT with the manual of the gateway.</source>
-        <translation>%1 hat nicht alle OUT-Register des geplanten Rings (%2), das erste aber doch. Nichts wurde gesendet. Vergleichen Sie den Busaufbau mit dem Ring und das erste Register von OUT mit dem Handbuch des Gateways.</translation>
-    </message>
-    <message>
         <source>No register is set that acknowledges the watchdog of this gateway. Enter it and its value, by the manual of the gateway, in the connection.</source>
         <translation>Es ist kein Register eingetragen, das den Watchdog dieses Gateways quittiert. Tragen Sie es mit seinem Wert nach dem Handbuch des Gateways in der Verbindung ein.</translation>
     </message>
@@ -3218,12 +3214,24 @@
         <translation>Nichts geschrieben: Der Geber ist schon in der Parametrierung (IN %1). Diese erst mit Run beenden.</translation>
     </message>
     <message>
-        <source>The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was changed, and it was left in parameterization. Switching the encoder off and on drops the change; run, or another mode, keeps it, and the cam program has to be written again.</source>
-        <translation>Der Geber ist im Nockenbetrieb. Dort gilt: Das Wort %1 %2 (IN %3). Sein Nockenprogramm wurde geändert, und er blieb in der Parametrierung. Aus- und Einschalten des Gebers verwirft die Änderung; mit Run oder einer anderen Betriebsart bleibt sie, und das Nockenprogramm muss neu geschrieben werden.</translation>
-    </message>
-    <message>
         <source>The encoder does not show the mode: it is in parameterization (IN %1). End that first, with run, then try again.</source>
         <translation>Der Geber zeigt die Betriebsart nicht: Er ist in der Parametrierung (IN %1). Diese erst mit Run beenden, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was changed, and it was left in parameterization: the controller gets no position. Switching the encoder off and on drops the change. Run, or another mode, keeps it: then the cam program has to be written again.</source>
+        <translation>Der Geber ist im Nockenbetrieb. Dort gilt: Das Wort %1 %2 (IN %3). Sein Nockenprogramm wurde geändert, und er blieb in der Parametrierung: Die Steuerung bekommt keine Position. Aus- und Einschalten des Gebers verwirft die Änderung. Mit Run oder einer anderen Betriebsart bleibt sie: Dann muss das Nockenprogramm neu geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 does not have all OUT registers of the ring as planned (%2), though it has the first. Compare the bus structure with the ring, and the first register of OUT with the manual of the gateway.</source>
+        <translation>%1 hat nicht alle OUT-Register des geplanten Rings (%2), das erste aber doch. Vergleichen Sie den Busaufbau mit dem Ring und das erste Register von OUT mit dem Handbuch des Gateways.</translation>
+    </message>
+    <message>
+        <source>The preset was sent, but it is not known whether the position was set: position mode would show %1, but IN is %2, which may be the speed of velocity mode. Compare the position with the machine, in position mode, before you go on.</source>
+        <translation>Der Preset wurde gesendet, aber es ist nicht bekannt, ob die Position gesetzt wurde: Im Positionsbetrieb stünde dort %1, IN ist aber %2, und das kann die Drehzahl des Drehzahlbetriebs sein. Die Position im Positionsbetrieb mit der Maschine vergleichen, bevor es weitergeht.</translation>
+    </message>
+    <message>
+        <source>Error 2: the encoder refused %3, the word for %1 (IN %2). Perhaps it is in cam mode, where it takes no parameters: switch it to position mode, then try again. If it was in position mode, check which encoder it is.</source>
+        <translation>Fehler 2: Der Geber hat %3, das Wort für %1, abgelehnt (IN %2). Vielleicht ist er im Nockenbetrieb, in dem er keine Parameter annimmt: in den Positionsbetrieb schalten, dann noch einmal versuchen. War er im Positionsbetrieb, prüfen, welcher Geber es ist.</translation>
     </message>
 </context>
 <context>
@@ -5653,10 +5661,6 @@ Rückgabewert 2.</translation>
         <translation>wird im Drehzahlbetrieb nicht gezeigt</translation>
     </message>
     <message>
-        <source>say that the encoder is not in cam mode, where the same word sets a cam</source>
-        <translation>angeben, dass der Geber nicht im Nockenbetrieb ist, in dem dasselbe Wort einen Nocken setzt</translation>
-    </message>
-    <message>
         <source>Cam program %1: nothing is set</source>
         <translation>Nockenprogramm %1: nichts gesetzt</translation>
     </message>
@@ -7950,6 +7954,106 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>The encoder is still in parameterization, as before: it shows no position.</source>
         <translation>Der Geber ist weiterhin in der Parametrierung, wie schon vorher: Er zeigt keine Position.</translation>
+    </message>
+    <message>
+        <source>Reading has perhaps cost so many: %1.</source>
+        <translation>So viele hat das Lesen vielleicht schon gekostet: %1.</translation>
+    </message>
+    <message>
+        <source>The cam programs are read first, in cam mode.</source>
+        <translation>Zuerst werden die Nockenprogramme gelesen, im Nockenbetrieb.</translation>
+    </message>
+    <message>
+        <source>Read the cam programs of %1?</source>
+        <translation>Nockenprogramme von %1 lesen?</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: there is nobody to ask. Add --yes to read and write.</source>
+        <translation>Nichts gesendet: Es ist niemand da, der gefragt werden kann. Zum Lesen und Schreiben --yes angeben.</translation>
+    </message>
+    <message>
+        <source>The reset itself, 0E000000, was not sent.</source>
+        <translation>Das Zurücksetzen selbst, 0E000000, wurde nicht gesendet.</translation>
+    </message>
+    <message>
+        <source>0E000000 and run were sent and answered; what the encoder has now was not read back.</source>
+        <translation>0E000000 und Run wurden gesendet und beantwortet; was der Geber jetzt hat, wurde nicht zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>say that the encoder is in position mode: in cam mode the same word sets a cam</source>
+        <translation>angeben, dass der Geber im Positionsbetrieb ist: im Nockenbetrieb setzt dasselbe Wort einen Nocken</translation>
+    </message>
+    <message>
+        <source>sent, and refused by the encoder (error %1)</source>
+        <translation>gesendet und vom Geber abgelehnt (Fehler %1)</translation>
+    </message>
+    <message>
+        <source>sent, and not answered</source>
+        <translation>gesendet und nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>%1 does not carry out %2 (exception 4). The watchdog of its outputs may have tripped: acknowledge it with codewheel-cli gateway --acknowledge-watchdog.</source>
+        <translation>%1 führt %2 nicht aus (Exception 4). Der Watchdog seiner Ausgänge hat vielleicht angesprochen: mit codewheel-cli gateway --acknowledge-watchdog quittieren.</translation>
+    </message>
+    <message>
+        <source>no registers</source>
+        <translation>keine Register</translation>
+    </message>
+    <message>
+        <source>registers %1 to %2</source>
+        <translation>Register %1 bis %2</translation>
+    </message>
+    <message>
+        <source>acknowledged at %1 ms (%2)</source>
+        <translation>quittiert bei %1 ms (%2)</translation>
+    </message>
+    <message>
+        <source>not acknowledged</source>
+        <translation>nicht quittiert</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>read back as something else</source>
+        <translation>anders zurückgelesen</translation>
+    </message>
+    <message>
+        <source>not read back</source>
+        <translation>nicht zurückgelesen</translation>
+    </message>
+    <message>
+        <source>read back as 00000000 at %1 ms (%2)</source>
+        <translation>als 00000000 zurückgelesen bei %1 ms (%2)</translation>
+    </message>
+    <message>
+        <source>then as something else</source>
+        <translation>danach anders</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP were sent, but are not acknowledged yet: it is not known whether they have arrived. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM-STOPPs wurden gesendet, sind aber noch nicht quittiert: Ob sie angekommen sind, ist nicht bekannt. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP are acknowledged, but not read back yet.</source>
+        <translation>Die Nullen des ALARM-STOPPs sind quittiert, aber noch nicht zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP were sent, but not acknowledged within %1 s: it is not known whether they have arrived. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM-STOPPs wurden gesendet, aber nicht innerhalb von %1 s quittiert: Ob sie angekommen sind, ist nicht bekannt. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>The zeros of the ALARM STOP were acknowledged, but not read back within %1 s: it is not known whether they are still there. Stop the machine by its own means.</source>
+        <translation>Die Nullen des ALARM-STOPPs wurden quittiert, aber nicht innerhalb von %1 s zurückgelesen: Ob sie noch dort stehen, ist nicht bekannt. Die Maschine mit ihren eigenen Mitteln anhalten.</translation>
+    </message>
+    <message>
+        <source>sent at %1 ms (%2)</source>
+        <translation>gesendet bei %1 ms (%2)</translation>
+    </message>
+    <message>
+        <source>Zeros:          %1</source>
+        <translation>Nullen:         %1</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,13 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+// After which nothing is known, as for another call.
+void connectAgain(SharedBus &shared)
+{
+    shared.bus().close();
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating));
+}
+
 TEST(CliPreset, PrintsThePositionBeforeAndAfter)
 {
     const CliRun run = runLine(QStringLiteral("preset 1.0 1000"));
@@ -133,6 +140,62 @@ TEST(CliPreset, WhereTheModeIsNotKnownTheUserSaysIt)
     const CliRun run = shared.runLine(QStringLiteral("preset 1.0 --json"));
     EXPECT_EQ(errorKey(run), "modeNotKnown");
     EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 --in-position-mode")).exit, 0);
+}
+
+// Another call has switched it.
+TEST(CliPreset, ASpeedIsNotTakenForThePositionThatWasNotSet)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("preset 1.0 1000"));
+    shared.runLine(QStringLiteral("velocity 1.0 on"));
+    shared.controls().setSpeed(NodeId("1.0"), 10);
+    for (const char *line : {"preset 1.0 1000 --in-position-mode", "preset 1.0 --in-position-mode"}) {
+        connectAgain(shared);
+        const CliRun run = shared.runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 1) << line;
+        EXPECT_THAT(run.err, HasSubstr("it is not known whether the position was set: position mode would "
+                                       "show 1000, but IN is 0000000A, which may be the speed"));
+        EXPECT_THAT(run.err, HasSubstr("It is not known in which mode the encoder was left"));
+        EXPECT_THAT(run.err, testing::Not(HasSubstr("was not set")));
+        EXPECT_THAT(run.out, HasSubstr("Position before: IN 0000000A, and the mode of the encoder is not "
+                                       "known\nPosition after:  IN 0000000A, and the mode of the encoder is "
+                                       "not known\n"))
+            << line;
+    }
+    shared.controls().setSpeed(NodeId("1.0"), 1);
+    connectAgain(shared);
+    const QJsonObject json =
+        shared.runLine(QStringLiteral("preset 1.0 2000 --in-position-mode --json")).json();
+    EXPECT_TRUE(json[u"positionBefore"].isNull());
+    EXPECT_TRUE(json[u"positionAfter"].isNull());
+    shared.controls().setSpeed(NodeId("1.0"), 0);
+    const int position =
+        shared.runLine(QStringLiteral("velocity 1.0 off --json")).json()[u"position"].toInt();
+    EXPECT_NEAR(position, 2'000, 500) << "it was set";
+}
+
+// Run is answered by 00000000 there, which proves nothing.
+TEST(CliPreset, FromPosition0IsProvedToo)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("preset 1.0 0"));
+    EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 1000")).out, "Position before: 0\n"
+                                                                     "Position after:  1000\n"
+                                                                     "EEPROM writes:   2\n");
+}
+
+TEST(CliPreset, OfAnEncoderInCamModeThatWasToldToBeInPositionModeSaysWhatItMayBe)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("words 1.0 20800001 00000000"));
+    connectAgain(shared);
+    const CliRun run = shared.runLine(QStringLiteral("preset 1.0 1000 --in-position-mode"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err,
+                HasSubstr("Error 2: the encoder refused 080003E8, the word for Preset (IN 84000000). "
+                          "Perhaps it is in cam mode, where it takes no parameters"));
+    connectAgain(shared);
+    EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 off")).exit, 0) << "the way out";
 }
 
 // It may be a FRABA in cam mode, where 40000000 sets the start of cam 0.

@@ -218,6 +218,23 @@ TEST(CliWrite, WhatTheEncoderRefusesIsExit1AndSaysWhereItWasLeft)
                 HasSubstr("steps        = 20000  did not become active\n"));
 }
 
+// Another call has switched it to cam mode.
+TEST(CliWrite, AWordThatWasRefusedWasSent)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("words 1.0 20800001 00000000"));
+    shared.bus().close();
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // after which nothing is known
+    const CliRun run = shared.runLine(QStringLiteral("write 1.0 steps=1000 direction=ccw --yes"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("steps      = 1000     sent, and refused by the encoder (error 2)\n"));
+    EXPECT_THAT(run.out, HasSubstr("direction  = ccw (4)  not sent\n"));
+    EXPECT_THAT(run.err, HasSubstr("Error 2: the encoder refused 020003E8, the word for Steps (IN 84000000). "
+                                   "Perhaps it is in cam mode, where it takes no parameters: switch it to "
+                                   "position mode, then try again."));
+    EXPECT_EQ(shared.eepromWrites(), 0);
+}
+
 struct BadWrite
 {
     const char *values;

@@ -12,13 +12,13 @@
 #include "cli/encoder/consent.h"
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
+#include "cli/encoder/mode_left.h"
 #include "cli/encoder/position_text.h"
 #include "cli/encoder/trace.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
 #include "project/file_access.h"
 #include "vocabulary/hex.h"
-#include "vocabulary/mode_text.h"
 #include "vocabulary/sentence.h"
 
 #include <algorithm>
@@ -48,34 +48,11 @@ constexpr std::array camsOptions{
     traceOption,
 };
 
-// Empty: not known.
-std::optional<SwitchMode> knownMode(const EncoderSession &encoder)
-{
-    const Reading &reading = encoder.latest();
-    if (!reading.mode || (*reading.mode == Mode::cam && !reading.camProgram))
-        return std::nullopt;
-    return SwitchMode{*reading.mode, reading.camProgram.value_or(0)};
-}
-
-QString modeLine(const std::optional<SwitchMode> &now, const std::optional<SwitchMode> &before)
-{
-    if (!now)
-        return CommandLine::tr("In which mode the encoder is now is not known.");
-    if (now == before)
-        return sentence(CommandLine::tr("The encoder is in %1 again, as before."), {modeText(*now)});
-    if (before)
-        return sentence(CommandLine::tr("The encoder is now in %1; before, it was in %2."),
-                        {modeText(*now), modeText(*before)});
-    return sentence(CommandLine::tr("The encoder is now in %1; in which mode it was before is not known."),
-                    {modeText(*now)});
-}
-
 // It stays where nobody said where to, and the mode before is not known.
-QString hintAtPosition(const Arguments &arguments, const std::optional<SwitchMode> &now,
-                       const std::optional<SwitchMode> &before)
+QString hintAtPosition(const Arguments &arguments, const ModeLeft &left)
 {
-    const bool staysUnasked = now && now->mode == Mode::cam && !before && !arguments.has("--stay") &&
-                              !arguments.has("--to-position");
+    const bool staysUnasked = !left.hasFailed && left.now.mode == Mode::cam && !left.before.mode &&
+                              !arguments.has("--stay") && !arguments.has("--to-position");
     return staysUnasked ? u' ' + CommandLine::tr("With --to-position it is in position mode afterwards.")
                         : QString();
 }
@@ -95,28 +72,27 @@ struct CamCall
 {
     const Call &call;
     EncoderSession &encoder;
-    std::optional<SwitchMode> modeBefore{};
+    LeftMode modeBefore = modeShown(encoder);
+    ModeLeft left{};
     Answer answer{};
     std::unique_ptr<JobTrace> trace{};
     int writesBefore = encoder.eepromWrites(); // of this session
     int perhapsWrites = 0;                     // by all its jobs
     bool hasSwitched = false;                  // to cam mode, and back if all went well
-    bool isOutOfSight = false;                 // since its last job
-    bool hasFailed = false;                    // a job of it
 
     // What it has done is told; if it failed, the answer says why.
     Outcome carryOut(const AllowedJob &job)
     {
+        const LeftMode atStart = modeShown(encoder);
         Outcome outcome = runToEnd(call, job, *trace);
-        isOutOfSight = endedOutOfSight(outcome);
+        left = modeLeft(encoder, outcome, modeBefore, atStart);
         if (!std::holds_alternative<ReadParameters>(job.job())) {
             hasSwitched = true;
             answer.text += accountText(outcome);
         }
         answer.text += doubtLines(encoder, outcome.inDoubt);
         addToJson(outcome);
-        hasFailed = !outcome.result;
-        if (hasFailed) {
+        if (!outcome.result) {
             answer.complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
             answer.complaint->text += u' ' + whereItWasLeft(outcome, encoder.latest());
         }
@@ -136,7 +112,7 @@ struct CamCall
     int eepromWrites() const { return encoder.eepromWrites() - writesBefore; }
     void addWrites()
     {
-        if (hasFailed || eepromWrites() + perhapsWrites > 0)
+        if (left.hasFailed || eepromWrites() + perhapsWrites > 0)
             answer.text += eepromWritesLine(eepromWrites(), perhapsWrites);
     }
     // Back to where it was, as far as known; otherwise it stays in the last program, which is saved.
@@ -145,16 +121,15 @@ struct CamCall
         if (call.arguments.has("--to-position"))
             return {};
         const SwitchMode last{Mode::cam, programs.back()};
-        return call.arguments.has("--stay") ? last : modeBefore.value_or(last);
+        const bool staysInLast = call.arguments.has("--stay") || !modeBefore.mode ||
+                                 (modeBefore.mode == Mode::cam && !modeBefore.camProgram);
+        return staysInLast ? last : SwitchMode{*modeBefore.mode, modeBefore.camProgram.value_or(0)};
     }
     // In which mode it is now, and why.
     void addMode()
     {
-        const auto mode = isOutOfSight ? std::nullopt : knownMode(encoder);
-        answer.json.insert(QStringLiteral("mode"), modeJson(mode ? std::optional(mode->mode) : std::nullopt));
-        if (mode && mode->mode == Mode::cam)
-            answer.json.insert(QStringLiteral("camProgram"), static_cast<int>(mode->camProgram));
-        answer.text += modeLine(mode, modeBefore) + hintAtPosition(call.arguments, mode, modeBefore) + u'\n';
+        left.addTo(answer.json);
+        answer.text += left.toText() + hintAtPosition(call.arguments, left) + u'\n';
     }
     std::optional<std::int64_t> positions() const
     {
@@ -305,15 +280,20 @@ Result<QString> reviewText(const CamCall &cams, const WriteCams &job)
     });
 }
 
-QString costText(const std::vector<CamDifference> &differences)
+// What reading them has cost was agreed to before.
+QString costText(const std::vector<CamDifference> &differences, int perhapsByReading)
 {
     int programs = 0;
     unsigned last = 0;
     for (const CamDifference &one : differences)
         programs += std::exchange(last, one.program) != one.program ? 1 : 0;
-    return sentence(CommandLine::tr("EEPROM writes: %1, one for each program that is changed and left."),
-                    {QString::number(programs)}) +
-           u'\n';
+    QString text =
+        sentence(CommandLine::tr("EEPROM writes: %1, one for each program that is changed and left."),
+                 {QString::number(programs)});
+    if (perhapsByReading > 0)
+        text += u' ' + sentence(CommandLine::tr("Reading has perhaps cost so many: %1."),
+                                {QString::number(perhapsByReading)});
+    return text + u'\n';
 }
 
 void showCams(CamCall &cams)
@@ -322,8 +302,27 @@ void showCams(CamCall &cams)
         cams.call.terminal.print(std::exchange(cams.answer.text, {}));
 }
 
+// What differs is known only once the programs were read, which may cost a write by itself.
+Checked<void> agreesToRead(CamCall &cams)
+{
+    const QString leaving = costOfLeaving(cams.encoder);
+    if (leaving.isEmpty())
+        return {};
+    cams.answer.text += CommandLine::tr("The cam programs are read first, in cam mode.") + u'\n' +
+                        sentence(CommandLine::tr("EEPROM writes:   %1"), {QStringLiteral("0")}) + leaving +
+                        u'\n';
+    showCams(cams);
+    return consent(cams.call,
+                   sentence(CommandLine::tr("Read the cam programs of %1?"), {cams.encoder.place().shown()}),
+                   CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to read and write."));
+}
+
 void write(CamCall &cams, const std::vector<CamProgram> &wanted)
 {
+    if (const auto agreed = agreesToRead(cams); !agreed) {
+        cams.answer.complaint = agreed.error();
+        return;
+    }
     const auto differences = compareWith(cams, wanted);
     if (!differences || differences->empty())
         return;
@@ -333,7 +332,7 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         cams.answer.complaint = complaintAbout(review.error());
         return;
     }
-    cams.answer.text += *review + costText(*differences);
+    cams.answer.text += *review + costText(*differences, cams.perhapsWrites);
     showCams(cams);
     const auto allowed = eepromConsent(cams.call, cams.encoder, job, AsksAnyway::yes);
     if (!allowed) {
@@ -381,10 +380,8 @@ Checked<Answer> runCams(const Call &call)
     if (const auto fits = reads ? Checked<void>() : checkMadeFor(call, *wanted, (*encoder)->device()); !fits)
         return tl::unexpected(fits.error());
 
-    CamCall cams{.call = call,
-                 .encoder = **encoder,
-                 .modeBefore = knownMode(**encoder),
-                 .trace = call.busOf((*encoder)->place()).trace({*encoder})};
+    CamCall cams{
+        .call = call, .encoder = **encoder, .trace = call.busOf((*encoder)->place()).trace({*encoder})};
     if (reads)
         read(cams, *program);
     else if (compares)

@@ -65,6 +65,14 @@ bool isAboutPreset(RefusalId why)
            why == RefusalId::presetNotKnown || why == RefusalId::presetNotKnownWithout;
 }
 
+// Without a mode that was told and did not hold.
+Reading shownBefore(Reading before, const EncoderSession &encoder)
+{
+    if (!encoder.latest().mode)
+        before.mode.reset();
+    return before;
+}
+
 // Everything if it was done, otherwise as far as something is known.
 QString whatIsKnown(const FinishedJob &job, const Reading &before, const EncoderSession &encoder)
 {
@@ -77,7 +85,8 @@ QString whatIsKnown(const FinishedJob &job, const Reading &before, const Encoder
                    : QString();
     };
     const bool isFateUntold = job.lastStep.setsPosition && !outcome.inDoubt.position;
-    return line(CommandLine::tr("Position before: %1"), outcome.positionBefore, before) +
+    return line(CommandLine::tr("Position before: %1"), outcome.positionBefore,
+                shownBefore(before, encoder)) +
            line(CommandLine::tr("Position after:  %1"), outcome.positionAfter, encoder.latest()) +
            (isSent || mayHaveWritten(outcome) ? eepromWritesLine(outcome) : QString()) +
            doubtLines(encoder, outcome.inDoubt) +

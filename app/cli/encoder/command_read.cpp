@@ -124,7 +124,7 @@ Answer readFrom(const Call &call, EncoderSession &encoder, NamedValues named)
     if (!job.outcome.result)
         answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
     else
-        answer.complaint = foundInParameterization(encoder);
+        answer.complaint = foundInParameterization(call, encoder);
     return answer;
 }
 

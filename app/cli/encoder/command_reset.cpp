@@ -42,11 +42,39 @@ QString warningText(const EncoderSession &encoder)
         text += CommandLine::tr("All cam programs are lost, too, and the encoder is in position mode "
                                 "afterwards.") +
                 u'\n';
-    text += sentence(CommandLine::tr("EEPROM writes:   %1"), {QStringLiteral("1")});
-    const auto mode = encoder.latest().mode;
-    if (encoder.can().cams && mode != Mode::position && mode != Mode::velocity)
-        text += CommandLine::tr(", and 1 more where it is in a cam program that was changed");
-    return text + u'\n';
+    return text + sentence(CommandLine::tr("EEPROM writes:   %1"), {QStringLiteral("1")}) +
+           costOfLeaving(encoder) + u'\n';
+}
+
+// How far a reset got, by the steps that were begun.
+struct ResetSteps
+{
+    bool isSent = false;     // 0E000000
+    bool hasRun = false;     // run was sent behind it
+    bool isAnswered = false; // and was answered
+
+    void begun(const Progress &progress)
+    {
+        const auto index = static_cast<std::size_t>(progress.index);
+        if (index >= progress.steps.size())
+            return;
+        const Step &step = progress.steps[index];
+        isAnswered = isAnswered || hasRun;
+        hasRun = hasRun || (isSent && step.effect == Effect::activates);
+        isSent = isSent || (step.effect == Effect::takes && step.parameters.empty());
+    }
+};
+
+// Where the job failed, beside what is in doubt.
+QString whatWasSent(const ResetSteps &steps, const FinishedJob &job)
+{
+    if (!steps.isSent && !job.lastStep.steps.empty())
+        return CommandLine::tr("The reset itself, 0E000000, was not sent.") + u'\n';
+    if (steps.isAnswered)
+        return CommandLine::tr("0E000000 and run were sent and answered; what the encoder has now was not "
+                               "read back.") +
+               u'\n';
+    return {};
 }
 
 // Read back if possible, otherwise the factory settings, by the confirmation.
@@ -62,6 +90,10 @@ ParameterValues valuesNow(const EncoderSession &encoder)
 void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
 {
     const EncoderSession &encoder = reset.encoder();
+    ResetSteps steps;
+    QObject scope;
+    QObject::connect(&encoder, &EncoderSession::progressed, &scope,
+                     [&](const Progress &progress) { steps.begun(progress); });
     const FinishedJob job = runToEnd(call, reset);
     const DeviceDescription &device = encoder.device();
     answer.text += u'\n';
@@ -70,7 +102,8 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     answer.json.insert(QStringLiteral("leftIn"), stateKey(job.outcome.leftIn));
     addDoubt(answer.json, encoder, job.outcome.inDoubt);
     if (!job.outcome.result) {
-        answer.text += eepromWritesLine(job.outcome) + doubtLines(encoder, job.outcome.inDoubt);
+        answer.text += eepromWritesLine(job.outcome) + doubtLines(encoder, job.outcome.inDoubt) +
+                       whatWasSent(steps, job);
         answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
         if (job.outcome.resetWaits)
             answer.complaint->text += u' ' + messageText({.id = MessageId::resetWaitsForRun});

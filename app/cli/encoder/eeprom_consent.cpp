@@ -73,6 +73,13 @@ Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, con
     });
 }
 
+QString costOfLeaving(const EncoderSession &encoder)
+{
+    return mostEepromWrites(encoder, SwitchMode{}) > 0
+               ? CommandLine::tr(", and 1 more where it is in a cam program that was changed")
+               : QString();
+}
+
 Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks)
 {
     for (const EncoderJobs &one : encoders) {

@@ -30,6 +30,8 @@ enum class AsksAnyway { yes, no };
 Checked<AllowedJob> eepromConsent(const Call &call, EncoderSession &encoder, const Job &job, AsksAnyway asks);
 // For anything else that writes, this many times.
 Checked<void> eepromConsent(const Call &call, const EncoderSession &encoder, int writes, AsksAnyway asks);
+// ", and 1 more ...": what it may cost to leave the mode it is in. Empty: nothing.
+QString costOfLeaving(const EncoderSession &encoder);
 // For each encoder, covering all of its jobs.
 Checked<AllowedRound> eepromConsent(const Call &call, std::vector<EncoderJobs> encoders, AsksAnyway asks);
 

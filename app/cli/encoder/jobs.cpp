@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/encoder/jobs.h"
 
+#include "bus/buses.h"
 #include "cli/bus/bus_access.h"
 #include "cli/call/json.h"
 #include "cli/call/stop_signals.h"
@@ -10,11 +11,13 @@
 #include "cli/encoder/value_lines.h"
 #include "jobs/job_report.h"
 #include "jobs/step_text.h"
+#include "jobs/values_to_write.h"
 #include "jobs/what_run_makes_valid.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/shell_command.h"
 
 #include <chrono>
 
@@ -76,6 +79,15 @@ Result<JobId> startOn(BusAccess &bus, const AllowedJob &allowed)
     return allowed.encoder().start(allowed.job());
 }
 
+void noteSent(std::vector<Parameter> &sent, const Progress &progress)
+{
+    const auto index = static_cast<std::size_t>(progress.index);
+    if (progress.waitsForUser || index >= progress.steps.size() || !takesValue(progress.steps[index]))
+        return;
+    const std::vector<Parameter> &now = progress.steps[index].parameters;
+    sent.insert(sent.end(), now.begin(), now.end());
+}
+
 // Until it has ended.
 void carryOut(const Terminal &terminal, BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
 {
@@ -90,6 +102,7 @@ void carryOut(const Terminal &terminal, BusAccess &bus, const AllowedJob &allowe
     QObject scope;
     QObject::connect(&encoder, &EncoderSession::progressed, &scope, [&](const Progress &progress) {
         finished.lastStep = progress;
+        noteSent(finished.sent, progress);
         shown.at(progress);
     });
     QObject::connect(&encoder, &EncoderSession::finished, &scope, [&](const Outcome &ended) {
@@ -106,6 +119,39 @@ void carryOut(const Terminal &terminal, BusAccess &bus, const AllowedJob &allowe
         shown.look();
         bus.advance(bus.lookInterval());
     }
+}
+
+// The options by which this call reaches the encoder, for another one.
+QString wayToBus(const Call &call)
+{
+    const auto project = call.named != nullptr ? std::optional(call.arguments.rest.front())
+                                               : call.arguments.value("--project");
+    QString way;
+    if (const auto link = call.arguments.value("--link"))
+        way += shellCommand(QStringLiteral(" --link %1"), {*link});
+    if (project)
+        way += shellCommand(QStringLiteral(" --project %1"), {*project});
+    return way;
+}
+
+// Ends a parameterization. Empty: not by words.
+QString commandOfRun(const Call &call, const EncoderSession &encoder)
+{
+    const auto steps = encoder.planned({EndParameterization{}});
+    if (!steps)
+        return {};
+    QStringList words;
+    for (const Step &step : *steps)
+        words << (step.line.isEmpty() ? hexWord(step.out) : QString());
+    return words.contains(QString())
+               ? QString()
+               : shellCommand(QStringLiteral("codewheel-cli words %1 "), {encoder.place().shown()}) +
+                     words.join(u' ') + wayToBus(call);
+}
+
+bool endsWithRun(const Refusal &why)
+{
+    return why.id == RefusalId::inParameterization || why.id == RefusalId::modeNotSwitched;
 }
 
 FinishedJob run(const Call &call, const AllowedJob &allowed, JobTrace &trace)
@@ -191,7 +237,7 @@ Complaint aboutCancelling()
     return complaintAbout({RefusalKind::stopped, RefusalId::cancelled, {}});
 }
 
-std::optional<Complaint> foundInParameterization(const EncoderSession &encoder)
+std::optional<Complaint> foundInParameterization(const Call &call, const EncoderSession &encoder)
 {
     if (encoder.latest().state != EncoderState::parameterization)
         return std::nullopt;
@@ -202,12 +248,17 @@ std::optional<Complaint> foundInParameterization(const EncoderSession &encoder)
         sentence(CommandLine::tr("%1 is in parameterization and gives no position; what was read of it "
                                  "holds until run. %2"),
                  {place, whatRunMakesValid(encoder)}),
-        {place}};
+        {place},
+        commandOfRun(call, encoder)};
 }
 
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)
 {
-    return call.busOf(place).complaint(why);
+    Complaint complaint = call.busOf(place).complaint(why);
+    const EncoderSession *encoder = call.buses.encoder(place);
+    if (encoder != nullptr && endsWithRun(why))
+        complaint.command = commandOfRun(call, *encoder);
+    return complaint;
 }
 
 Complaint complaintAboutEnd(const Call &call, const EncoderSession &encoder, const Outcome &outcome)
@@ -215,8 +266,8 @@ Complaint complaintAboutEnd(const Call &call, const EncoderSession &encoder, con
     Complaint complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
     if (endedOutOfSight(outcome) && outcome.leftIn == EncoderState::unknown)
         complaint.text += u' ' + whereItWasLeft(outcome, encoder.latest());
-    if (outcome.leftInMode)
-        complaint.text += u' ' + messageText(leftModeMessage(*outcome.leftInMode));
+    if (const auto left = leftModeReport(outcome))
+        complaint.text += u' ' + messageText(*left);
     return complaint;
 }
 

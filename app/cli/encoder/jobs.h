@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace codewheel {
 
@@ -24,7 +25,8 @@ inline constexpr Option traceOption{
 struct FinishedJob
 {
     Outcome outcome;
-    Progress lastStep; // that was started
+    Progress lastStep;             // that was started
+    std::vector<Parameter> sent{}; // of which a value was sent
     std::shared_ptr<const JobTrace> trace;
     bool wasCancelled = false; // by a signal, whatever came of it
 };
@@ -48,7 +50,7 @@ void addDoubt(QJsonObject &json, const EncoderSession &encoder, const InDoubt &d
 Complaint aboutCancelling();
 // An encoder that shows that it is in parameterization: it gives no position, and run makes valid what nobody
 // has read. Empty: it is not.
-std::optional<Complaint> foundInParameterization(const EncoderSession &encoder);
+std::optional<Complaint> foundInParameterization(const Call &call, const EncoderSession &encoder);
 // About a job that was refused, and about its link if that is gone.
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why);
 // About a job without success; if it was cut, the state of its encoder is not known.

@@ -12,7 +12,7 @@ namespace codewheel {
 inline constexpr Option inPositionModeOption{
     "--in-position-mode", nullptr,
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                      "say that the encoder is not in cam mode, where the same word sets a cam")};
+                      "say that the encoder is in position mode: in cam mode the same word sets a cam")};
 // The user says so with that option. Only needed if the mode is not known.
 inline void tellMode(EncoderSession &encoder, const Arguments &arguments)
 {

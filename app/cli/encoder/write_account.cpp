@@ -7,9 +7,9 @@
 #include "cli/encoder/parameter_text.h"
 #include "cli/encoder/position_text.h"
 #include "jobs/values_to_write.h"
+#include "vocabulary/sentence.h"
 
 #include <algorithm>
-#include <span>
 
 namespace codewheel {
 
@@ -34,15 +34,23 @@ QString WriteAccount::fateOf(const ParameterValue &value) const
         return CommandLine::tr("sent: it is not known whether the encoder has it");
     if (findValue(outcome().confirmed, value.parameter))
         return CommandLine::tr("confirmed; takes effect only with run");
-    return wasBegun(value.parameter) ? CommandLine::tr("did not become active") : CommandLine::tr("not sent");
+    if (std::ranges::count(m_job.sent, value.parameter) == 0)
+        return CommandLine::tr("not sent");
+    return findValue(outcome().notActive, value.parameter) ? CommandLine::tr("did not become active")
+                                                           : fateOfUnconfirmed();
 }
 
-bool WriteAccount::wasBegun(Parameter parameter) const
+QString WriteAccount::fateOfUnconfirmed() const
 {
-    const Progress &last = lastStep();
-    const auto begun = std::min(last.steps.size(), static_cast<std::size_t>(last.index) + 1);
-    return std::ranges::any_of(std::span(last.steps).first(begun),
-                               [&](const Step &step) { return takesValue(step) && step.carries(parameter); });
+    const auto error = m_encoder.latest().errorNumber;
+    if (outcome().leftIn == EncoderState::error && error.value_or(0) != 0)
+        return sentence(CommandLine::tr("sent, and refused by the encoder (error %1)"),
+                        {QString::number(*error)});
+    const bool isUnanswered =
+        !outcome().result && (outcome().result.error().id == RefusalId::noAnswer ||
+                              outcome().result.error().id == RefusalId::noAnswerAtGateway);
+    return isUnanswered ? CommandLine::tr("sent, and not answered")
+                        : CommandLine::tr("did not become active");
 }
 
 QString WriteAccount::toText() const

@@ -24,14 +24,14 @@ public:
 protected:
     virtual QString fateOf(const ParameterValue &value) const; // in words
 
-    // Whether the job got as far as the step that sends it.
-    bool wasBegun(Parameter parameter) const;
     const EncoderSession &encoder() const { return m_encoder; }
     const ParameterValues &wanted() const { return m_wanted; }
     const Outcome &outcome() const { return m_job.outcome; }
     const Progress &lastStep() const { return m_job.lastStep; }
 
 private:
+    QString fateOfUnconfirmed() const;
+
     const EncoderSession &m_encoder;
     const ParameterValues &m_wanted;
     const FinishedJob &m_job;

@@ -8,21 +8,21 @@
 #include "cli/commands.h"
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
+#include "cli/encoder/mode_left.h"
 #include "cli/encoder/parameter_text.h"
 #include "cli/project/project_of_call.h"
 #include "cli/project/transfer_call.h"
 #include "cli/project/transfer_text.h"
-#include "jobs/job_report.h"
 #include "project/project_file.h"
 #include "transfer/project_places.h"
 #include "transfer/value_store.h"
-#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/value_json.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 
 namespace codewheel {
 namespace {
@@ -78,6 +78,23 @@ QString howItIsKnown(const EncoderSession &encoder, const StoredValue &stored)
                                            : sentence(CommandLine::tr("%1, kept from before"), {evidence});
 }
 
+// To its EEPROM, by all jobs.
+struct Cost
+{
+    int writes = 0;
+    int perhaps = 0;
+};
+
+Cost costOf(const EncoderResult &result)
+{
+    Cost cost;
+    for (const Outcome &outcome : result.outcomes) {
+        cost.writes += outcome.eepromWrites;
+        cost.perhaps += outcome.inDoubt.eepromWrites;
+    }
+    return cost;
+}
+
 QJsonObject storedJson(const EncoderSession &encoder, const ProjectDevice &device,
                        const std::vector<EncoderResult> &results)
 {
@@ -91,8 +108,12 @@ QJsonObject storedJson(const EncoderSession &encoder, const ProjectDevice &devic
     QJsonObject json{{QStringLiteral("stored"), values},
                      {QStringLiteral("camPrograms"), static_cast<int>(device.storedCams.size())}};
     const auto result = std::ranges::find(results, device.place(), &EncoderResult::place);
-    if (result != results.end() && !result->outcomes.empty())
-        addDoubt(json, encoder, result->outcomes.back().inDoubt);
+    if (result == results.end() || result->outcomes.empty())
+        return json;
+    InDoubt doubt = result->outcomes.back().inDoubt;
+    doubt.eepromWrites = costOf(*result).perhaps;
+    addDoubt(json, encoder, doubt);
+    json.insert(QStringLiteral("eepromWrites"), costOf(*result).writes);
     return json;
 }
 
@@ -122,21 +143,54 @@ void leaveOut(Meant &meant, const std::vector<EncoderResult> &results)
     }
 }
 
-// What the last word of a job that was cut leaves behind.
-void showDoubts(const Call &call, const std::vector<EncoderResult> &results, Answer &answer)
+using ModesBefore = std::map<Place, LeftMode>;
+
+ModesBefore modesOf(const Call &call, const std::vector<ProjectDevice> &devices)
+{
+    ModesBefore modes;
+    for (const ProjectDevice &device : devices)
+        modes[device.place()] = modeShown(*call.buses.encoder(device.place()));
+    return modes;
+}
+
+// Only reading cams changes the mode. Where that failed the complaint says in which it was left.
+bool isInAnotherMode(const EncoderResult &result, const ModeLeft &left)
+{
+    return result.outcomes.size() > 1 && !left.hasFailed && left.isAnother;
+}
+
+// What reading has left behind: what the last word of a job that was cut may still do, what it cost, the
+// mode.
+void showWhatIsLeft(const Call &call, const std::vector<EncoderResult> &results, const ModesBefore &before,
+                    Answer &answer)
 {
     for (const EncoderResult &result : results) {
+        if (result.outcomes.empty())
+            continue;
         const EncoderSession &encoder = *call.buses.encoder(result.place);
-        QStringList lines;
-        for (const Outcome &outcome : result.outcomes) {
-            lines += doubtSentences(outcome.inDoubt, encoder.device());
-            if (outcome.inDoubt.eepromWrites > 0)
-                lines << messageText({.id = MessageId::writesInDoubt,
-                                      .arguments = {std::int64_t{outcome.inDoubt.eepromWrites}}});
-        }
-        for (const QString &one : lines)
+        QString lines;
+        for (const Outcome &outcome : result.outcomes)
+            lines += doubtLines(encoder, outcome.inDoubt);
+        if (const auto [writes, perhaps] = costOf(result); writes + perhaps > 0)
+            lines += eepromWritesLine(writes, perhaps);
+        const LeftMode was = before.at(result.place);
+        if (const auto left = modeLeft(encoder, result.outcomes.back(), was, was);
+            isInAnotherMode(result, left))
+            lines += left.toText() + u'\n';
+        for (const QString &one : lines.split(u'\n', Qt::SkipEmptyParts))
             answer.text += result.place.shown() + QStringLiteral(": ") + one + u'\n';
     }
+}
+
+// With the state and the mode it was left in, if its job ended without success.
+Complaint complaintAboutResult(const Call &call, const EncoderResult &result)
+{
+    const bool isOfJob = !result.outcomes.empty() && !result.outcomes.back().result;
+    Complaint complaint =
+        isOfJob ? complaintAboutEnd(call, *call.buses.encoder(result.place), result.outcomes.back())
+                : complaintAboutJob(call, result.place, *result.why);
+    complaint.text.prepend(result.place.shown() + QStringLiteral(": "));
+    return complaint;
 }
 
 // Nothing is stored of them: what is there now may be a different one.
@@ -155,15 +209,13 @@ void complain(const Call &call, const std::vector<EncoderResult> &results, const
 {
     const auto failed =
         std::ranges::find_if(results, [](const EncoderResult &result) { return result.why.has_value(); });
-    if (failed != results.end()) {
-        answer.complaint = complaintAboutJob(call, failed->place, *failed->why);
-        answer.complaint->text.prepend(failed->place.shown() + QStringLiteral(": "));
-    } else if (!meant.others.empty()) {
+    if (failed != results.end())
+        answer.complaint = complaintAboutResult(call, *failed);
+    else if (!meant.others.empty())
         answer.complaint = complaintAbout(meant.others.front().second);
-    }
     for (const ProjectDevice &device : meant.encoders)
         if (!answer.complaint)
-            answer.complaint = foundInParameterization(*call.buses.encoder(device.place()));
+            answer.complaint = foundInParameterization(call, *call.buses.encoder(device.place()));
 }
 
 Checked<Answer> runStore(const Call &call)
@@ -176,6 +228,7 @@ Checked<Answer> runStore(const Call &call)
     const auto allowed = eepromConsent(call, jobsFor(call, meant.encoders), AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
+    const ModesBefore before = modesOf(call, meant.encoders);
     const FinishedRound round = runToEnd(call, *allowed, JobRound::AfterRefusal::goOn);
     if (round.wasCancelled)
         leaveOut(meant, round.results);
@@ -191,7 +244,7 @@ Checked<Answer> runStore(const Call &call)
         encoders.append(placeJson(call, kept.place(), storedJson(encoder, kept, round.results)));
     }
     answer.json.insert(QStringLiteral("encoders"), encoders);
-    showDoubts(call, round.results, answer);
+    showWhatIsLeft(call, round.results, before, answer);
     showOthers(call, meant, answer);
     complain(call, round.results, meant, answer);
     if (meant.encoders.empty())

@@ -2,10 +2,11 @@
 #include "bus/word_channel.h"
 #include "cli/bus/places.h"
 #include "cli/call/json.h"
-#include "cli/call/stop_signals.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/consent.h"
+#include "cli/kinds/interbus/alarm_stop.h"
+#include "cli/kinds/interbus/gateway_access.h"
 #include "cli/kinds/interbus/master_text.h"
 #include "cli/kinds/interbus/ring_access.h"
 #include "cli/kinds/interbus/ring_link_kind.h"
@@ -20,10 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
-#include <utility>
 
 namespace codewheel {
 namespace {
@@ -31,12 +28,10 @@ namespace {
 constexpr const char *masterExamples[] = {"master", "master segment 6 off --yes",
                                           "master --after 31000 --fault-plan resources/examples/faults.json"};
 
-constexpr std::chrono::seconds betweenTries{1};
-constexpr int longestTrial = 86'400'000;                   // ms
-constexpr int afterwards = 10;                             // cycles, for faults that come back at once
-constexpr std::chrono::milliseconds whetherTheyStand{500}; // zeros that have arrived
-constexpr int usualPatience = 10;                          // s
-constexpr int longestPatience = 3'600;                     // s
+constexpr int longestTrial = 86'400'000; // ms
+constexpr int afterwards = 10;           // cycles, for faults that come back at once
+constexpr int usualPatience = 10;        // s
+constexpr int longestPatience = 3'600;   // s
 
 constexpr std::array masterOptions{
     busOption,
@@ -142,8 +137,7 @@ Checked<Action> actionOf(const QStringList &words)
 struct Told
 {
     std::vector<Message> messages;
-    std::optional<Refusal> refusal{};     // of the action
-    std::optional<Complaint> complaint{}; // about what did not happen
+    std::optional<Refusal> refusal{}; // of the action
 };
 
 std::int64_t millisecondsOf(const Message &message)
@@ -226,149 +220,32 @@ Checked<void> openFor(const Call &call, RingAccess &access, const Action &action
         complaintAbout({RefusalKind::notSupported, RefusalId::masterServiceNotSupported, {service}}));
 }
 
-// Zeros that somebody else has overwritten, or that no ring carries on, have not stopped anything.
-std::optional<Complaint> complaintAboutZeros(const Told &told)
-{
-    if (told.complaint)
-        return told.complaint;
-    const auto failed = std::ranges::find_if(told.messages, [](const Message &message) {
-        return message.id == MessageId::zerosOverwritten || message.id == MessageId::zerosBeforeRing;
-    });
-    if (failed == told.messages.end())
-        return std::nullopt;
-    return Complaint{ExitCode::refused, messageKey(failed->id), messageText(*failed)};
-}
-
-bool isEndOfZeros(const Message &message)
-{
-    return message.id == MessageId::zerosReadBack || message.id == MessageId::zerosSent ||
-           message.id == MessageId::zerosOverwritten || message.id == MessageId::zerosBeforeRing;
-}
-
-Complaint zerosMissing(std::chrono::seconds patience)
-{
-    return {
-        ExitCode::refused,
-        QStringLiteral("zerosMissing"),
-        sentence(CommandLine::tr("The zeros of the ALARM STOP have not arrived within %1 s. Stop the machine "
-                                 "by its own means."),
-                 {QString::number(patience.count())}),
-        {static_cast<std::int64_t>(patience.count())}};
-}
-
-void tellLateZeros(const Call &call)
-{
-    call.terminal.complain(CommandLine::tr(
-        "The zeros of the ALARM STOP have not arrived yet. Stop the machine by its own means."));
-}
-
-// Says so after a second, though this thread may be held by a gateway that is mute. Nobody else may write to
-// the terminal before end().
-class LateZeros
-{
-public:
-    explicit LateZeros(const Call &call)
-        : m_saysSo([this, &call](const std::stop_token &stop) {
-            std::mutex mutex;
-            std::unique_lock lock(mutex);
-            std::condition_variable_any over;
-            if (over.wait_for(lock, stop, patience, [] { return false; }); stop.stop_requested())
-                return;
-            tellLateZeros(call);
-            m_isTold = true;
-        })
-    {}
-    bool end() // whether it was told
-    {
-        m_saysSo.request_stop();
-        m_saysSo.join();
-        return m_isTold;
-    }
-
-private:
-    static constexpr std::chrono::seconds patience{1};
-
-    bool m_isTold = false;
-    std::jthread m_saysSo; // last: it uses the rest
-};
-
-// The gateway may hear what it does not answer.
-Checked<void> openForZeros(const Call &call, RingAccess &access, const std::function<bool()> &goesOn,
-                           std::chrono::steady_clock::time_point end)
-{
-    using std::chrono::steady_clock;
-    LateZeros late(call);
-    bool isSent = access.ring().sendZerosUnheard(); // before anything is asked
-    Checked<void> opened = access.open();
-    if (!late.end() && !opened)
-        tellLateZeros(call);
-    bool isTold = false;
-    while (!opened && goesOn()) {
-        if (isSent && !std::exchange(isTold, true))
-            call.terminal.complain(messageText({.id = MessageId::zerosUnheard}));
-        std::this_thread::sleep_for(
-            std::min<steady_clock::duration>(betweenTries, end - steady_clock::now()));
-        isSent = access.ring().sendZerosUnheard() || isSent;
-        opened = access.open();
-    }
-    return opened;
-}
-
-// A gateway repeats its outputs until it gets others, so it is tried until the zeros are acknowledged. What
-// hinders that is told as it happens.
-Checked<Told> sendZerosPatiently(const Call &call, RingAccess &access, std::chrono::seconds patience)
-{
-    using std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds look{10};
-    const auto end = steady_clock::now() + patience;
-    StopSignals stop;
-    const auto goesOn = [&] { return steady_clock::now() < end && !stop.came(); };
-    if (const auto opened = openForZeros(call, access, goesOn, end); !opened) {
-        Complaint complaint = opened.error();
-        complaint.text += u' ' + zerosMissing(patience).text;
-        return tl::unexpected(complaint);
-    }
-    RingSession &bus = access.ring();
-    Told told;
-    bool isOver = false;
-    QObject scope;
-    QObject::connect(&bus, &RingSession::messaged, &scope, [&](const Message &message) {
-        told.messages.push_back(message);
-        isOver = isOver || isEndOfZeros(message);
-        const bool isHindrance = message.id == MessageId::zerosLate || message.id == MessageId::zerosWait ||
-                                 message.id == MessageId::zerosUnheard || message.refusal;
-        if (isHindrance)
-            call.terminal.complain(messageText(message));
-    });
-    bus.alarmStop();
-    bus.startThread({});
-    while (!isOver && goesOn()) {
-        std::this_thread::sleep_for(look);
-        bus.pump();
-    }
-    if (!isOver) {
-        told.complaint = zerosMissing(patience);
-        return told;
-    }
-    for (const auto looked = steady_clock::now() + whetherTheyStand;
-         steady_clock::now() < looked && !stop.came();) {
-        std::this_thread::sleep_for(look);
-        bus.pump();
-    }
-    return told;
-}
-
 Checked<Told> toldAfter(const Call &call, RingAccess &access, const MasterWish &wish)
 {
-    if (wish.action.sendsZeros && !access.mayReachMaster())
-        return sendZerosPatiently(call, access, wish.patience);
     if (const auto opened = openFor(call, access, wish.action); !opened)
         return tl::unexpected(opened.error());
     return carryOutAction(call, access.ring(), wish);
 }
 
+Checked<Answer> stopBehindGateway(const Call &call, GatewayAccess &access, std::chrono::seconds patience)
+{
+    const auto stop = alarmStopBehindGateway(call, access, patience);
+    if (!stop)
+        return tl::unexpected(stop.error());
+    const QString told = stop->unsaid.empty() ? QString() : messageLines(stop->unsaid) + u'\n';
+    Answer answer{told + stop->text + masterLines(access.ring()),
+                  {{QStringLiteral("master"), masterJson(access.ring())},
+                   {QStringLiteral("messages"), messagesJson(stop->messages)},
+                   {QStringLiteral("zeros"), stop->json}}};
+    addBus(answer.json, access);
+    answer.complaint = stop->complaint;
+    return answer;
+}
+
 Checked<Answer> answerOf(const Call &call, BusAccess &access, const MasterWish &wish)
 {
+    if (auto *gateway = dynamic_cast<GatewayAccess *>(&access); gateway != nullptr && wish.action.sendsZeros)
+        return stopBehindGateway(call, *gateway, wish.patience);
     auto &ringAccess = static_cast<RingAccess &>(access); // of its kind
     const auto told = toldAfter(call, ringAccess, wish);
     if (!told)
@@ -378,15 +255,19 @@ Checked<Answer> answerOf(const Call &call, BusAccess &access, const MasterWish &
                   {{QStringLiteral("master"), masterJson(ring)},
                    {QStringLiteral("messages"), messagesJson(told->messages)}}};
     addBus(answer.json, access);
-    answer.complaint =
-        told->refusal ? std::optional(complaintAbout(*told->refusal)) : complaintAboutZeros(*told);
+    if (told->refusal)
+        answer.complaint = complaintAbout(*told->refusal);
     return answer;
 }
 
-// Each with its heading. A refusal by one ring does not keep the others from it.
+// Each with its heading. A refusal by one ring does not keep the others from it, nor does one that is mute
+// keep the zeros from them.
 Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &rings, const MasterWish &wish)
 {
     Answer all;
+    if (wish.action.sendsZeros)
+        for (BusAccess *ring : rings)
+            static_cast<RingAccess *>(ring)->ring().sendZerosUnheard();
     QJsonArray buses;
     for (BusAccess *ring : rings) {
         const auto its = answerOf(call, *ring, wish);

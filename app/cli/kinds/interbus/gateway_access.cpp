@@ -7,6 +7,7 @@
 #include "doctor/hindrance_of_refusal.h"
 #include "doctor/port_hindrances.h"
 #include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/gateway/register_texts.h"
 #include "kinds/interbus/links/modbus_port.h"
 #include "kinds/interbus/plan/gateway_plan.h"
 #include "links/port_access.h"
@@ -24,16 +25,6 @@ using namespace std::chrono_literals;
 constexpr Instant longestExchange = 5s;
 constexpr int transactionsOfExchange = 10; // at most, in a ring of one block
 constexpr int exchangesOfContact = 3;      // until a word can be believed
-
-std::unique_ptr<RingSession> sessionBehind(const GatewaySettings &gateway, const Project *project, BusId ring,
-                                           const Catalog &catalog)
-{
-    auto devices =
-        project != nullptr ? gatewayDevices(*project, ring, catalog) : std::vector<GatewayDevice>();
-    return std::make_unique<RingSession>(
-        std::make_unique<GatewayLink>(std::make_unique<ModbusPort>(gateway), gateway, std::move(devices)),
-        catalog, QDateTime::currentDateTime(), nullptr, RingSession::DriverFactory(), ring);
-}
 
 std::vector<ProjectDevice> plannedOn(const Project *project, BusId ring)
 {
@@ -82,7 +73,7 @@ Complaint aboutNowhere(const QString &ring)
 
 Complaint aboutOpening(const Refusal &why)
 {
-    Complaint complaint = complaintAbout(why);
+    Complaint complaint = complaintAtGateway(why);
     if (why.id == RefusalId::portNotFound)
         complaint.text += u' ' + presentPortsText();
     return complaint;
@@ -90,9 +81,40 @@ Complaint aboutOpening(const Refusal &why)
 
 } // namespace
 
+Complaint complaintAtGateway(const Refusal &why)
+{
+    Complaint complaint = complaintAbout(why);
+    if (why.id == RefusalId::outputsBlocked)
+        complaint.text = sentence(
+            CommandLine::tr("%1 does not carry out %2 (exception 4). The watchdog of its outputs may "
+                            "have tripped: acknowledge it with codewheel-cli gateway "
+                            "--acknowledge-watchdog."),
+            registerRefusalTexts(why));
+    return complaint;
+}
+
+GatewayAccess::Behind GatewayAccess::sessionBehind(const GatewaySettings &gateway, const Project *project,
+                                                   BusId ring, const Catalog &catalog)
+{
+    auto devices =
+        project != nullptr ? gatewayDevices(*project, ring, catalog) : std::vector<GatewayDevice>();
+    auto link =
+        std::make_unique<GatewayLink>(std::make_unique<ModbusPort>(gateway), gateway, std::move(devices));
+    GatewayLink &its = *link;
+    return {std::make_unique<RingSession>(std::move(link), catalog, QDateTime::currentDateTime(), nullptr,
+                                          RingSession::DriverFactory(), ring),
+            its};
+}
+
 GatewayAccess::GatewayAccess(const GatewaySettings &gateway, const Project *project, BusId ring,
                              const Catalog &catalog)
-    : RingAccess(sessionBehind(gateway, project, ring, catalog))
+    : GatewayAccess(sessionBehind(gateway, project, ring, catalog), gateway, project, ring, catalog)
+{}
+
+GatewayAccess::GatewayAccess(Behind behind, const GatewaySettings &gateway, const Project *project,
+                             BusId ring, const Catalog &catalog)
+    : RingAccess(std::move(behind.session))
+    , m_link(behind.link)
     , m_gateway(gateway)
     , m_planned(plannedOn(project, ring))
     , m_devices(project != nullptr ? checkedDevices(*project, ring, catalog) : std::vector<CheckedDevice>())
@@ -246,9 +268,9 @@ Complaint GatewayAccess::complaint(const Refusal &why) const
 {
     const bool isOfBus =
         why.id == RefusalId::outsOfOther || why.id == RefusalId::busStopped || why.id == RefusalId::watchOnly;
-    Complaint told = complaintAbout(why);
+    Complaint told = complaintAtGateway(why);
     if (isOfBus && m_refusal)
-        told = complaintAbout(*m_refusal);
+        told = complaintAtGateway(*m_refusal);
     else if (const Complaint lost = linkLost(); !isConnected() && told.key != lost.key)
         told.text = lost.text + u' ' + told.text;
     return told;
@@ -257,6 +279,16 @@ Complaint GatewayAccess::complaint(const Refusal &why) const
 Checked<Answer> GatewayAccess::scan(const Call &)
 {
     return tl::unexpected(noIdCycle());
+}
+
+SentZeros GatewayAccess::sentZeros() const
+{
+    return m_link.sentZeros();
+}
+
+std::shared_ptr<const LinkFigures> GatewayAccess::figures() const
+{
+    return std::make_shared<const LinkFigures>(m_link.figuresNow());
 }
 
 Refusal GatewayAccess::whatIsLost() const

@@ -4,11 +4,17 @@
 #include "cli/kinds/interbus/ring_access.h"
 #include "kinds/interbus/gateway/gateway_check.h"
 #include "kinds/interbus/gateway/gateway_settings.h"
+#include "kinds/interbus/gateway/sent_zeros.h"
 #include "project/project.h"
 
 #include <functional>
 
 namespace codewheel {
+
+class GatewayLink;
+
+// complaintAbout() in the words of the command line, where those of the refusal are of the window.
+Complaint complaintAtGateway(const Refusal &why);
 
 // A ring of a call behind a gateway. Which devices it has is what the project says. It is opened, in Watch,
 // when it is first needed, and takes its time; only while jobs run it is in Operate.
@@ -20,6 +26,7 @@ public:
 
     const GatewaySettings &gateway() const { return m_gateway; }
     const std::vector<CheckedDevice> &devices() const { return m_devices; }
+    SentZeros sentZeros() const;
 
     Checked<void> open() override;
     Hindrances hindrances() const override; // also whether its host can be reached
@@ -38,7 +45,20 @@ public:
     Checked<Answer> scan(const Call &call) override;
     Refusal whatIsLost() const override;
 
+protected:
+    std::shared_ptr<const LinkFigures> figures() const override; // of this moment; not beside its thread
+
 private:
+    struct Behind // the link is the session's
+    {
+        std::unique_ptr<RingSession> session;
+        GatewayLink &link;
+    };
+
+    GatewayAccess(Behind behind, const GatewaySettings &gateway, const Project *project, BusId ring,
+                  const Catalog &catalog);
+    static Behind sessionBehind(const GatewaySettings &gateway, const Project *project, BusId ring,
+                                const Catalog &catalog);
     void nameLabelled();
     void operate(bool on);
     void exchange(); // waits for one
@@ -46,6 +66,7 @@ private:
     Instant longestTurn() const;
     Checked<void> inContact(const Call &call, Place place);
 
+    GatewayLink &m_link;
     const GatewaySettings m_gateway;
     std::vector<ProjectDevice> m_planned;
     std::vector<CheckedDevice> m_devices;

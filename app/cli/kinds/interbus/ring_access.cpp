@@ -192,11 +192,11 @@ std::optional<Exchange> RingAccess::currentRow(const EncoderSession &encoder) co
 
 void RingAccess::addFigures(const Call &, const EncoderSession &, Answer &answer) const
 {
-    const auto figures = m_ring.latest().figures;
-    if (!figures)
+    const auto counted = figures();
+    if (!counted)
         return;
-    answer.text += u'\n' + figuresText(*figures);
-    answer.json.insert(QStringLiteral("figures"), figuresJson(*figures));
+    answer.text += u'\n' + figuresText(*counted);
+    answer.json.insert(QStringLiteral("figures"), figuresJson(*counted));
     const auto &told = m_ring.latest().told;
     answer.json.insert(QStringLiteral("ringRuns"), told ? QJsonValue(!told->stands()) : QJsonValue());
     if (!told)

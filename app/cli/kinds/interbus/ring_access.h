@@ -37,6 +37,9 @@ public:
     std::optional<Complaint> whyItStands() const override;
     void addFigures(const Call &call, const EncoderSession &encoder, Answer &answer) const override;
 
+protected:
+    virtual std::shared_ptr<const LinkFigures> figures() const { return m_ring.latest().figures; }
+
 private:
     TrainingSession m_owned; // empty: it has another owner; without controls: it is no training
     RingSession &m_ring;

@@ -43,10 +43,16 @@ void GatewayCounter::noticed(const RegisterPort::Noticed &by)
     m_figures.echoes = by.echoes;
 }
 
+LinkFigures GatewayCounter::counted() const
+{
+    LinkFigures figures = m_figures;
+    figures.connections = m_opened + m_renewals;
+    return figures;
+}
+
 void GatewayCounter::show(Instant now)
 {
-    m_figures.connections = m_opened + m_renewals;
-    m_told = std::make_shared<const LinkFigures>(m_figures);
+    m_told = std::make_shared<const LinkFigures>(counted());
     m_toldAt = now;
 }
 

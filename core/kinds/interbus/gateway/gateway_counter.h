@@ -23,6 +23,7 @@ public:
 
     // Newly made every now and then, as the window looks at them.
     std::shared_ptr<const LinkFigures> figures() const { return m_told; }
+    LinkFigures counted() const; // until now
 
 private:
     void show(Instant now);

@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/gateway/gateway_device_state.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
+#include "kinds/interbus/gateway/register_refusal.h"
 #include "vocabulary/sentence.h"
 
 #include <QScopedValueRollback>
@@ -147,7 +148,7 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
     m_hurriesToZeros = false;
     beginToRead();
     claimAll();
-    auto done = writeOut(std::vector<Word>(in.size()), Overwrites::anything);
+    auto done = writeZeros();
     if (done && !m_settings.writesWithRead)
         done = readIn().map([this] { countDoubts(); });
     if (!done)
@@ -160,9 +161,7 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
         return ZerosSent();
     auto there = areZerosThere();
     if (there && there->areThere == false) // their answer may have been a late one, to a write of before
-        there = writeOut(std::vector<Word>(in.size()), Overwrites::anything).and_then([this] {
-            return areZerosThere();
-        });
+        there = writeZeros().and_then([this] { return areZerosThere(); });
     return there;
 }
 
@@ -171,17 +170,31 @@ bool GatewayLink::sendZerosUnheard()
 {
     close();
     const auto map = GatewayMap::of(m_ring, m_settings);
-    bool isSent = false;
     if (!map || !m_port->open())
-        return isSent;
+        return false;
     m_counter.connected();
+    m_zeros.send(m_port->now());
+    bool mayHaveArrived = false;
+    bool isRefused = false;
+    bool isAcknowledged = true;
     for (const RegisterBlock &block : map->outBlocks()) {
         const std::vector<Register> zeros(static_cast<std::size_t>(block.count));
-        const auto done = m_port->write(block.first, zeros);
-        isSent = isSent || done || done.error().kind == RegisterError::Kind::noAnswer;
+        const auto done = transact([&] { return m_port->write(block.first, zeros); }, false);
+        const bool isThisRefused = !done && isNotCarriedOut(done.error());
+        isAcknowledged = isAcknowledged && done;
+        isRefused = isRefused || isThisRefused;
+        mayHaveArrived = mayHaveArrived || done || (!isThisRefused && done.error().isSent);
     }
+    if (isAcknowledged)
+        m_zeros.acknowledged(m_port->now());
+    else if (mayHaveArrived)
+        m_zeros.unanswered();
+    else if (isRefused)
+        m_zeros.refused();
+    else
+        m_zeros.notSent();
     m_port->close();
-    return isSent;
+    return mayHaveArrived;
 }
 
 std::vector<QString> GatewayLink::outPlaces() const
@@ -194,6 +207,12 @@ std::vector<QString> GatewayLink::outPlaces() const
                              : sentence(GatewayTexts::tr("register %1", "the first of a device"),
                                         {QString::number(map->out(i).first)}));
     return places;
+}
+
+LinkFigures GatewayLink::figuresNow()
+{
+    m_counter.noticed(m_port->noticed());
+    return m_counter.counted();
 }
 
 // An exchange is what elsewhere is a bus cycle: with the time the ring takes to react.

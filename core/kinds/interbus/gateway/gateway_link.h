@@ -4,6 +4,7 @@
 #include "kinds/interbus/gateway/gateway_counter.h"
 #include "kinds/interbus/gateway/gateway_map.h"
 #include "kinds/interbus/gateway/register_tries.h"
+#include "kinds/interbus/gateway/sent_zeros.h"
 #include "kinds/interbus/gateway/word_gate.h"
 #include "kinds/interbus/ring/process_data_link.h"
 
@@ -51,6 +52,7 @@ public:
     Result<ZerosSent> sendZeros(std::span<Word> in) override;
     void hurryToZeros() override { m_hurriesToZeros = true; }
     bool sendZerosUnheard() override;
+    SentZeros sentZeros() const { return m_zeros.told(); } // any thread
     std::vector<QString> outPlaces() const override;
     Result<void> acknowledgeWatchdog() override;
     void claimOut(std::size_t device) override;
@@ -59,6 +61,7 @@ public:
     bool isUpToDate(std::size_t device) const override;
     std::optional<Instant> age(std::size_t device) const override;
     std::shared_ptr<const LinkFigures> figures() const override { return m_counter.figures(); }
+    LinkFigures figuresNow(); // of this moment
     std::optional<DataCheck> checkWord(std::size_t device, Word in,
                                        const EncoderSession &encoder) const override;
     Instant now() const override { return m_port->now(); }
@@ -115,6 +118,7 @@ private:
     Result<void> writeAndReadBlock(const RegisterBlock &block, const RegisterBlock &in,
                                    Overwrites overwrites);
     void claimAll();
+    Result<void> writeZeros();
     Result<ZerosSent> areZerosThere();
 
     // Transactions (gateway_link_words.cpp).
@@ -140,6 +144,7 @@ private:
     std::vector<Register> m_outRegisters;  // to be written
     std::vector<Register> m_backRegisters; // as read back
     GatewayCounter m_counter;
+    ZerosRecord m_zeros;
     Instant m_answeredAt{}; // the last transaction: half-way between request and answer
     Instant m_answerTook{};
     Instant m_nextExchange{};

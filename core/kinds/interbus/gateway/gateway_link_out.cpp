@@ -365,6 +365,23 @@ bool GatewayLink::writesLess(const Refusal &why, const RegisterBlock &block)
     return true;
 }
 
+// To all devices, whatever is there.
+Result<void> GatewayLink::writeZeros()
+{
+    const auto writtenBefore = m_lastWriteAt;
+    m_zeros.send(m_port->now());
+    auto done = writeOut(std::vector<Word>(m_devices.size()), Overwrites::anything);
+    if (done)
+        m_zeros.acknowledged(m_port->now());
+    else if (isNotCarriedOut(done.error()))
+        m_zeros.refused();
+    else if (m_lastWriteAt == writtenBefore)
+        m_zeros.notSent();
+    else
+        m_zeros.unanswered();
+    return done;
+}
+
 Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()
 {
     const Instant end = m_port->now() + OwnWord::gatewayLag;
@@ -372,8 +389,12 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()
         std::vector<Word> there;
         if (auto read = readOut(there); !read)
             return tl::unexpected(read.error());
-        if (std::ranges::all_of(there, [](Word word) { return word == 0; }))
+        if (std::ranges::all_of(there, [](Word word) { return word == 0; })) {
+            m_zeros.readBack(m_port->now());
+            for (std::size_t i = 0; i < there.size(); ++i)
+                (void)m_devices[i].own.takes(there[i], m_port->now()); // what it replaced does not come back
             return ZerosSent{.areThere = true};
+        }
         if (m_port->now() >= end)
             return ZerosSent{.areThere = false, .notZero = wordsNotZero(*this, m_ring, there)};
         m_port->wait(m_port->now() + betweenReads);

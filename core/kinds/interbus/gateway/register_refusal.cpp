@@ -15,6 +15,12 @@ constexpr int exceptionOfSilentTarget = 11;
 constexpr int firstExceptionOfMap = 1; // illegal function, address, or value
 constexpr int lastExceptionOfMap = 3;
 
+// With the others the unit goes on with it, or is one behind the gateway that may have heard it.
+constexpr bool isRefusal(std::int64_t exception)
+{
+    return exception != exceptionOfAcknowledge && exception != exceptionOfSilentTarget;
+}
+
 } // namespace
 
 int readFunction(RegisterArea area)
@@ -33,6 +39,18 @@ bool isWorthRepeating(const RegisterError &error)
 {
     using Kind = RegisterError::Kind;
     return error.kind == Kind::noAnswer || error.kind == Kind::wrongAnswer || isBusy(error);
+}
+
+bool isNotCarriedOut(const RegisterError &error)
+{
+    return error.kind == RegisterError::Kind::exception && isRefusal(error.exception);
+}
+
+bool isNotCarriedOut(const Refusal &refusal)
+{
+    return refusal.id == RefusalId::outputsBlocked ||
+           (refusal.id == RefusalId::registersRefused &&
+            isRefusal(std::get<std::int64_t>(refusal.arguments[2])));
 }
 
 QString registersText(int function, const RegisterBlock &block)

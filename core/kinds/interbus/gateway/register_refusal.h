@@ -17,6 +17,10 @@ bool isBusy(const RegisterError &error);
 // Whether another try may give a valid answer.
 bool isWorthRepeating(const RegisterError &error);
 
+// The unit answers that it has not done it, and does not.
+bool isNotCarriedOut(const RegisterError &error);
+bool isNotCarriedOut(const Refusal &refusal);
+
 // Why a transaction failed for good. `tries`: how often it was sent.
 Refusal registerRefusal(const RegisterError &error, const QString &port, int function,
                         const RegisterBlock &block, int tries);

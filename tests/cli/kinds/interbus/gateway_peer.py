@@ -119,6 +119,8 @@ class Ring:
         self.encoders = [Encoder(i + 1) for i in range(options.devices)]
         if options.pending:
             self.encoders[0].take(options.pending)
+        for word in options.left:
+            self.encoders[0].take(word)
         self.writes = 0
         self.times = 0  # that the word came behind which it vanishes
         self.words = 0  # of them, those with a word other than 0: a job is under way
@@ -160,7 +162,8 @@ class In(ModbusSequentialDataBlock):
 
 class Out(ModbusSequentialDataBlock):
     def __init__(self, ring):
-        super().__init__(0, [0] * (2 * len(ring.encoders)))
+        left = ring.registers_of(ring.options.left[-1]) if ring.options.left else [0, 0]
+        super().__init__(0, left + [0] * (2 * len(ring.encoders) - 2))
         self.ring = ring
 
     def setValues(self, address, values):
@@ -267,6 +270,7 @@ parser.add_argument("--exchange-bytes", action="store_true")
 parser.add_argument("--no-read-back", action="store_true")
 parser.add_argument("--other-writer", type=int, default=0, help="writes to the second encoder after so many writes of a job")
 parser.add_argument("--pending", type=lambda word: int(word, 16), help="the first encoder was left in parameterization")
+parser.add_argument("--left", type=lambda word: int(word, 16), nargs="+", default=[], help="the first encoder was sent these words, the last of which is still in OUT")
 parser.add_argument("--vanish-behind", type=lambda word: int(word, 16), help="ends once the first encoder has this word")
 parser.add_argument("--vanish-at-write", type=int, help="ends with so many writes")
 parser.add_argument("--closes", type=int, help="closes each connection so many ms behind its answer")

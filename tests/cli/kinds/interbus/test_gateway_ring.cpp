@@ -7,6 +7,7 @@
 
 #include <QJsonArray>
 
+#include <atomic>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,6 +49,23 @@ TEST(CliGatewayRing, FiguresAreForProgramsToo)
     EXPECT_GT(figures[u"answerTime"].toObject()[u"longest"].toInt(), 0);
     EXPECT_EQ(figures[u"status"].toInt(), 0); // the high word of 1.0
     EXPECT_EQ(figures[u"exceptions"].toObject(), QJsonObject());
+}
+
+TEST(CliGatewayRing, TheFiguresOfAMonitorCountUntilItsEnd)
+{
+    std::atomic<int> requests = 0;
+    const CrookedPeer peer([&](const SeenRequest &request) {
+        ++requests;
+        return Reaction{
+            CrookedPeer::tcpFrame(request.transaction, request.unit, rightAnswer(request.message))};
+    });
+    const auto figures = RingProject()
+                             .run(line("monitor 1.0 --for 1 --json"),
+                                  QStringLiteral("modbus-tcp:127.0.0.1:%1").arg(peer.port()))
+                             .json()[u"figures"]
+                             .toObject();
+    EXPECT_EQ(figures[u"transactions"].toInt(), requests.load());
+    EXPECT_GT(requests.load(), 10);
 }
 
 TEST(CliGatewayRing, ConnectionsClosedAfterEachAnswerAreCounted)
@@ -153,11 +171,11 @@ TEST(CliGatewayRing, AnAlarmStopWhoseZerosAreMissingStillPrintsWhatTheRingTold)
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.out, HasSubstr("ALARM STOP: 00000000 is sent to all devices of the ring."));
     EXPECT_THAT(run.out, HasSubstr("Master:"));
-    EXPECT_THAT(run.out, Not(HasSubstr("have not arrived within")));
-    EXPECT_THAT(run.err, HasSubstr("The zeros of the ALARM STOP have not arrived within 2 s."));
+    EXPECT_THAT(run.out, Not(HasSubstr("within 2 s")));
+    EXPECT_THAT(run.err, HasSubstr("were acknowledged, but not read back within 2 s"));
     GatewayPeer other(line("--pending 0200012C --vanish-at-write 2"));
     const CliRun json = RingProject().run(line("master alarm-stop --patience 2 --json"), other.link());
-    EXPECT_EQ(errorKey(json), "zerosMissing");
+    EXPECT_EQ(errorKey(json), "zerosNotReadBack");
     EXPECT_FALSE(json.json()[u"messages"].toArray().isEmpty());
 }
 
@@ -174,10 +192,10 @@ TEST(CliGatewayRing, AnAlarmStopOfAMuteGatewaySaysSoAndSendsItsZeros)
     const CliRun run = RingProject().run(line("master alarm-stop --patience 3"),
                                          QStringLiteral("modbus-tcp:127.0.0.1:%1").arg(mute.port()));
     EXPECT_EQ(run.exit, 1);
-    EXPECT_TRUE(run.err.starts_with("codewheel-cli: The zeros of the ALARM STOP have not arrived yet."))
+    EXPECT_TRUE(run.err.starts_with("codewheel-cli: The zeros of the ALARM STOP were sent, but are not "
+                                    "acknowledged yet: it is not known"))
         << run.err;
-    EXPECT_THAT(run.err, HasSubstr("were sent over the lost link"));
-    EXPECT_THAT(run.err, HasSubstr("have not arrived within 3 s"));
+    EXPECT_THAT(run.err, HasSubstr("not acknowledged within 3 s: it is not known"));
     const QByteArray zeros = QByteArray::fromHex("1000000006") + '\x0c' + QByteArray(12, '\0');
     const std::scoped_lock lock(mutex);
     EXPECT_TRUE(std::ranges::any_of(heard, [&](const QByteArray &one) { return one == zeros; }));
@@ -306,10 +324,17 @@ TEST(CliGatewayRing, WhereAJobIsCutTheStateOfTheEncoderIsNotKnown)
 
 TEST(CliGatewayRing, AVelocityCommandThatIsCutSaysThatTheModeIsNotKnown)
 {
-    GatewayPeer peer(line("--vanish-behind 20400001"));
-    const CliRun run = RingProject().run(line("velocity 1.0 on --in-position-mode"), peer.link());
-    EXPECT_EQ(run.exit, 1);
-    EXPECT_THAT(run.err, HasSubstr("It is not known in which mode the encoder was left"));
+    struct
+    {
+        const char *line;
+        const char *word;
+    } const rows[] = {{"velocity 1.0 on --in-position-mode", "20400001"}, {"velocity 1.0 off", "20800000"}};
+    for (const auto &row : rows) {
+        GatewayPeer peer(line("--vanish-behind ") + line(row.word));
+        const CliRun run = RingProject().run(line(row.line), peer.link());
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_THAT(run.err, HasSubstr("It is not known in which mode the encoder was left")) << row.word;
+    }
 }
 
 QString camsOfTest(const RingProject &project)
@@ -327,6 +352,13 @@ QJsonObject firstAccountOf(const RingProject &project)
 {
     const CliRun ledger = runLine(line("ledger --json --ledger ") + project.path(line("ledger.sqlite")));
     return ledger.json()[u"accounts"].toArray().first().toObject();
+}
+
+CliRun storeOf(const RingProject &project, const GatewayPeer &peer, const QString &options = {})
+{
+    return runLine(QStringLiteral("store %1 1.0 --link %2 --ledger %3 %4")
+                       .arg(project.file(), peer.link(), project.path(line("ledger.sqlite")), options)
+                       .trimmed());
 }
 
 // It was perhaps in a cam program that was changed, and is stored when it is left.
@@ -373,10 +405,39 @@ TEST(CliGatewayRing, WhatAllJobsOfACallCostIsOneLineAsTheLedgerCountsIt)
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_THAT(run.out,
                 HasSubstr("Written and read back: cam program 1.\nEEPROM writes:   1, perhaps 1 more\n"));
-    EXPECT_EQ(run.out.find("EEPROM writes:   "), run.out.rfind("EEPROM writes:   ")) << run.out;
+    const std::string done = run.out.substr(run.out.find("Written and read back"));
+    EXPECT_EQ(done.find("EEPROM writes"), done.rfind("EEPROM writes")) << done;
     const QJsonObject account = firstAccountOf(project);
     EXPECT_EQ(account[u"writes"].toInt(), 1);
     EXPECT_EQ(account[u"perhaps"].toInt(), 1);
+}
+
+// Reading the programs leaves the one that the encoder is in, if it is in one.
+TEST(CliGatewayRing, CamsInAModeThatIsNotKnownAreReadOnlyByConsent)
+{
+    GatewayPeer peer;
+    const RingProject project;
+    const QString write = QStringLiteral("cams 1.0 write %1").arg(camsOfTest(project));
+    const char *announced = "The cam programs are read first, in cam mode.\n"
+                            "EEPROM writes:   0, and 1 more where it is in a cam program that was changed\n";
+    const CliRun nobody = project.run(write, peer.link());
+    EXPECT_EQ(nobody.exit, 2);
+    EXPECT_THAT(nobody.out, HasSubstr(announced));
+    EXPECT_THAT(nobody.err,
+                HasSubstr("Nothing was sent: there is nobody to ask. Add --yes to read and write."));
+    const CliRun declined = project.run(write, peer.link(), {.isThere = true, .types = "n\n"});
+    EXPECT_EQ(declined.exit, 2);
+    EXPECT_THAT(declined.err, HasSubstr("Nothing was sent."));
+    EXPECT_EQ(peer.out(), line("00000000 00000000 00000000"));
+    EXPECT_TRUE(firstAccountOf(project).isEmpty());
+
+    const CliRun agreed = project.run(write + line(" --yes"), peer.link());
+    EXPECT_EQ(agreed.exit, 0) << agreed.err;
+    EXPECT_THAT(agreed.out, HasSubstr(announced));
+    EXPECT_THAT(agreed.out,
+                HasSubstr("EEPROM writes: 1, one for each program that is changed and left. Reading "
+                          "has perhaps cost so many: 1.\n"));
+    EXPECT_THAT(agreed.out, HasSubstr("\nEEPROM writes:   1, perhaps 1 more\n"));
 }
 
 TEST(CliGatewayRing, CamsOfAnEncoderInParameterizationAreNotWritten)
@@ -389,6 +450,46 @@ TEST(CliGatewayRing, CamsOfAnEncoderInParameterizationAreNotWritten)
     EXPECT_THAT(run.err, Not(HasSubstr("Nothing was sent"))) << "steps were read";
     EXPECT_THAT(run.err, HasSubstr("Nothing was written"));
     EXPECT_THAT(run.err, HasSubstr("The encoder is still in parameterization, as before"));
+    EXPECT_THAT(run.out, HasSubstr("In which mode the encoder is now is not known."))
+        << "nothing was switched";
+}
+
+TEST(CliGatewayRing, WhatEndsWithRunNamesTheCommandThatSendsIt)
+{
+    GatewayPeer peer(line("--pending 0200012C"));
+    const RingProject project;
+    const std::string way =
+        " --link " + peer.link().toStdString() + " --project " + project.file().toStdString();
+    const std::string command = "\n    codewheel-cli words 1.0 80000000 00000000" + way;
+    EXPECT_THAT(project.run(line("reset 1.0 --yes"), peer.link()).err, HasSubstr("with run." + command));
+    EXPECT_THAT(project.run(line("cams 1.0 read"), peer.link()).err, HasSubstr(command));
+    EXPECT_THAT(project.run(line("read 1.0 steps"), peer.link()).err, HasSubstr(command));
+    EXPECT_THAT(storeOf(project, peer, line("--cams")).err, HasSubstr(command));
+    EXPECT_EQ(project.run(line("words 1.0 80000000 00000000"), peer.link()).exit, 0);
+    EXPECT_EQ(project.run(line("read 1.0 steps"), peer.link()).exit, 0) << "it is in operation";
+}
+
+TEST(CliGatewayRing, AResetThatIsCutSaysWhetherItWasSent)
+{
+    const RingProject project;
+    const char *told = "The reset itself, 0E000000, was not sent.";
+    for (const char *word : {"20800000", "20400000"}) {
+        GatewayPeer peer(line("--vanish-behind ") + line(word));
+        const CliRun run = project.run(line("reset 1.0 --yes"), peer.link());
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_THAT(run.out, HasSubstr(told)) << word;
+        EXPECT_THAT(run.out, Not(HasSubstr("factory settings. Read"))) << "there is no doubt";
+    }
+    for (const char *word : {"0E000000", "80000000", "20210001"}) {
+        GatewayPeer peer(line("--vanish-behind ") + line(word));
+        const CliRun run = project.run(line("reset 1.0 --yes"), peer.link());
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_THAT(run.out, Not(HasSubstr(told))) << word;
+        const bool isRead = line(word) == line("20210001");
+        EXPECT_EQ(run.out.find("0E000000 and run were sent and answered") != std::string::npos, isRead)
+            << word;
+        EXPECT_EQ(run.out.find("has this: factory settings") == std::string::npos, isRead) << word;
+    }
 }
 
 TEST(CliGatewayRing, AReadThatIsCutSaysWhatItLeavesInOut)
@@ -442,7 +543,9 @@ TEST(CliGatewayRing, CamsThatAreCutBehindTheWordThatStoresThemPerhapsCostAWrite)
     EXPECT_THAT(run.out, Not(HasSubstr("Written and read back"))) << "it is not known whether it is saved";
     EXPECT_THAT(run.out, HasSubstr("It is not known whether the encoder has this: cam program 1."));
     EXPECT_THAT(run.out, HasSubstr("OUT may still hold 20800000"));
-    EXPECT_THAT(run.out, HasSubstr("In which mode the encoder is now is not known."));
+    EXPECT_THAT(run.out,
+                HasSubstr("It is not known in which mode the encoder was left: the controller may get "
+                          "no position."));
     const QJsonObject account = firstAccountOf(project);
     EXPECT_EQ(account[u"writes"].toInt(), 0);
     EXPECT_EQ(account[u"perhaps"].toInt(), 2) << "and the mode it was in was not known";
@@ -485,6 +588,64 @@ TEST(CliGatewayRing, AStoreThatIsCutSaysWhatItLeavesInOutAndWhatItKept)
     EXPECT_THAT(run.out, HasSubstr("1.0: OUT may still hold 20210004"));
     EXPECT_THAT(run.out, testing::ContainsRegex("steps +.*read from the encoder\n"));
     EXPECT_THAT(run.out, testing::ContainsRegex("preset +.*read from the encoder, kept from before\n"));
+}
+
+// A cam that others have set is stored when they leave its program; reading does not leave it.
+TEST(CliGatewayRing, AStoreThatIsCutCostsNothingForWhatOthersChanged)
+{
+    const RingProject project;
+    GatewayPeer peer(line("--left 20800001 46000015 --vanish-behind 20210002"));
+    const CliRun run = storeOf(project, peer);
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("1.0: OUT may still hold 20210002"));
+    EXPECT_THAT(run.out, Not(HasSubstr("EEPROM writes")));
+    EXPECT_TRUE(firstAccountOf(project).isEmpty());
+}
+
+TEST(CliGatewayRing, AStoreOfCamsThatIsCutSaysStateAndModeAndWhatItCost)
+{
+    struct
+    {
+        const char *word;
+        const char *mode;
+    } const rows[] = {
+        {"20800001",
+         " It is not known in which mode the encoder was left: the controller may get no position."},
+        {"20800002", " The encoder was left in cam mode: the controller gets no position."},
+        {"20200011", " The encoder was left in cam mode, program 1: the controller gets no position."},
+    };
+    for (const auto &row : rows) {
+        const RingProject project;
+        GatewayPeer peer(line("--vanish-behind ") + line(row.word));
+        const CliRun run = storeOf(project, peer, line("--cams"));
+        EXPECT_EQ(run.exit, 1);
+        EXPECT_THAT(
+            run.err,
+            HasSubstr(std::string(" In which state the encoder is, is not known until it is seen again.") +
+                      row.mode))
+            << row.word;
+        EXPECT_THAT(run.out, HasSubstr("1.0: EEPROM writes:   0, perhaps 1 more\n")) << row.word;
+        EXPECT_EQ(run.out.find("EEPROM writes"), run.out.rfind("EEPROM writes")) << run.out;
+        EXPECT_EQ(firstAccountOf(project)[u"perhaps"].toInt(), 1) << row.word;
+    }
+    GatewayPeer peer(line("--vanish-behind 20800001"));
+    const CliRun run = storeOf(RingProject(), peer, line("--cams --json"));
+    const QJsonObject encoder = run.json()[u"encoders"].toArray().first().toObject();
+    EXPECT_EQ(encoder[u"eepromWrites"].toInt(-1), 0);
+    EXPECT_EQ(encoder[u"inDoubt"].toObject()[u"eepromWrites"].toInt(), 1);
+}
+
+// Where the mode is not known it goes to position mode.
+TEST(CliGatewayRing, AStoreOfCamsSaysInWhichModeTheEncoderIsAfterwards)
+{
+    const RingProject project;
+    GatewayPeer peer(line("--left 20800001"));
+    const CliRun run = storeOf(project, peer, line("--cams"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("1.0: EEPROM writes:   0, perhaps 1 more\n"
+                                   "1.0: The encoder is now in position mode; in which mode it was before is "
+                                   "not known.\n"));
+    EXPECT_THAT(storeOf(project, peer).out, Not(HasSubstr(" mode"))) << "reading values does not change it";
 }
 
 // The word was never sent, since the value is read first.
