@@ -56,7 +56,7 @@ QString treeOf(const QAccessibleInterface *element, int depth)
 {
     if (element == nullptr || element->state().invisible)
         return {};
-    QString tree = QString(2 * depth, u' ') + lineOf(*element) + u'\n';
+    QString tree = QString(qsizetype{2} * depth, u' ') + lineOf(*element) + u'\n';
     const bool hasPanels = qobject_cast<const QMainWindow *>(element->object()) != nullptr;
     QStringList tabs;
     for (int i = 0; i < std::min(element->childCount(), mostChildren); ++i) {

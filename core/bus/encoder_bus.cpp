@@ -8,11 +8,12 @@
 
 namespace codewheel {
 
-EncoderBus::EncoderBus(BusId id, QDateTime begin, std::span<const TrafficColumn> columns, QObject *parent)
+EncoderBus::EncoderBus(BusId id, const QDateTime &begin, std::span<const TrafficColumn> columns,
+                       QObject *parent)
     : QObject(parent)
     , m_id(id)
     , m_trafficColumns(columns)
-    , m_wallTime(std::move(begin))
+    , m_wallTime(begin)
 {}
 
 Result<void> EncoderBus::mayName(Place place, const DeviceDescription *device) const

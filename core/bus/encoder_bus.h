@@ -42,7 +42,8 @@ public:
 
     // `begin` is the date and time of Instant 0 of the bus; `columns` are those of its traffic, and must
     // outlive it.
-    EncoderBus(BusId id, QDateTime begin, std::span<const TrafficColumn> columns, QObject *parent = nullptr);
+    EncoderBus(BusId id, const QDateTime &begin, std::span<const TrafficColumn> columns,
+               QObject *parent = nullptr);
 
     BusId id() const { return m_id; }
     Place placeOf(NodeId node) const { return {m_id, node}; }

@@ -15,7 +15,7 @@ JobAccount::JobAccount(JobId id, const Job &job, const KnownValues &known)
             replaceValue(before, value);
 }
 
-void JobAccount::read(ParameterValue value)
+void JobAccount::read(const ParameterValue &value)
 {
     replaceValue(outcome.read, value);
     replaceValue(before, value);

@@ -14,8 +14,8 @@ struct JobAccount
     JobAccount(JobId id, const Job &job, const KnownValues &known);
 
     // The value was read from the encoder; what is written later changes it.
-    void read(ParameterValue value);
-    void written(ParameterValue value) { replaceValue(outcome.written, value); }
+    void read(const ParameterValue &value);
+    void written(const ParameterValue &value) { replaceValue(outcome.written, value); }
     void notWritten(Parameter parameter); // after all
 
     // Whether it is known what the encoder had in place of all these values, and what that was.

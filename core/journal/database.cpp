@@ -79,7 +79,7 @@ Database::Database(Database &&other) noexcept
 
 Database &Database::operator=(Database &&other) noexcept
 {
-    SqlConnection::operator=(std::move(other));
+    SqlConnection::operator=(std::move(static_cast<SqlConnection &>(other)));
     std::swap(m_file, other.m_file);
     std::swap(m_open, other.m_open);
     return *this;
@@ -248,7 +248,7 @@ Stored<void> Database::make(const DatabaseSchema &schema) const
 Stored<qint64> Database::check(const DatabaseSchema &schema) const
 {
     const auto kind = number(QStringLiteral("PRAGMA application_id"));
-    const auto version = number(QStringLiteral("PRAGMA user_version"));
+    auto version = number(QStringLiteral("PRAGMA user_version"));
     if (!kind || !version)
         return tl::unexpected(kind ? version.error() : kind.error());
     const auto found = objects();

@@ -97,7 +97,7 @@ QStringList textsOfRegisters(const Refusal &refusal)
 std::optional<QString> textOfTrainingAct(const TrainingAct &act)
 {
     for (const auto textOf : {ringActText, lineActText})
-        if (const auto text = textOf(act))
+        if (auto text = textOf(act))
             return text;
     return std::nullopt;
 }

@@ -83,7 +83,7 @@ QByteArray packBlock(const RecordedBlock &block)
         values.push_back(sample.value);
     }
     QByteArray bytes;
-    bytes.reserve(static_cast<qsizetype>(4 * block.samples.size()));
+    bytes.reserve(qsizetype{4} * std::ssize(block.samples));
     bytes.append(static_cast<char>(blockFormat));
     packNumber(bytes, block.samples.size());
     packGaps(bytes, block);

@@ -83,7 +83,7 @@ Stored<std::shared_ptr<PostgresDatabase>> PostgresDatabase::connect(const Server
                                  "Install the package libqt6sql6-psql."));
     if (!isAvailable())
         return tl::unexpected(missing);
-    const std::shared_ptr<PostgresDatabase> database(
+    std::shared_ptr<PostgresDatabase> database(
         new PostgresDatabase(QSqlDatabase::addDatabase(postgresDriver, newName())));
     QSqlDatabase &connection = database->connection();
     if (!connection.isValid()) // the driver is there, and what it needs is not

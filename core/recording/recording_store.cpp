@@ -205,9 +205,9 @@ Stored<void> RecordingStore::writeEvents(const RecordingChanges &changes)
 Stored<void> RecordingStore::writeNotes(const RecordingChanges &changes)
 {
     for (const RecordedNote &note : changes.notes) {
-        const auto done = note.text.isEmpty()
-                              ? run(QStringLiteral("DELETE FROM note WHERE at = ?"), {number(note.at)})
-                              : run(into("note"), {number(note.at), note.text});
+        auto done = note.text.isEmpty()
+                        ? run(QStringLiteral("DELETE FROM note WHERE at = ?"), {number(note.at)})
+                        : run(into("note"), {number(note.at), note.text});
         if (!done)
             return done;
     }

@@ -99,7 +99,7 @@ struct TriggerKey
     }
     QString operator()(const MessageTrigger &trigger) const
     {
-        const QString severity = severityKey(trigger.least);
+        QString severity = severityKey(trigger.least);
         if (!trigger.place)
             return severity;
         const QString place = trigger.place->isEmpty()

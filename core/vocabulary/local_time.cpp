@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-constexpr qint64 secondsPerDay = 24 * 60 * 60;
+constexpr qint64 secondsPerDay = qint64{24} * 60 * 60;
 
 QDateTime inZone(const QDateTime &utc, const QTimeZone &zone)
 {

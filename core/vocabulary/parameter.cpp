@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <deque>
 #include <mutex>
 #include <shared_mutex>
@@ -161,7 +162,7 @@ std::strong_ordering inOrderOfNumbers(QStringView one, QStringView other)
         const bool areNumbers = one[i].isDigit() && other[k].isDigit();
         const auto order = areNumbers ? takeNumber(one, i) <=> takeNumber(other, k)
                                       : one[i++].unicode() <=> other[k++].unicode();
-        if (order != 0)
+        if (std::is_neq(order))
             return order;
     }
     const int rest = one.compare(other); // "01" and "1", or one begins the other
@@ -226,6 +227,7 @@ std::optional<Parameter> parameterFromKey(QStringView key)
 std::vector<Parameter> commonParameters()
 {
     std::vector<Parameter> common;
+    common.reserve(std::size(parameterRows));
     for (const ParameterRow &row : parameterRows)
         common.push_back(row.parameter);
     return common;

@@ -19,7 +19,7 @@ void setHelpTopic(QWidget &widget, const char *topic)
 QString helpTopicOf(const QWidget *widget)
 {
     for (; widget != nullptr; widget = widget->parentWidget())
-        if (const QString topic = widget->property(topicProperty).toString(); !topic.isEmpty())
+        if (QString topic = widget->property(topicProperty).toString(); !topic.isEmpty())
             return topic;
     return {};
 }

@@ -63,7 +63,7 @@ QString binaryText(Word word, int bits)
 
 QString copiedText(Word word, int bits, WordNotation notation)
 {
-    const QString digits = hexWord(word).last(bits / bitsOfNibble);
+    QString digits = hexWord(word).last(bits / bitsOfNibble);
     const qsizetype half = digitsOfWord / 2;
     const bool isDouble = digits.size() > half;
     switch (notation) {

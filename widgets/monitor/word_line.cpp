@@ -157,7 +157,7 @@ QString WordLine::explain() const
         context.mode = m_encoder->latest().mode;
         context.coding = m_encoder->latest().coding;
     }
-    const QString text = explanationText(*m_description, explainWord(*m_description, shown(), context));
+    QString text = explanationText(*m_description, explainWord(*m_description, shown(), context));
     if (isOut() && !m_channel->freshness().isOfRecording())
         return m_channel->staged() ? tr("Not sent yet: %1", "meaning of a word").arg(text) : text;
     if (!isOld())

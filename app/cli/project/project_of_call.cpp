@@ -137,7 +137,7 @@ void BusNames::tellApart(const Call &call, const std::set<Place> &places)
 
 QString BusNames::apart(const Call &call, Place place, bool isOfProject)
 {
-    const QString shown = place.shown();
+    QString shown = place.shown();
     const auto bus = namedBus(call, place.bus);
     if (shown == place.toString() || !bus || (isOfProject && canHave(*bus, place.node)))
         return shown;

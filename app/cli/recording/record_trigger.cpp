@@ -68,12 +68,12 @@ Checked<Place> triggerPlaceMeant(const Call &call, const QString &typed)
 {
     if (const auto bus = triggerPlace(typed); bus && bus->isEmpty() && call.findBus(bus->bus) != nullptr)
         return *bus;
-    if (const auto place = placeMeant(call, call.project, typed))
+    auto place = placeMeant(call, call.project, typed);
+    if (place)
         return encoderAt(call, typed).map([](const EncoderSession *encoder) { return encoder->place(); });
-    else if (const auto bus = busNamed(call, typed))
+    if (const auto bus = busNamed(call, typed))
         return (*bus)->bus().placeOf({});
-    else
-        return place;
+    return place;
 }
 
 } // namespace

@@ -86,7 +86,7 @@ QString cell(const QAbstractItemView &view, const QModelIndex &index, int indent
     const auto alignment = Qt::Alignment(index.data(Qt::TextAlignmentRole).toInt());
     return QStringLiteral("<td align=\"%1\">%2%3</td>")
         .arg(QLatin1String(alignment.testFlag(Qt::AlignRight) ? "right" : "left"),
-             QStringLiteral("&nbsp;").repeated(4 * indent), text.toHtmlEscaped());
+             QStringLiteral("&nbsp;").repeated(qsizetype{4} * indent), text.toHtmlEscaped());
 }
 
 QString heads(const QAbstractItemView &view, const std::vector<int> &columns)

@@ -31,7 +31,7 @@ std::vector<RecordedBus> busesOf(Playback &playback)
 
 QString nameOf(const QString &file, const RecordedBus &bus, bool isOneOfSeveral)
 {
-    const QString name = QFileInfo(file).completeBaseName();
+    QString name = QFileInfo(file).completeBaseName();
     if (!isOneOfSeveral)
         return name;
     return bus.name.isEmpty() ? QStringLiteral("%1 %2").arg(name).arg(bus.bus.number)

@@ -244,7 +244,7 @@ Checked<void> TypedCall::contactEverybody()
     const auto planned = m_call.project != nullptr ? devicesOn(*m_call.project, m_line.id())
                                                    : std::span<const ProjectDevice>();
     for (const ProjectDevice &encoder : planned)
-        if (const auto there = m_access.contact(m_call, encoder); !there)
+        if (auto there = m_access.contact(m_call, encoder); !there)
             return there;
     return planned.empty() ? contactWhoIsAlone() : Checked<void>();
 }

@@ -162,7 +162,7 @@ std::vector<RefusalArgument> typedArguments(const Request &request, const Explai
 
 QString typedText(const std::vector<RefusalArgument> &arguments)
 {
-    const QString typed = argumentTexts(arguments).value(0);
+    QString typed = argumentTexts(arguments).value(0);
     const auto request = parseRequest(typed.toLatin1());
     const auto *bits = arguments.size() > 1 ? std::get_if<std::int64_t>(&arguments[1]) : nullptr;
     if (!request || bits == nullptr)

@@ -100,7 +100,7 @@ QString lineTroubleName(LineTrouble trouble)
 
 std::optional<QString> lineActText(const TrainingAct &act)
 {
-    if (const auto text = troubleActText(act))
+    if (auto text = troubleActText(act))
         return text;
     return sentenceOf(act, lineActRows, lineTrainingContext);
 }

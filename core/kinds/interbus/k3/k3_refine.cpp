@@ -39,7 +39,7 @@ void leaveOut(JobSteps<K3Step> &steps, ParameterValues &alreadyThere, ParameterV
 } // namespace
 
 void refine(JobSteps<K3Step> &steps, JobAccount &account, const Job &job, const K3Encoder &encoder,
-            ParameterValue read)
+            const ParameterValue &read)
 {
     const auto *preset = std::get_if<SetPreset>(&job);
     const bool isPreset = read.parameter == Parameter::preset;

@@ -11,6 +11,6 @@ namespace codewheel {
 // account; steps are sent minus 1 if the encoder counts that way; a preset is programmed again only if it is
 // used up (FRABA manual 5.4.1).
 void refine(JobSteps<K3Step> &steps, JobAccount &account, const Job &job, const K3Encoder &encoder,
-            ParameterValue read);
+            const ParameterValue &read);
 
 } // namespace codewheel

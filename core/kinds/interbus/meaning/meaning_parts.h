@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "vocabulary/meaning.h"
 
 #include <QStringList>
 

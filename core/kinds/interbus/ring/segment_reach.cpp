@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/segment_reach.h"
 
+#include "kinds/interbus/words/device_number.h"
+
 #include <algorithm>
 
 namespace codewheel {

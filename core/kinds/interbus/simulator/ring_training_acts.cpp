@@ -112,9 +112,9 @@ TrainingAct actAtSeat(int unit, NodeId node, const TrainingAct &act)
 
 std::optional<QString> ringActText(const TrainingAct &act)
 {
-    if (const auto text = faultActText(act))
+    if (auto text = faultActText(act))
         return text;
-    if (const auto text = seatActText(act))
+    if (auto text = seatActText(act))
         return text;
     return sentenceOf(act, ringActRows, ringTrainingContext);
 }
