@@ -317,11 +317,13 @@ void K3Knowledge::forgetUnseenRun()
 // mode that was a cam.
 void K3Knowledge::activateUnseen()
 {
+    const bool mayBeCam =
+        m_device.mayHaveModes() && (mode().value_or(Mode::cam) == Mode::cam || modeIsOnlyTold());
     for (const ParameterDescription &parameter : m_device.parameters)
         if (const auto number = wordReach(parameter).number; number && !m_pending.contains(*number))
             forgetNumber(*number);
     m_pending.emplace(k3::number(*m_foundConfirmed),
-                      mode() == Mode::cam ? std::nullopt : std::optional(k3::data(*m_foundConfirmed)));
+                      mayBeCam ? std::nullopt : std::optional(k3::data(*m_foundConfirmed)));
 }
 
 // D30 0 -> 1: there is a new zero offset. FRABA stores it, once per programmed preset; with a number or data

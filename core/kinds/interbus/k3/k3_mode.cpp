@@ -29,7 +29,7 @@ K3Mode::Switched K3Mode::observe(Word out)
 {
     bool wasOpen = false;
     if (out != m_out) {
-        wasOpen = isOpen();
+        wasOpen = isOpen() && leadsElsewhere(m_out);
         if (wasOpen)
             tell(std::nullopt);
         m_out = out;

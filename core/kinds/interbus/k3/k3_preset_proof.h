@@ -30,6 +30,8 @@ public:
     // There is nothing more to wait for.
     bool isOver(Instant now, const K3Timing &timing) const;
     Said says() const;
+    // The position has jumped there.
+    bool hasArrived() const { return m_hasArrived; }
 
 private:
     struct Seen

@@ -5,13 +5,17 @@
 #include "kinds/interbus/k3/k3_refusal.h"
 #include "kinds/interbus/words/k3_cam_fields.h"
 #include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/position_code.h"
 #include "kinds/interbus/words/word_reach.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace codewheel {
 namespace {
+
+constexpr std::int64_t fastestShaft = 30'000; // revolutions per minute (assumed): a larger IN is no speed
 
 // What was written is read back where the encoder can be read.
 Evidence evidenceOf(const ParameterValues &written, const DeviceDescription &device)
@@ -122,6 +126,7 @@ void K3Run::begin(Word in, Instant now)
     if (setsPosition(step)) {
         m_account.outcome.positionBefore = m_reading.position;
         m_wasArmed = m_encoder.knowledge.isPresetArmed().value_or(false);
+        m_mayBeInRpm = m_encoder.knowledge.modeIsOnlyTold() && std::abs(k3::signedData(in)) <= fastestShaft;
     }
 }
 

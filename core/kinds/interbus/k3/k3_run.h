@@ -87,6 +87,7 @@ private:
     void dropConfirmed();
     K3Steps stepsOfCancel(Word in);
     K3Steps stepsToRestore(bool parameterizing);
+    K3Steps stepsToRestore(const ParameterValues &taken, bool parameterizing) const;
 
     K3Encoder &m_encoder;
     K3Handshake m_handshake;
@@ -106,7 +107,8 @@ private:
         std::optional<std::int64_t> after;
     };
     std::optional<Shown> m_mayBeSpeed;
-    bool m_wasArmed = false; // the preset, when its word was put into OUT
+    bool m_wasArmed = false;   // the preset, when its word was put into OUT
+    bool m_mayBeInRpm = false; // what IN showed then: position mode was only told
     Word m_inWhenAsked = 0;
     bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
     int m_readAgain = 0;                // of the value that is read: answers that may be torn

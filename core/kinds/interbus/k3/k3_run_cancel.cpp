@@ -173,9 +173,17 @@ K3Steps K3Run::stepsToRestore(bool parameterizing)
     m_restores = m_cams.hasTaken() || !taken.empty();
     m_mismatch.reset();
     K3Steps cams = m_cams.stepsToRestore();
-    return m_cams.hasTaken()
-               ? cams
-               : m_encoder.plan.endParameterization(m_account.valuesBefore(taken), parameterizing);
+    return m_cams.hasTaken() ? cams : stepsToRestore(taken, parameterizing);
+}
+
+// What was written as it had been before is not written again, but read back like the others.
+K3Steps K3Run::stepsToRestore(const ParameterValues &taken, bool parameterizing) const
+{
+    K3Steps steps = m_encoder.plan.endParameterization(m_account.valuesBefore(taken), parameterizing);
+    for (const ParameterValue &value : taken)
+        if (findValue(m_account.before, value.parameter) == value.value)
+            m_encoder.plan.appendRead(steps, value.parameter, value.value.number());
+    return steps;
 }
 
 bool K3Run::isPositionStep(const K3Step &step) const

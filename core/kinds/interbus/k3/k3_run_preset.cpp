@@ -40,10 +40,14 @@ void K3Run::judgePreset(Word in)
 {
     m_account.outcome.positionAfter = m_reading.position;
     const K3PresetProof::Said said = m_encoder.preset.says();
-    if (said != K3PresetProof::Said::done && m_encoder.preset.target() &&
-        m_encoder.knowledge.modeIsOnlyTold()) {
+    if (m_mayBeInRpm && m_encoder.preset.target() && said != K3PresetProof::Said::done) {
         noteMayBeSpeed(in);
         return;
+    }
+    if (m_mayBeInRpm && said == K3PresetProof::Said::done &&
+        !m_encoder.preset.hasArrived()) { // it showed that number before, perhaps as a speed
+        m_account.outcome.positionBefore.reset();
+        m_account.outcome.positionAfter.reset();
     }
     switch (said) {
     case K3PresetProof::Said::done:

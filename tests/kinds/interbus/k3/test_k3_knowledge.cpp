@@ -80,12 +80,27 @@ TEST_F(Wire, RunOfAnotherMasterThatIsSeenTooLateLeavesNothingKnown)
 // The link was lost behind the confirmation, and what was known came back by the serial number.
 TEST_F(Wire, WhatWasTakenUnseenBecomesValidWithRun)
 {
-    play(fraba, {{0, pos}, {0x0200'0262, 0xC200'0262}});
-    fraba.forget();
-    fraba.set({{Parameter::direction, 3, Evidence::read, {}}, {Parameter::preset, 0, Evidence::read, {}}});
-    play(fraba, {{0, 0xC600'0004}, {0x8000'0000, 0xC600'0004}, {0x8000'0000, pos}});
-    EXPECT_EQ(fraba.value(Parameter::direction), 4) << "it stood in IN";
-    EXPECT_EQ(fraba.value(Parameter::preset), std::nullopt) << "it may have been taken before";
+    for (K3Knowledge *encoder : {&fraba, &baumer}) {
+        play(*encoder, {{0, pos}, {0x0200'0262, 0xC200'0262}});
+        encoder->forget();
+        encoder->set(
+            {{Parameter::direction, 3, Evidence::read, {}}, {Parameter::preset, 0, Evidence::read, {}}});
+        play(*encoder, {{0, 0xC600'0004}, {0x8000'0000, 0xC600'0004}, {0x8000'0000, pos}});
+        EXPECT_EQ(encoder->value(Parameter::preset), std::nullopt) << "it may have been taken before";
+    }
+    EXPECT_EQ(baumer.value(Parameter::coding), 4) << "it stood in IN";
+    EXPECT_EQ(fraba.value(Parameter::direction), std::nullopt) << "or a cam did, in cam mode";
+}
+
+// 20400000 has no effect there, so that nothing is in doubt where it leaves OUT early.
+TEST_F(Wire, AWordThatLeadsToTheModeItIsInLeavesNoProgram)
+{
+    play(fraba, {{0, pos}, {0x4600'0023, pos}, {0, pos}}); // perhaps a cam, in a mode that is not known
+    fraba.set({{Parameter::startUpMode, 1, Evidence::told, {}}});
+    const int before = fraba.eepromWrites();
+    play(fraba, {{0, pos}, {0x2040'0000, pos}, {0, pos}});
+    EXPECT_EQ(fraba.mode(), Mode::position);
+    EXPECT_EQ(fraba.eepromWrites(), before);
 }
 
 TEST_F(Wire, WhatStoodInInInCamModeWasACam)

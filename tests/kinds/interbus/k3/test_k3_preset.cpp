@@ -256,6 +256,49 @@ TEST(K3Preset, WhereTheModeWasOnlyToldWhatIsShownMayBeASpeed)
     EXPECT_EQ(outcome.leftInMode, LeftMode()) << "it is not known any more";
 }
 
+// A turning shaft at 12 345 rpm, or one that stands at the preset: the position is set, whatever it was.
+TEST(K3Preset, WhereTheModeWasOnlyToldNoSpeedIsGivenAsThePosition)
+{
+    DriverTable table = frabaInPositionMode();
+    ASSERT_TRUE(table.begin(SetPreset{}));
+    table.play({{0x0000'0000, pos},
+                {0x2021'0006, pos},
+                {0x2021'0006, stillArmed},
+                {0x0000'0000, pos},
+                {0x2021'0004, pos},
+                {0x2021'0004, 0xA000'0000 | pos},
+                {0x0000'0000, pos}});
+    table.repeat(200, {0x4000'0000, pos});
+    table.play({{0x0000'0000, pos}, {0x0000'0000, pos}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_TRUE(table.outcome()->result);
+    EXPECT_EQ(table.outcome()->positionBefore, std::nullopt);
+    EXPECT_EQ(table.outcome()->positionAfter, std::nullopt);
+}
+
+TEST(K3Preset, WhatNoShaftReachesIsNoSpeed)
+{
+    constexpr Word far = 0x0010'0000; // 1 048 576
+    DriverTable table = frabaInPositionMode();
+    ASSERT_TRUE(table.begin(SetPreset{}));
+    table.play({{0x0000'0000, far},
+                {0x2021'0006, far},
+                {0x2021'0006, stillArmed},
+                {0x0000'0000, far},
+                {0x2021'0004, far},
+                {0x2021'0004, 0xA000'0064},
+                {0x0000'0000, far}});
+    playUntilJudged(table, far);
+    table.play({{0x0000'0000, far},
+                {0x2021'0006, stillArmed},
+                {0x0000'0000, far},
+                {0x0000'0000, far},
+                {0x0000'0000, far}});
+    ASSERT_TRUE(table.outcome());
+    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::presetNotTaken);
+    EXPECT_EQ(table.outcome()->positionBefore, far);
+}
+
 TEST(K3Preset, AFlagThatIsStillSetProvesInAnyModeThatItWasNotTaken)
 {
     const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), stillArmed);
