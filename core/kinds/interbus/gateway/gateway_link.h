@@ -119,6 +119,7 @@ private:
                                    Overwrites overwrites);
     void claimAll();
     Result<void> writeZeros();
+    void writeZerosOneByOne();
     Result<ZerosSent> areZerosThere();
 
     // Transactions (gateway_link_words.cpp).

@@ -371,6 +371,8 @@ Result<void> GatewayLink::writeZeros()
     const auto writtenBefore = m_lastWriteAt;
     m_zeros.send(m_port->now());
     auto done = writeOut(std::vector<Word>(m_devices.size()), Overwrites::anything);
+    if (!done && isOfMap(done.error()))
+        writeZerosOneByOne();
     if (done)
         m_zeros.acknowledged(m_port->now());
     else if (isNotCarriedOut(done.error()))
@@ -380,6 +382,18 @@ Result<void> GatewayLink::writeZeros()
     else
         m_zeros.unanswered();
     return done;
+}
+
+// An OUT area that ends too early refuses a whole block; what is there of it gets its zeros.
+void GatewayLink::writeZerosOneByOne()
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        if (m_map->out(i).count == 0)
+            continue;
+        const auto written = writeBlock(m_map->out(i), Overwrites::anything);
+        if (!written && !isNotCarriedOut(written.error()))
+            return; // nobody is there any more
+    }
 }
 
 Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()

@@ -164,6 +164,18 @@ TEST_F(GatewayLinkTest, AnOutAreaThatIsShorterThanTheRingIsRefused)
     }
 }
 
+// The zeros of an ALARM STOP go to whatever there is.
+TEST_F(GatewayLinkTest, ZerosReachTheDevicesOfAnOutAreaThatEndsTooEarly)
+{
+    bank->holdingEnd = 4;
+    makeOpen(3);
+    setOut(0, 0x0200'00FF);
+    setOut(1, 0x8000'0000);
+    EXPECT_FALSE(link->sendZeros(in)) << "not to all";
+    for (int i = 0; i < bank->holdingEnd; ++i)
+        EXPECT_EQ(bank->holding[i], 0) << "register " << i;
+}
+
 TEST_F(GatewayLinkTest, ABusyGatewayIsWaitedForUntilThePatienceEnds)
 {
     for (const int code : {5, 6, 10, 11}) {
