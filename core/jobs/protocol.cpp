@@ -4,6 +4,8 @@
 #include "catalog/value_text.h"
 #include "jobs/step_text.h"
 
+#include <QCoreApplication>
+
 namespace codewheel {
 namespace {
 
@@ -35,6 +37,17 @@ Refusal Protocol::shownError(const DeviceDescription &device, const Reading &rea
 QString Protocol::stepText(const DeviceDescription & /*device*/, const Step &step) const
 {
     return sentText(step);
+}
+
+ParameterValues Protocol::valuesIn(const DeviceDescription & /*device*/, const Step &step) const
+{
+    return step.parameter() && step.data ? ParameterValues{{*step.parameter(), *step.data}}
+                                         : ParameterValues();
+}
+
+QString Protocol::lineText() const
+{
+    return QCoreApplication::translate("Protocol", "What will be sent");
 }
 
 ParameterDescription Protocol::narrowed(const DeviceDescription &device, Parameter parameter,

@@ -47,6 +47,11 @@ public:
     // The command that sets the position to the value it carries.
     virtual QString presetCommand() const { return {}; }
 
+    // The values that a line of this step gives the encoder, wanted or not.
+    virtual ParameterValues valuesIn(const DeviceDescription &device, const Step &step) const;
+    // What to say of a line that is sent, where it is shown as it is.
+    virtual QString lineText() const;
+
     // How the words or commands of a write go out and are checked, for its review; empty: as everybody
     // expects.
     virtual QString howItIsSent() const { return {}; }
@@ -104,7 +109,7 @@ public:
                                const Outcome &outcome, const Progress & /*job*/) const
     {
         const InDoubt &doubt = outcome.inDoubt;
-        return parameter ? doubt.reset || valueOf(doubt.values, *parameter) : doubt.position;
+        return parameter ? doubt.reset || findValue(doubt.values, *parameter) : doubt.position;
     }
 
     // The description with its range narrowed by the encoder's own values and the options.

@@ -227,13 +227,17 @@ bool readsCams(const Step &step)
     return step.effect == Effect::readsCams || step.effect == Effect::reads;
 }
 
+int storingSteps(std::span<const Step> steps, const DeviceDescription &device)
+{
+    const Effect storing = protocolRules(device.profile).storesByStep() ? Effect::stores : Effect::takes;
+    return static_cast<int>(std::ranges::count(steps, storing, &Step::effect));
+}
+
 int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device)
 {
-    const bool storesWhatItTakes = !protocolRules(device.profile).storesByStep();
-    return static_cast<int>(std::ranges::count_if(steps, [&](const Step &step) {
-        return step.effect == Effect::stores || (takesValue(step) && storesWhatItTakes) ||
-               (step.effect == Effect::setsPosition && mayStorePreset(device));
-    }));
+    const auto presets =
+        mayStorePreset(device) ? std::ranges::count(steps, Effect::setsPosition, &Step::effect) : 0;
+    return storingSteps(steps, device) + static_cast<int>(presets);
 }
 
 } // namespace codewheel

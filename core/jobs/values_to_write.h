@@ -3,6 +3,8 @@
 
 #include "vocabulary/encoder_session.h"
 
+#include <span>
+
 namespace codewheel {
 
 struct WriteWish
@@ -52,8 +54,7 @@ Result<std::vector<Step>> stepsForJobs(const EncoderSession &encoder, const std:
 // All that is known of an encoder.
 std::vector<Known> allKnown(const EncoderSession &encoder);
 
-// Whether the encoder takes anything with this step, a value or a position that becomes its preset: its
-// EEPROM is written.
+// Whether the encoder takes anything with this step, a value or a position that becomes its preset.
 bool takesValue(const Step &step);
 // Whether that is values of the step's parameters.
 bool writesValue(const Step &step);
@@ -61,8 +62,10 @@ bool writesValue(const Step &step);
 // Whether the step only reads cams, or ends such a read-out.
 bool readsCams(const Step &step);
 
-// EEPROM writes these steps will cost at most: one per value, or per step that stores, and the preset if it
-// may be stored.
+// The steps that write values to the EEPROM: each that takes one, or, where taking does not store, each that
+// stores.
+int storingSteps(std::span<const Step> steps, const DeviceDescription &device);
+// EEPROM writes these steps will cost at most, with those of the preset if it may be stored.
 int eepromWritesOf(const std::vector<Step> &steps, const DeviceDescription &device);
 
 } // namespace codewheel

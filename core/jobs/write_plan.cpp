@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "jobs/job_check.h"
+#include "jobs/protocol.h"
 #include "vocabulary/hex.h"
 
 #include <QCoreApplication>
@@ -24,27 +25,34 @@ std::vector<WriteRow>::iterator rowOf(std::vector<WriteRow> &rows, Parameter par
     return std::ranges::find(rows, parameter, [](const WriteRow &row) { return row.wanted.parameter; });
 }
 
-// A value that was not wanted was computed: it exists only in the request.
-void addSent(std::vector<WriteRow> &rows, const Step &step, const ParameterValues &allWanted)
+// A value that was not wanted exists only in the request.
+void addSent(std::vector<WriteRow> &rows, const Step &step, const ParameterValues &allWanted,
+             const ParameterValues &sent)
 {
     for (const Parameter parameter : step.parameters) {
         const auto wanted = findValue(allWanted, parameter);
+        const auto value = wanted ? wanted : findValue(sent, parameter);
         if (const auto row = rowOf(rows, parameter); row != rows.end())
             row->step = step;
-        else if (wanted || step.data)
-            rows.push_back({.wanted = {parameter, wanted ? *wanted : Value(*step.data)},
-                            .step = step,
-                            .goesAlong = !wanted});
+        else if (value)
+            rows.push_back({.wanted = {parameter, *value}, .step = step, .goesAlong = !wanted});
     }
 }
 
-std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &plan,
-                             const ParameterValues &allWanted)
+bool isRearmed(const EncoderSession &encoder, const WriteWish &wish, const WriteRow &row)
 {
+    return row.step && row.wanted.parameter == Parameter::preset &&
+           encoder.device().quirks.presetNeedsRearming && wish.initialisePreset && !wish.writeAll &&
+           !holdsOtherValues(encoder) && isThereAlready(encoder, row.wanted);
+}
+
+std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WriteWish &wish, const WritePlan &plan)
+{
+    const ParameterValues allWanted = inTurn(encoder.device(), wish);
     std::vector<WriteRow> rows;
     for (const Step &step : plan.steps)
         if (writesValue(step))
-            addSent(rows, step, allWanted);
+            addSent(rows, step, allWanted, protocolOf(encoder.device()).valuesIn(encoder.device(), step));
     for (const ParameterValue &wanted : allWanted)
         if (rowOf(rows, wanted.parameter) == rows.end())
             rows.push_back({.wanted = wanted});
@@ -53,6 +61,7 @@ std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WritePlan &pla
         if (const auto checked = checkValue(encoder.device(), row.wanted, encoder.valueOptions()); !checked)
             row.hindrance = checked.error();
         row.isThere = !row.step && !row.hindrance && !findValue(plan.job.values, row.wanted.parameter);
+        row.isRearmed = isRearmed(encoder, wish, row);
     }
     return rows;
 }
@@ -92,6 +101,14 @@ std::optional<ValueNote> shiftNote(const EncoderSession &encoder, const Paramete
                      {now, then->position}};
 }
 
+// A flag that was read is 0 then.
+ValueNote rearmNote(const EncoderSession &encoder)
+{
+    const auto flag = encoder.known(Parameter::presetFlag);
+    const bool isSure = flag && flag->evidence == Evidence::read;
+    return {isSure ? ValueNote::Id::presetUsedUp : ValueNote::Id::presetMayBeUsedUp, {}};
+}
+
 void addNotes(const EncoderSession &encoder, const WriteWish &wish, WritePlan &plan)
 {
     const bool setsPosition = wish.initialisePreset || wish.setPositionTo;
@@ -99,6 +116,8 @@ void addNotes(const EncoderSession &encoder, const WriteWish &wish, WritePlan &p
                             setsPosition ? PositionIsSet::yes : PositionIsSet::no);
     if (const auto leftOut = leftOutNote(encoder.device(), wish))
         plan.notes.push_back(*leftOut);
+    if (std::ranges::any_of(plan.rows, &WriteRow::isRearmed))
+        plan.notes.push_back(rearmNote(encoder));
     if (setsPosition)
         return;
     if (const auto shift = shiftNote(encoder, plan.job.values))
@@ -136,6 +155,14 @@ QStringList howItIsWritten(const WritePlan &plan)
                      "of parameters 1 to 4. Without a value: %1. Want these too, or reset it to its "
                      "default values.")
                      .arg(parameterNames(plan.lostAndNotWritten));
+    std::vector<Parameter> besides;
+    for (const WriteRow &row : plan.rows)
+        if (row.isInStepOfOthers())
+            besides.push_back(row.wanted.parameter);
+    if (!besides.empty())
+        notes << WriteWords::tr("The encoder takes all its values at once. These go along as they are "
+                                "known, otherwise as from the factory: %1.")
+                     .arg(parameterNames(besides));
     if (plan.job.onlyWhatDiffers)
         notes << readsFirstText();
     if (plan.stepsMayBeLess)
@@ -154,7 +181,7 @@ WritePlan planWrite(const EncoderSession &encoder, const WriteWish &wish)
         plan.steps = std::move(*steps);
     else if (plan.jobs.clear(); steps.error().id != RefusalId::nothingToDo)
         plan.refusal = steps.error();
-    plan.rows = rowsOf(encoder, plan, inTurn(device, wish));
+    plan.rows = rowsOf(encoder, wish, plan);
     plan.lostAndNotWritten = lostAndNotAmong(encoder, plan.job.values);
     addNotes(encoder, wish, plan);
     return plan;

@@ -16,7 +16,11 @@ struct WriteRow
     std::optional<Step> step{};   // that carries it: its word, or its request; empty: it is not sent
     bool isThere = false;         // known to be there already: left out
     bool goesAlong = false;       // not wanted: computed from the others, like the factor of a serial encoder
+    bool isRearmed = false;       // there already, and written all the same if the preset is used up
     std::optional<Refusal> hindrance{}; // why the encoder does not take it
+
+    // Not wanted either, but not computed: the step of others carries all values.
+    bool isInStepOfOthers() const { return goesAlong && step && step->parameters.size() > 1; }
 };
 
 // What writing the wanted values involves, for review before anything is sent: in the parameter panel, the

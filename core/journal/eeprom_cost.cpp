@@ -105,6 +105,11 @@ QString dateText(const QDateTime &at)
     return QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat);
 }
 
+bool storesByStep(const EncoderSession &encoder)
+{
+    return protocolRules(encoder.device().profile).storesByStep();
+}
+
 // What is written along with the earlier values of these steps, and what the encoder sets along with them.
 int writtenAlong(const Protocol &protocol, std::span<const Step> steps)
 {
@@ -116,11 +121,24 @@ int writtenAlong(const Protocol &protocol, std::span<const Step> steps)
     return protocol.writtenBesides(taken) + static_cast<int>(protocol.setAlong(taken, {}).size());
 }
 
+// What was taken is given back in one go, which has as many steps that store as the job has.
+int writesToGiveBack(const EncoderSession &encoder, std::span<const Step> all, std::span<const Step> done)
+{
+    const DeviceDescription &device = encoder.device();
+    if (std::ranges::none_of(done, takesValue))
+        return 0;
+    return storesByStep(encoder) ? storingSteps(all, device)
+                                 : storingSteps(done, device) + writtenAlong(protocolOf(device), done);
+}
+
 } // namespace
 
 int mostEepromWrites(const EncoderSession &encoder, const Job &job)
 {
-    return std::visit(Cost{encoder}, job);
+    if (!storesByStep(encoder))
+        return std::visit(Cost{encoder}, job);
+    const auto steps = encoder.planned({job});
+    return steps ? eepromWritesOf(*steps, encoder.device()) : 0;
 }
 
 int mostEepromWrites(const EncoderSession &encoder, Word word)
@@ -133,11 +151,10 @@ int mostWritesToRestore(const EncoderSession &encoder, const Progress &progress)
     const auto done = std::min(std::ssize(progress.steps), std::ptrdiff_t{progress.index} + 1);
     const std::span steps = std::span(progress.steps).first(static_cast<std::size_t>(done));
     const auto count = [&](auto counts) { return std::ranges::count_if(steps, counts); };
-    const auto values = count([](const Step &step) { return takesValue(step); });
     const auto cams = count([](const Step &step) { return step.effect == Effect::takesCams; });
     const auto programs = count([](const Step &step) { return step.effect == Effect::switchesMode; });
-    return static_cast<int>(values + (cams > 0 ? std::max(programs, std::ptrdiff_t{1}) : 0)) +
-           writtenAlong(protocolOf(encoder.device()), steps);
+    return writesToGiveBack(encoder, progress.steps, steps) +
+           static_cast<int>(cams > 0 ? std::max(programs, std::ptrdiff_t{1}) : 0);
 }
 
 void askFromEepromShare(int percent)

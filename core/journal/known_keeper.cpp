@@ -9,10 +9,10 @@
 namespace codewheel {
 namespace {
 
-// What an encoder keeps, and what is printed on it. Not the mode it is in.
+// What an encoder keeps without supply, and what is printed on it. Not the mode it is in.
 bool lasts(const ParameterDescription &parameter)
 {
-    return parameter.canBeWritten || parameter.onLabel;
+    return (parameter.canBeWritten && parameter.stored) || parameter.onLabel;
 }
 
 bool has(const KnownBefore &known, Parameter parameter)

@@ -8,7 +8,6 @@
 #include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/report/ring_sections.h"
 #include "kinds/interbus/ring/ring_rows.h"
-#include "replay/recorded_rows.h"
 #include "report/bus_sections.h"
 
 namespace codewheel {
@@ -29,7 +28,7 @@ std::vector<std::unique_ptr<const SpokenProtocol>> builtInSpokenProtocols()
     return protocols;
 }
 
-std::unique_ptr<RecordedRows> recordedRows(bool hasWords)
+std::unique_ptr<RecordedRows> rowsWithoutProfile(bool hasWords)
 {
     return hasWords ? makeRingRows() : makeEscLineRows();
 }

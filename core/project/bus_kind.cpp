@@ -3,6 +3,7 @@
 
 #include "kinds/buses.h"
 #include "project/plan_rules.h"
+#include "replay/recorded_rows.h"
 
 #include <algorithm>
 
@@ -23,6 +24,11 @@ const PlanRules &BusKind::planRules() const
 {
     static const PlanRules none;
     return none;
+}
+
+std::unique_ptr<RecordedRows> BusKind::recordedRows(Profile /*profile*/) const
+{
+    return nullptr;
 }
 
 const BusKind *busKind(QStringView key)

@@ -12,7 +12,9 @@ namespace codewheel {
 class Catalog;
 class JsonObject;
 class PlanRules;
+class Profile;
 class ProjectWriter;
+class RecordedRows;
 
 // A kind of bus in a project: how its buses are displayed, checked, and stored in the file
 // (docs/project-files.md).
@@ -42,6 +44,8 @@ public:
                        std::span<const ProjectDevice> devices) const = 0;
     // How its devices are planned; by default they cannot be.
     virtual const PlanRules &planRules() const;
+    // The traffic of a recorded bus with an encoder of this profile; null: it is none of this kind.
+    virtual std::unique_ptr<RecordedRows> recordedRows(Profile profile) const;
 };
 
 // Whether the bus is planned with a simulated link, or not planned at all.

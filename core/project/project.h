@@ -65,20 +65,29 @@ struct ProjectDevice
     QString group;
     QString note;
     DeviceLabel label;
-    std::optional<int> inAddress; // given by hand, in bytes; empty: automatic
-    std::optional<int> outAddress;
     ParameterValues wanted;             // by parameter
     std::vector<CamProgram> wantedCams; // by number
     std::vector<StoredValue> stored;    // by parameter
     std::vector<StoredCams> storedCams; // by number
     std::optional<LastPosition> lastPosition;
-    bool swapsWarningBytes = false; // on a serial line: its warnings come with the low byte first
+    KindData settings; // of its kind of bus, which reads and writes them; empty: the usual ones
 
     Place place() const { return {bus, participant.number}; }
     void standAt(Place place)
     {
         bus = place.bus;
         participant.number = place.node;
+    }
+    template <typename T>
+    T its() const
+    {
+        const T *given = settings.as<T>();
+        return given != nullptr ? *given : T();
+    }
+    template <typename T>
+    void set(const T &its)
+    {
+        settings = its == T() ? KindData() : KindData(its);
     }
 
     friend bool operator==(const ProjectDevice &, const ProjectDevice &) = default;

@@ -42,6 +42,7 @@ public:
     Moment at(Instant at);
     // Of the description in force then; before the first one, of that. Null: there is none.
     const Described *describedAt(Instant at) const;
+    const std::vector<Described> &described() const { return m_described; } // oldest first
     // The bits of a word that changed in any cycle between two times.
     Word changedBits(Channel channel, Instant from, Instant to);
     // Of the nearest sample behind that time, or before it.
@@ -59,7 +60,7 @@ private:
 
     RecordingReader::Device m_device;
     std::array<std::optional<RecordedChannel>, channelCount> m_channels;
-    std::vector<Described> m_described; // oldest first
+    std::vector<Described> m_described;
     std::optional<Refusal> m_problem;
 };
 

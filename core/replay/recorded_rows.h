@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/traffic.h"
+#include "catalog/profile.h"
 #include "vocabulary/encoder_session.h"
 
 #include <functional>
@@ -24,7 +25,8 @@ public:
     virtual void restart() = 0; // what comes does not follow what came
 };
 
-// `hasWords`: what passes on the bus is words.
-std::unique_ptr<RecordedRows> recordedRows(bool hasWords);
+// Of the kind of bus that has encoders of these profiles. Where no kind has, such as on a bus whose devices
+// are not in the catalog, what passed on it decides: words, or not.
+std::unique_ptr<RecordedRows> recordedRows(std::span<const Profile> profiles, bool hasWords);
 
 } // namespace codewheel

@@ -20,11 +20,19 @@ RecordedDevice withoutValues(RecordedDevice device)
     return device;
 }
 
-bool hasWordsOn(Playback &playback, BusId bus)
+std::unique_ptr<RecordedRows> rowsOf(Playback &playback, BusId bus, const Catalog &catalog)
 {
-    return std::ranges::any_of(playback.encoders(), [bus](const RecordedEncoder &encoder) {
-        return encoder.place().bus == bus && encoder.hasWords();
-    });
+    std::vector<Profile> profiles;
+    bool hasWords = false;
+    for (const RecordedEncoder &encoder : playback.encoders()) {
+        if (encoder.place().bus != bus)
+            continue;
+        hasWords = hasWords || encoder.hasWords();
+        for (const RecordedEncoder::Described &one : encoder.described())
+            if (const DeviceDescription *device = catalog.find(one.device.key))
+                profiles.push_back(device->profile);
+    }
+    return recordedRows(profiles, hasWords);
 }
 
 } // namespace
@@ -36,13 +44,13 @@ Refusal onlyRecorded()
 
 ReplayBus::ReplayBus(std::shared_ptr<Playback> playback, BusId recorded, BusId id, QString name,
                      const Catalog &catalog, QObject *parent)
-    : EncoderBus(id, QDateTime::fromMSecsSinceEpoch(0),
-                 recordedRows(hasWordsOn(*playback, recorded))->columns(), parent)
+    : EncoderBus(id, QDateTime::fromMSecsSinceEpoch(0), rowsOf(*playback, recorded, catalog)->columns(),
+                 parent)
     , m_playback(std::move(playback))
     , m_recorded(recorded)
     , m_name(std::move(name))
     , m_catalog(catalog)
-    , m_rows(recordedRows(hasWordsOn(*m_playback, recorded)))
+    , m_rows(rowsOf(*m_playback, recorded, catalog))
     , m_outline(*this)
 {
     const auto &encoders = m_playback->encoders();

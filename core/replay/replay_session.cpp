@@ -37,7 +37,7 @@ std::optional<Known> ReplayEncoderSession::known(Parameter parameter) const
 {
     if (const auto told = m_told.find(parameter); told != m_told.end())
         return Known{parameter, told->second, Evidence::told, m_reading.at};
-    const auto value = valueOf(m_known, parameter);
+    const auto value = findValue(m_known, parameter);
     return value ? std::optional(Known{parameter, *value, Evidence::told, m_knownSince}) : std::nullopt;
 }
 

@@ -185,7 +185,9 @@ TEST_F(SeveralBuses, AnEncoderThatIsOnlyPlannedTakesTheByteOrderAndIsNotRemovedF
     ProjectDevice encoder = test::plannedEncoder(place);
     setDevicesOn(after, secondLine, {encoder});
     shown->project().edit(std::move(after), {});
-    const auto isSwapped = [&] { return shown->project().device(place).swapsWarningBytes; };
+    const auto isSwapped = [&] {
+        return shown->project().device(place).its<EscEncoderSettings>().swapsWarningBytes;
+    };
     choose(place);
     EXPECT_FALSE(lineActions().remove->isEnabled()) << "the structure editor does that";
     ASSERT_TRUE(lineActions().swapWarningBytes->isEnabled());
@@ -241,7 +243,9 @@ TEST_F(SeveralBuses, AnEncoderPlannedOnALineTakesTheByteOrderWhileTheTrainingLin
     Project after = shown->project().project();
     setEncodersOnLine(after, {test::plannedEncoder(placeOnLine({5})), test::plannedEncoder(place)});
     shown->project().edit(std::move(after), {});
-    const auto isSwapped = [&](Place its) { return shown->project().device(its).swapsWarningBytes; };
+    const auto isSwapped = [&](Place its) {
+        return shown->project().device(its).its<EscEncoderSettings>().swapsWarningBytes;
+    };
     choose(firstLine);
     actions().structureEditor->trigger();
     auto &plan = *window().findChild<StructureEditor *>()->findChild<QTreeView *>(QStringLiteral("plan"));

@@ -2,8 +2,10 @@
 #include "tests/project/made_up_project.h"
 
 #include "cams/check_cams.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/interbus/gateway/gateway_settings.h"
 #include "kinds/interbus/plan/process_addresses.h"
+#include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/words/device_number.h"
 #include "tests/support/plans.h"
@@ -91,8 +93,7 @@ ProjectDevice Maker::device(DeviceNumber before)
     device.group = text();
     device.note = text();
     device.label = {maybe() ? 4096 : 0, maybe() ? 8192 : 0, text()};
-    device.inAddress = address();
-    device.outAddress = address();
+    device.set(GivenAddresses{.in = address(), .out = address()});
     addValues(device);
     addCams(device);
     return device;
@@ -151,7 +152,7 @@ std::vector<ProjectDevice> Maker::encodersOfLine()
         encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
         encoder.station = text();
         encoder.label = {0, 0, text()};
-        encoder.swapsWarningBytes = maybe();
+        encoder.set(EscEncoderSettings{.swapsWarningBytes = maybe()});
         addValues(encoder);
         encoders.push_back(std::move(encoder));
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/ring/ring_rules.h"
 #include "project/project_json.h"
 #include "tests/project/made_up_project.h"
@@ -44,7 +46,7 @@ TEST(ProjectJson, ReadsWhatThePageShows)
     first.station = QStringLiteral("Hoist");
     first.group = QStringLiteral("Crane 1");
     first.label = {4096, 8192, QStringLiteral("20417")};
-    first.inAddress = 128;
+    first.set(GivenAddresses{.in = 128});
     first.wanted = {{Parameter::steps, 8192}, {Parameter::revolutions, 16}};
     first.stored = {{Parameter::steps, 8192, Evidence::read, QDateTime({2026, 3, 1}, QTime(14, 2), Qt::UTC)}};
     first.lastPosition = {12345,
@@ -73,7 +75,7 @@ TEST(ProjectJson, ReadsTheSerialLineThatThePageShows)
     encoder.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
     encoder.station = QStringLiteral("Slide");
     encoder.wanted = {{Parameter::direction, 1}};
-    encoder.swapsWarningBytes = true;
+    encoder.set(EscEncoderSettings{.swapsWarningBytes = true});
     EXPECT_EQ(*linePlan(*project, firstLine), line);
     EXPECT_EQ(encodersOnLine(*project), std::vector{encoder});
     EXPECT_EQ(findDevice(*project, encoder.place()), &project->devices[3]);

@@ -4,6 +4,7 @@
 #include "catalog/explain_word.h"
 #include "catalog/protocol_rules.h"
 #include "catalog/word_form.h"
+#include "jobs/shown_error.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"
@@ -25,6 +26,8 @@ QString errorNote(const DeviceDescription &device, const Reading &reading)
 {
     const unsigned number = reading.errorNumber.value_or(0);
     const DeviceError *error = device.findError(number);
+    if (error != nullptr && !device.hasWords())
+        return refusalText(shownError(device, reading));
     if (reading.position && error != nullptr)
         return refusalText({RefusalKind::device, error->meaning, {reading.in}});
     return number == 0 ? DialNote::tr("The encoder has no valid position.")

@@ -82,6 +82,11 @@ QStringList tipsOf(const EncoderSession *encoder, const std::optional<Known> &kn
     return {tip, tip, encoder != nullptr ? howKnown(known, *encoder) : tip, tip, tip, tip};
 }
 
+bool stores(const DeviceDescription *device, const WriteRow &row)
+{
+    return device != nullptr && row.step && storingSteps({&*row.step, 1}, *device) > 0;
+}
+
 // The values are those of the new encoder if it replaces another.
 ReviewRow lineOf(const EncoderSession *encoder, const EncoderPlan &plan, const WriteRow &row)
 {
@@ -96,10 +101,13 @@ ReviewRow lineOf(const EncoderSession *encoder, const EncoderPlan &plan, const W
                       row.isThere ? thereAlready
                       : row.step  ? sentText(*row.step)
                                   : QString(),
-                      row.step ? QStringLiteral("1") : QString()},
+                      stores(device, row) ? QStringLiteral("1") : QString()},
             .tips = tipsOf(encoder, row.known,
                            row.hindrance ? refusalText(*row.hindrance)
                            : row.isThere ? TransferLines::tr("The encoder has it: it is left out.")
+                           : row.isInStepOfOthers()
+                               ? TransferLines::tr("Not wanted: it goes along as it is known, otherwise as "
+                                                   "from the factory")
                            : row.goesAlong
                                ? TransferLines::tr("Computed from the other values, and sent after them")
                                : TransferLines::tr("What will be sent for it")),

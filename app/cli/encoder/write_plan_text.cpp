@@ -21,7 +21,8 @@ QString notesText(const EncoderSession &encoder, const WritePlan &plan)
     if (plan.jobs.empty())
         return CommandLine::tr("The encoder has all of it: there is nothing to write.") + u'\n';
     QStringList lines = howItIsWritten(plan);
-    if (std::ranges::any_of(plan.rows, &WriteRow::goesAlong))
+    if (std::ranges::any_of(plan.rows,
+                            [](const WriteRow &row) { return row.goesAlong && !row.isInStepOfOthers(); }))
         lines << CommandLine::tr("The scaling factor is computed from them, and sent after them.");
     for (const ValueNote &note : plan.notes)
         lines << noteText(note);
@@ -64,6 +65,8 @@ QJsonArray writePlanJson(const EncoderSession &encoder, const WritePlan &plan)
         addKnown(object, row.known);
         object.insert(carrier, row.step ? QJsonValue(sentText(*row.step)) : QJsonValue());
         object.insert(QStringLiteral("leftOut"), !row.step);
+        if (row.isInStepOfOthers())
+            object.insert(QStringLiteral("goesAlong"), true);
         json.append(object);
     }
     return json;

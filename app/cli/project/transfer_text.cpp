@@ -157,6 +157,8 @@ QJsonArray planJson(const Call &call, const TransferPlan &plan)
             addKnown(json, row.known);
             addSent(json, row.step);
             json.insert(QStringLiteral("leftOut"), row.isThere);
+            if (row.isInStepOfOthers())
+                json.insert(QStringLiteral("goesAlong"), true);
             rows.append(json);
         }
         QJsonArray cams;

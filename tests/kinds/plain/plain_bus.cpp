@@ -3,6 +3,7 @@
 
 #include "jobs/job_check.h"
 #include "jobs/values_to_write.h"
+#include "tests/kinds/plain/plain_meaning.h"
 
 #include <utility>
 
@@ -11,49 +12,86 @@ namespace {
 
 constexpr Instant turnTime = std::chrono::milliseconds(1);
 
-const DeviceDescription &plainDevice(const Catalog &catalog)
+const QString plainKind = QStringLiteral("plain-node");
+const QString telegramKind = QStringLiteral("telegram-node");
+
+PlainPeer::Values factoryValues(const QByteArray &name)
 {
-    return *catalog.find(QStringLiteral("plain-node"));
+    return {{"steps", "4096"}, {"direction", "0"}, {"2000:1", "0"}, {"1008", name}};
+}
+
+std::unique_ptr<PlainPeer> peer(const QString &deviceKey, std::size_t index)
+{
+    if (deviceKey == telegramKind)
+        return std::make_unique<TelegramNode>(factoryValues({}));
+    auto values = factoryValues("P1");
+    values["preset"] = "0";
+    values["serial-number"] = QByteArray::number(7'001 + int(index));
+    return std::make_unique<PlainNode>(values);
+}
+
+std::vector<Place> placesOf(const std::vector<PlainStation> &stations)
+{
+    std::vector<Place> places;
+    for (const PlainStation &station : stations)
+        places.push_back(station.place);
+    return places;
+}
+
+std::vector<BusNode> nodesOf(const std::vector<PlainStation> &stations)
+{
+    std::vector<BusNode> nodes;
+    for (const PlainStation &station : stations)
+        nodes.push_back(plainNode(station.place.node, station.name));
+    return nodes;
 }
 
 } // namespace
 
+std::vector<PlainStation> plainStations()
+{
+    return {{plainHoist, QStringLiteral("Hoist encoder"), plainKind},
+            {plainGate, QStringLiteral("Gate encoder"), plainKind},
+            {plainLamp, QStringLiteral("Lamp")}};
+}
+
+std::vector<PlainStation> telegramStations()
+{
+    return {{telegramWinch, QStringLiteral("Winch encoder"), telegramKind},
+            {telegramCrab, QStringLiteral("Crab encoder"), telegramKind}};
+}
+
 struct PlainBus::Seat
 {
-    Seat(PlainBus &bus, std::size_t index, Place at, const QByteArray &serialNumber)
-        : place(at)
-        , node({{"steps", "4096"},
-                {"direction", "0"},
-                {"2000:1", "0"},
-                {"1008", "P1"},
-                {"preset", "0"},
-                {"serial-number", serialNumber}})
-        , known{plainDevice(bus.catalog())}
-        , session(bus, index, at, known.device)
+    Seat(PlainBus &bus, std::size_t index, const PlainStation &station)
+        : place(station.place)
+        , node(peer(station.deviceKey, index))
+        , known{*bus.catalog().find(station.deviceKey)}
+        , session(bus, index, station.place, known.device)
     {
-        node.turn(1'001);
+        node->turn(1'001);
     }
 
     Place place;
-    PlainNode node;
+    std::unique_ptr<PlainPeer> node;
     PlainKnowledge known;
     PlainSession session;
     std::unique_ptr<PlainRun> run{};
 };
 
-PlainBus::PlainBus(const Catalog &catalog)
+PlainBus::PlainBus(const Catalog &catalog, const std::vector<PlainStation> &stations)
     : EncoderBus(plainId, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC), plainColumns)
     , m_catalog(catalog)
-    , m_outline({plainNode(plainHoist.node, QStringLiteral("Hoist encoder")),
-                 plainNode(plainGate.node, QStringLiteral("Gate encoder")),
-                 plainNode(plainLamp.node, QStringLiteral("Lamp"))},
-                this)
+    , m_places(placesOf(stations))
+    , m_outline(nodesOf(stations), this)
 {
-    for (const Place place : {plainHoist, plainGate})
-        m_seats.push_back(std::make_unique<Seat>(*this, m_seats.size(), place,
-                                                 QByteArray::number(7'001 + int(m_seats.size()))));
-    for (const auto &seat : m_seats)
+    for (const PlainStation &station : stations)
+        if (!station.deviceKey.isEmpty())
+            m_seats.push_back(std::make_unique<Seat>(*this, m_seats.size(), station));
+    for (const auto &seat : m_seats) {
+        takePosition(*seat);
         show(*seat);
+    }
 }
 
 PlainBus::~PlainBus() = default;
@@ -90,8 +128,9 @@ void PlainBus::advance(Instant duration)
 
 void PlainBus::turn(Seat &seat)
 {
-    seat.node.turn(1);
+    seat.node->turn(1);
     ask(seat);
+    takePosition(seat);
     show(seat);
 }
 
@@ -99,25 +138,41 @@ void PlainBus::ask(Seat &seat)
 {
     if (!seat.run)
         return;
-    if (const auto line = seat.run->next()) {
-        const auto tellLine = [&](TrafficKind kind, const QByteArray &bytes) {
-            tellTraffic({.at = m_now, .place = seat.place, .kind = kind, .bytes = bytes, .meaning = {}});
-        };
-        tellLine(TrafficKind::sent, *line);
-        const QByteArray answer = seat.node.answer(*line);
-        tellLine(TrafficKind::answer, answer);
-        seat.run->answered(answer);
-    }
+    if (const auto line = seat.run->next())
+        seat.run->answered(exchange(seat, *line));
     if (seat.run->isDone())
         seat.run.reset();
 }
 
-void PlainBus::show(Seat &seat)
+QByteArray PlainBus::exchange(Seat &seat, const QByteArray &line)
+{
+    const auto tellLine = [&](TrafficKind kind, const QByteArray &bytes) {
+        tellTraffic({.at = m_now, .place = seat.place, .kind = kind, .bytes = bytes, .meaning = [=, &seat] {
+                         return plainMeaning(seat.known.device, bytes);
+                     }});
+    };
+    tellLine(TrafficKind::sent, line);
+    const QByteArray answer = seat.node->answer(line);
+    tellLine(TrafficKind::answer, answer);
+    return answer;
+}
+
+// A plain node has it in its input, the other kind has to be asked.
+void PlainBus::takePosition(Seat &seat)
 {
     Reading &reading = seat.known.reading;
     reading.at = m_now;
-    reading.state = seat.node.isGiven() ? EncoderState::parameterization : EncoderState::operation;
-    reading.position = seat.node.position();
+    if (const auto *node = dynamic_cast<const PlainNode *>(seat.node.get())) {
+        reading.state = node->isGiven() ? EncoderState::parameterization : EncoderState::operation;
+        reading.position = node->position();
+    } else {
+        takeTelegramPosition(exchange(seat, "at"), seat.known);
+    }
+}
+
+void PlainBus::show(Seat &seat)
+{
+    const Reading &reading = seat.known.reading;
     for (const Event &event : std::exchange(seat.known.events, {}))
         seat.session.take(event, m_now);
     Q_EMIT seat.session.shown({{.at = m_now, .position = reading.position}});
@@ -180,14 +235,21 @@ PlainBus::Seat &PlainBus::seatAt(Place place)
 
 PlainNode &PlainBus::node(Place place)
 {
-    return seatAt(place).node;
+    return dynamic_cast<PlainNode &>(*seatAt(place).node);
 }
 
-// It says so when it is back: what is known of it may be gone.
+TelegramNode &PlainBus::telegram(Place place)
+{
+    return dynamic_cast<TelegramNode &>(*seatAt(place).node);
+}
+
+// What is known of a plain node may be gone; the other kind says so itself.
 void PlainBus::switchOffAndOn(Place place)
 {
-    seatAt(place).node.switchOffAndOn();
-    seatAt(place).session.forgetValues();
+    Seat &seat = seatAt(place);
+    seat.node->switchOffAndOn();
+    if (seat.known.device.profile == plainProfile)
+        seat.session.forgetValues();
 }
 
 EncoderSession *PlainBus::encoderAt(NodeId node) const

@@ -8,6 +8,9 @@
 #include "project/bus_kind.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
+#include "tests/kinds/plain/plain_meaning.h"
+#include "tests/kinds/plain/plain_protocol.h"
+#include "tests/kinds/plain/telegram_protocol.h"
 
 #include <memory>
 
@@ -17,6 +20,8 @@ inline constexpr BusId plainId{9};
 inline constexpr Place plainHoist{plainId, NodeId("n:1")};
 inline constexpr Place plainGate{plainId, NodeId("n:2")};
 inline constexpr Place plainLamp{plainId, NodeId("n:3")};
+inline constexpr Place telegramWinch{plainId, NodeId("n:4")};
+inline constexpr Place telegramCrab{plainId, NodeId("n:5")};
 
 class PlainOutline final : public BusOutline
 {
@@ -53,7 +58,15 @@ inline BusNode plainNode(NodeId node, const QString &name)
         .node = node, .parent = {}, .name = name, .profile = QStringLiteral("-"), .code = {}, .words = {}};
 }
 
-// Its row in projects.
+// What a project has of one of its nodes.
+struct PlainNodeSettings
+{
+    int heartbeat = 0; // milliseconds; 0: none
+
+    friend bool operator==(const PlainNodeSettings &, const PlainNodeSettings &) = default;
+};
+
+// Its row in projects, and in recordings.
 class PlainKind final : public BusKind
 {
 public:
@@ -74,11 +87,12 @@ public:
     {
         json.allowOnly({"kind", "number", "name", "volts", "devices"});
         for (const JsonObject &row :
-             json.array("devices", {"place", "device", "station", "group", "serialNumber", "label", "wanted",
-                                    "stored", "lastPosition"})) {
+             json.array("devices", {"place", "device", "station", "group", "serialNumber", "label",
+                                    "heartbeat", "wanted", "stored", "lastPosition"})) {
             ProjectDevice &device = devices.emplace_back();
             device.participant.number = NodeId(row.text("place").toStdString());
             device.participant.deviceKey = row.freeText("device");
+            device.set(PlainNodeSettings{row.numberOr("heartbeat", 0, 0, 10'000)});
             ProjectReader::readWhatIsKnown(row, device);
         }
         return KindData(json.numberOr("volts", 24, 1, 230));
@@ -91,9 +105,15 @@ public:
             writer.json().member("place", device.place().toString());
             writer.writeText("device", device.participant.deviceKey);
             writer.writeNames(device);
+            if (const int heartbeat = device.its<PlainNodeSettings>().heartbeat; heartbeat != 0)
+                writer.json().member("heartbeat", heartbeat);
             writer.writeValues(device);
             writer.writeLastPosition(device);
         });
+    }
+    std::unique_ptr<RecordedRows> recordedRows(Profile profile) const override
+    {
+        return profile == plainProfile || profile == telegramProfile ? makePlainRows() : nullptr;
     }
 };
 

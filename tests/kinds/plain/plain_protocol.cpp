@@ -2,7 +2,6 @@
 #include "tests/kinds/plain/plain_protocol.h"
 
 #include "catalog/json_object.h"
-#include "catalog/protocol_rules.h"
 #include "catalog/value_text.h"
 #include "jobs/job_check.h"
 #include "jobs/planned_by.h"
@@ -17,16 +16,11 @@ constexpr std::size_t valuesOfALine = 3;
 
 enum class Module : std::uint8_t { twoBytes, threeBytes };
 
-class PlainRules final : public ProtocolRules
+class PlainRules final : public PlainLineRules
 {
 public:
-    bool hasParameters() const override { return true; }
     bool activatesByRun() const override { return true; }
     bool presetsByCommand() const override { return true; }
-    bool storesByStep() const override { return true; }
-    std::int64_t smallestData() const override { return -0x8000'0000ll; }
-    std::int64_t largestData() const override { return 0xFFFF'FFFFll; }
-    bool hasTexts() const override { return true; }
     int positionBits(const DeviceDescription &device) const override
     {
         return device.dialect.as<Module>() == Module::threeBytes ? 24 : 16;
@@ -35,21 +29,6 @@ public:
     {
         constexpr NamedValue<Module> modules[] = {{"P16", Module::twoBytes}, {"P24", Module::threeBytes}};
         device.dialect = json.oneOf("dialect", modules);
-    }
-    void readReach(const JsonObject &row, ParameterDescription &parameter,
-                   const DeviceDescription & /*before*/) const override
-    {
-        parameter.canBeRead = row.has("read");
-        parameter.canBeWritten = row.has("write");
-    }
-    void checkParameter(const JsonObject & /*row*/, const ParameterDescription & /*parameter*/,
-                        const DeviceDescription & /*device*/) const override
-    {}
-    ReachText reachText(const ParameterDescription &parameter) const override
-    {
-        const QString key = parameterKey(parameter.parameter);
-        return {.write = parameter.canBeWritten ? key : QString(),
-                .read = parameter.canBeRead ? key : QString()};
     }
 };
 
@@ -66,12 +45,6 @@ public:
     }
     QString presetCommand() const override { return QStringLiteral("to"); }
 };
-
-// A line has no spaces but those between values.
-QByteArray textOf(const Value &value)
-{
-    return value.isText() ? value.toString().toUtf8().toPercentEncoding() : value.toString().toLatin1();
-}
 
 PlainStep step(PlainStep::Task task, Effect effect, const QByteArray &line)
 {
@@ -106,6 +79,13 @@ QByteArray plainKey(Parameter parameter)
     return parameterKey(parameter).toLatin1();
 }
 
+QByteArray plainAssignment(const ParameterValue &value)
+{
+    const QString text = value.value.toString();
+    return plainKey(value.parameter) + '=' +
+           (value.value.isText() ? text.toUtf8().toPercentEncoding() : text.toLatin1());
+}
+
 Value plainValue(const ParameterDescription &parameter, const QByteArray &text)
 {
     return parameter.isText() ? Value(QString::fromUtf8(QByteArray::fromPercentEncoding(text)))
@@ -119,7 +99,7 @@ std::vector<PlainStep> plainWrites(const DeviceDescription &device, const Parame
         if (i % valuesOfALine == 0)
             steps.push_back(step(PlainStep::Task::set, Effect::takes, "set"));
         PlainStep &line = steps.back();
-        line.line += ' ' + plainKey(values[i].parameter) + '=' + textOf(values[i].value);
+        line.line += ' ' + plainAssignment(values[i]);
         line.parameters.push_back(values[i].parameter);
         line.values.push_back(values[i]);
     }

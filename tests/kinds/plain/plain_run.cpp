@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/kinds/plain/plain_run.h"
 
+#include "tests/kinds/plain/telegram_protocol.h"
+
 namespace codewheel::test {
 
 void PlainKnowledge::flush()
@@ -13,7 +15,9 @@ PlainRun::PlainRun(JobId id, const Job &job, Pace pace, PlainKnowledge &encoder)
     : JobRun(id, job, pace, encoder.values, encoder.reading, encoder.events)
     , m_encoder(encoder)
 {
-    m_steps.all = plainSteps(encoder.device, job);
+    m_steps.all = encoder.device.profile == telegramProfile
+                      ? telegramSteps(encoder.device, job, encoder.values.values())
+                      : plainSteps(encoder.device, job);
 }
 
 std::optional<QByteArray> PlainRun::next()
@@ -65,7 +69,9 @@ void PlainRun::leaveOutWhatIsThere()
 void PlainRun::answered(const QByteArray &answer)
 {
     if (answer.startsWith("no "))
-        fail({RefusalKind::device, RefusalId::otherDeviceError, {Word{0}}});
+        fail({RefusalKind::device,
+              RefusalId::wrongParameterData,
+              {*parameterFromKey(QString::fromLatin1(answer.mid(3)))}});
     else
         done(answer);
     settle();
@@ -86,6 +92,13 @@ void PlainRun::done(const QByteArray &answer)
     case PlainStep::Task::set:
         for (const ParameterValue &value : step.values)
             replaceValue(m_given, value);
+        break;
+    case PlainStep::Task::all:
+        m_given = step.values;
+        goesInForce();
+        break;
+    case PlainStep::Task::at:
+        takeTelegramPosition(answer, m_encoder);
         break;
     case PlainStep::Task::go:
         goesInForce();

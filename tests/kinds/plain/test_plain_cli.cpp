@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A kind of bus that the command line does not know.
-#include "cli/bus/bus_access.h"
-#include "cli/call/command_line.h"
-#include "cli/commands.h"
 #include "project/bus_plans.h"
 #include "project/project_file.h"
-#include "tests/cli/cli_run.h"
-#include "tests/kinds/plain/plain_bus.h"
+#include "tests/kinds/plain/plain_calls.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -26,17 +22,7 @@ protected:
     static void SetUpTestSuite() { addBusKind(std::make_unique<test::PlainKind>()); }
     CliPlainBus() { bus.setOperate(true); }
 
-    CliRun run(const QString &line)
-    {
-        QStringList words = line.split(u' ');
-        const Subcommand &command = *commandNamed(words.takeFirst());
-        const auto arguments = parseArguments(words, optionsOf(command), {});
-        EXPECT_TRUE(arguments);
-        return runWith({}, [&](const Terminal &terminal) {
-            BusAccess access(bus, QStringLiteral("plain"));
-            return runOn(command, *arguments, catalog, {&access}, terminal);
-        });
-    }
+    CliRun run(const QString &line) { return test::callOn(bus, line); }
 
     // In the file.
     void want(Place place, const ParameterValues &values)
@@ -82,6 +68,16 @@ TEST_F(CliPlainBus, ScanTellsAndKeepsWhatStandsThere)
     ASSERT_EQ(devicesOn(project, test::plainId).size(), 3U);
     EXPECT_EQ(project.devices[1].participant.deviceKey, QStringLiteral("plain-node"));
     EXPECT_EQ(run(QStringLiteral("monitor n:1 --for 1 --project ") + file).exit, 0);
+}
+
+TEST_F(CliPlainBus, ScanLeavesWhatTheProjectHasOfADevice)
+{
+    EXPECT_EQ(run(QStringLiteral("scan --save ") + file).exit, 0);
+    Project project = *loadProject(file);
+    project.devices[0].set(test::PlainNodeSettings{.heartbeat = 250});
+    EXPECT_TRUE(saveProject(project, file));
+    EXPECT_EQ(run(QStringLiteral("scan --yes --project %1 --save %1").arg(file)).exit, 0);
+    EXPECT_EQ(loadProject(file)->devices[0].its<test::PlainNodeSettings>().heartbeat, 250);
 }
 
 TEST_F(CliPlainBus, WritesNumbersBelowZeroAndTexts)

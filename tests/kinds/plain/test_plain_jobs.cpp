@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jobs of encoders that the program does not know: negative numbers and texts, several values a line, and
 // what is in force and what is stored.
+#include "jobs/protocol.h"
 #include "jobs/step_text.h"
 #include "jobs/write_plan.h"
 #include "tests/kinds/plain/plain_bus.h"
@@ -119,6 +120,15 @@ TEST_F(PlainJobs, WhatDoesNotFitIsRefusedBeforeAnythingIsSent)
     EXPECT_EQ(whyNot({{Parameter::steps, Value(QStringLiteral("many"))}}), RefusalId::valueNotAllowed);
     EXPECT_EQ(whyNot({{Parameter::coding, 1}}), RefusalId::parameterNotSupported);
     EXPECT_TRUE(node.heard().empty());
+}
+
+TEST_F(PlainJobs, ATextWhoseAnswerNobodySawIsInDoubtToo)
+{
+    Outcome cut;
+    cut.inDoubt.values = {{plainName(), Value(QStringLiteral("Hoist"))}};
+    const Protocol &protocol = protocolOf(encoder.device());
+    EXPECT_TRUE(protocol.isFateUnknown(encoder, plainName(), cut, {}));
+    EXPECT_FALSE(protocol.isFateUnknown(encoder, plainFilter(), cut, {}));
 }
 
 TEST_F(PlainJobs, ThePositionIsSetByItsCommand)

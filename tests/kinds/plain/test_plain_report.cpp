@@ -33,10 +33,11 @@ TEST(PlainBusReport, HasItsDevicesAndWhatTheyShow)
         device.station = place == test::plainHoist ? QStringLiteral("Hoist") : QString();
     }
     setDevicesOn(input.project, test::plainId, std::move(devices));
+    input.project.devices.front().wanted = {{test::plainName(), Value(QStringLiteral("Hoist 9"))}};
     addConnected(input, buses);
 
     const std::string text = reportAsText(makeReport(input, catalog)).toStdString();
-    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1"})
+    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1", "Hoist 9"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 

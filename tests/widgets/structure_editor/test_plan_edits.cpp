@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/ring/id_code.h"
 #include "tests/support/places.h"
 #include "tests/widgets/structure_editor/plan_test.h"
@@ -83,7 +84,7 @@ TEST_F(PlanEditsTest, AnotherKindOfDeviceKeepsThePlaceAndNotTheValues)
 {
     document.editDevice("1.0"_ring, {}, [](ProjectDevice &device) {
         device.station = QStringLiteral("hoist");
-        device.inAddress = 128;
+        device.set(GivenAddresses{.in = 128});
         device.wanted = {{Parameter::steps, 255}};
         device.label.turns = 4096;
         device.lastPosition = {4711, {}};
@@ -92,7 +93,7 @@ TEST_F(PlanEditsTest, AnotherKindOfDeviceKeepsThePlaceAndNotTheValues)
     const ProjectDevice &changed = document.device("1.0"_ring);
     EXPECT_EQ(changed.participant.deviceCode, 0x0236U);
     EXPECT_EQ(changed.station, QStringLiteral("hoist"));
-    EXPECT_EQ(changed.inAddress, 128);
+    EXPECT_EQ(changed.its<GivenAddresses>().in, 128);
     EXPECT_TRUE(changed.wanted.empty());
     EXPECT_EQ(changed.label, DeviceLabel());
     EXPECT_FALSE(changed.lastPosition);

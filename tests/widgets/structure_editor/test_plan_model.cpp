@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/ring/id_code.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
@@ -102,7 +103,7 @@ TEST_F(PlanModelTest, StationGroupAndAddressesAreEditedInPlace)
     const ProjectDevice &device = document.device("1.0"_ring);
     EXPECT_EQ(device.station, QStringLiteral("Crane 1"));
     EXPECT_EQ(device.group, QStringLiteral("A"));
-    EXPECT_EQ(device.inAddress, 128);
+    EXPECT_EQ(device.its<GivenAddresses>().in, 128);
     EXPECT_EQ(document.undoStack().count(), 3);
     EXPECT_TRUE(edit(QStringLiteral("2.0"), test::noteColumn, QStringLiteral("behind the door")));
     EXPECT_TRUE(edit(QStringLiteral("1.0"), test::serialColumn, QStringLiteral("20417")));
@@ -115,15 +116,15 @@ TEST_F(PlanModelTest, StationGroupAndAddressesAreEditedInPlace)
     EXPECT_EQ(document.device("2.0"_ring).note, QStringLiteral("behind the door"));
     EXPECT_EQ(model.find(QStringLiteral("door")), std::vector{id(QStringLiteral("2.0"))});
     EXPECT_TRUE(edit(QStringLiteral("1.0"), test::inColumn, {}));
-    EXPECT_EQ(document.device("1.0"_ring).inAddress, std::nullopt) << "counted again";
+    EXPECT_EQ(document.device("1.0"_ring).its<GivenAddresses>().in, std::nullopt) << "counted again";
     EXPECT_TRUE(edit(QStringLiteral("1.0"), test::outColumn, QStringLiteral("0")));
-    EXPECT_EQ(document.device("1.0"_ring).outAddress, std::nullopt) << "only looked at";
+    EXPECT_EQ(document.device("1.0"_ring).its<GivenAddresses>().out, std::nullopt) << "only looked at";
 
     QSignalSpy complaints(&model, &PlanModel::badInput);
     edit(QStringLiteral("1.0"), test::inColumn, QStringLiteral("twelve"));
     ASSERT_EQ(complaints.count(), 1);
     EXPECT_TRUE(complaints.first().first().toString().contains(QStringLiteral("twelve")));
-    EXPECT_EQ(document.device("1.0"_ring).inAddress, std::nullopt);
+    EXPECT_EQ(document.device("1.0"_ring).its<GivenAddresses>().in, std::nullopt);
     EXPECT_FALSE(model.flags(model.indexOf(id(QStringLiteral("3.0")), test::outColumn)) & Qt::ItemIsEditable);
 }
 
@@ -141,8 +142,8 @@ TEST_F(PlanModelTest, AddressesAreShownInWordsIfWanted)
 
 TEST_F(PlanModelTest, WhatIsWrongStandsBesideTheDevice)
 {
-    document.editDevice("1.0"_ring, {}, [](ProjectDevice &device) { device.inAddress = 128; });
-    document.editDevice("5.0"_ring, {}, [](ProjectDevice &device) { device.inAddress = 130; });
+    document.editDevice("1.0"_ring, {}, [](ProjectDevice &device) { device.set(GivenAddresses{.in = 128}); });
+    document.editDevice("5.0"_ring, {}, [](ProjectDevice &device) { device.set(GivenAddresses{.in = 130}); });
     EXPECT_EQ(text(QStringLiteral("1.0"), test::findingsColumn),
               QStringLiteral("IN at 128 overlaps that of 5.0."));
     EXPECT_EQ(text(QStringLiteral("2.1"), test::findingsColumn), QString());

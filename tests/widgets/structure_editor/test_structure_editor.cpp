@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/plan/ring_plan.h"
 #include "tests/support/places.h"
 #include "tests/support/plans.h"
 #include "tests/widgets/structure_editor/plan_test.h"
@@ -151,10 +152,10 @@ TEST_F(StructureEditorTest, CellsAreEditedWithTheMouse)
     edit(QStringLiteral("1.0"), test::stationColumn, QStringLiteral("Crane 1, hoist"));
     EXPECT_EQ(document.device("1.0"_ring).station, QStringLiteral("Crane 1, hoist"));
     edit(QStringLiteral("2.1"), test::outColumn, QStringLiteral("128"));
-    EXPECT_EQ(document.device("2.1"_ring).outAddress, 128);
+    EXPECT_EQ(document.device("2.1"_ring).its<GivenAddresses>().out, 128);
     edit(QStringLiteral("2.1"), test::outColumn, QStringLiteral("-3"));
     EXPECT_TRUE(message().contains(QStringLiteral("-3"))) << message().toStdString();
-    EXPECT_EQ(document.device("2.1"_ring).outAddress, 128);
+    EXPECT_EQ(document.device("2.1"_ring).its<GivenAddresses>().out, 128);
 }
 
 TEST_F(StructureEditorTest, AnAddressThatIsRefusedStaysInItsFieldUntilItIsCorrectedOrGivenUp)
@@ -165,17 +166,17 @@ TEST_F(StructureEditorTest, AnAddressThatIsRefusedStaysInItsFieldUntilItIsCorrec
     EXPECT_EQ(field->text(), QStringLiteral("12x"));
     child<QComboBox>("addressUnit").setFocus();
     ASSERT_NE(tree.viewport()->findChild<QLineEdit *>(), nullptr) << "left, it is still there";
-    EXPECT_EQ(document.device("2.1"_ring).outAddress, std::nullopt);
+    EXPECT_EQ(document.device("2.1"_ring).its<GivenAddresses>().out, std::nullopt);
     QTest::keyClick(field, Qt::Key_Backspace);
     EXPECT_EQ(message(), QString());
     QTest::keyClick(field, Qt::Key_Return);
     QCoreApplication::processEvents();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    EXPECT_EQ(document.device("2.1"_ring).outAddress, 12);
+    EXPECT_EQ(document.device("2.1"_ring).its<GivenAddresses>().out, 12);
     edit(QStringLiteral("2.1"), test::outColumn, QStringLiteral("y"));
     QTest::keyClick(tree.viewport()->findChild<QLineEdit *>(), Qt::Key_Escape);
     EXPECT_EQ(message(), QString());
-    EXPECT_EQ(document.device("2.1"_ring).outAddress, 12);
+    EXPECT_EQ(document.device("2.1"_ring).its<GivenAddresses>().out, 12);
     EXPECT_EQ(document.undoStack().count(), 1);
 }
 

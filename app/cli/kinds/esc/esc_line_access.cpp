@@ -9,6 +9,7 @@
 #include "doctor/port_hindrances.h"
 #include "kinds/esc/driver/esc_driver.h"
 #include "kinds/esc/links/project_adapter.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "links/port_access.h"
 #include "links/serial_port_link.h"
@@ -213,7 +214,7 @@ Checked<void> EscLineAccess::contact(const Call &call, const ProjectDevice &plan
 {
     const Place place = planned.place();
     const auto there = encoder(EscLineAddress::of(place.node), deviceOf(call, &planned));
-    if (planned.swapsWarningBytes)
+    if (planned.its<EscEncoderSettings>().swapsWarningBytes)
         m_session->setSwapsWarningBytes(place, true);
     const EncoderSession *encoder = m_session->encoder(place);
     const bool isSilent = encoder != nullptr && encoder->latest().state == EncoderState::silent;

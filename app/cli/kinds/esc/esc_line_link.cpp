@@ -4,6 +4,7 @@
 #include "cli/bus/present_ports.h"
 #include "cli/call/texts.h"
 #include "kinds/esc/line/esc_line_limits.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "links/port_access.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
@@ -131,7 +132,7 @@ std::set<EscLineAddress> swappingOf(const Project *project, BusId line)
     std::set<EscLineAddress> swapping;
     if (project != nullptr)
         for (const ProjectDevice &encoder : devicesOn(*project, line))
-            if (encoder.swapsWarningBytes)
+            if (encoder.its<EscEncoderSettings>().swapsWarningBytes)
                 swapping.insert(EscLineAddress::of(encoder.place().node));
     return swapping;
 }

@@ -3,6 +3,7 @@
 
 #include "app/screenshots/scene.h"
 #include "app/window/kinds/interbus/ring_actions.h"
+#include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/ring_edit.h"
 #include "widgets/kinds/interbus/master/ring_comparison.h"
@@ -45,8 +46,12 @@ void planCrane(TrainingWindow &shown)
                        KindData(RingPlace{.terminal = project.indexOf(project.idAt(terminal).value_or(0)),
                                           .onLocalBus = true,
                                           .row = 1}));
-    project.editDevice({firstRing, NodeId("4.0")}, {}, [](ProjectDevice &device) { device.inAddress = 128; });
-    project.editDevice({firstRing, NodeId("5.0")}, {}, [](ProjectDevice &device) { device.inAddress = 130; });
+    const auto giveIn = [&project](NodeId device, int in) {
+        project.editDevice({firstRing, device}, {},
+                           [in](ProjectDevice &its) { its.set(GivenAddresses{.in = in}); });
+    };
+    giveIn(NodeId("4.0"), 128);
+    giveIn(NodeId("5.0"), 130);
     shown.advance(40);
 }
 

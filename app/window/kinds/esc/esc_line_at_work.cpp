@@ -223,7 +223,7 @@ void EscLineAtWork::tellByteOrder()
     if (!m_session || m_training)
         return;
     for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
-        m_session->setSwapsWarningBytes(encoder.place(), encoder.swapsWarningBytes);
+        m_session->setSwapsWarningBytes(encoder.place(), encoder.its<EscEncoderSettings>().swapsWarningBytes);
 }
 
 EscLinePlan EscLineAtWork::asOpened(EscLinePlan line) const

@@ -23,7 +23,7 @@ ProjectDevice &plannedEncoder(std::vector<ProjectDevice> &encoders, const Encode
     encoder.standAt(number);
     encoder.participant.deviceKey = connected.device().key;
     const auto explained = valueOptionsOf(&connected);
-    encoder.swapsWarningBytes = explained && explained->swapsWarningBytes;
+    encoder.set(EscEncoderSettings{.swapsWarningBytes = explained && explained->swapsWarningBytes});
     return *encoders.insert(place, std::move(encoder));
 }
 
@@ -86,13 +86,14 @@ void EscLineKeeper::keepBaudRate(int baudRate)
 
 void EscLineKeeper::keepByteOrder(Place number, bool isSwapped)
 {
+    const EscEncoderSettings settings{.swapsWarningBytes = isSwapped};
     std::vector<ProjectDevice> after = encoders();
     const auto planned = std::ranges::find(after, number, &ProjectDevice::place);
     const bool isThere = m_line.session() != nullptr && m_line.session()->encoder(number) != nullptr;
     if (const EncoderSession *connected = sessionOf(number))
-        plannedEncoder(after, *connected).swapsWarningBytes = isSwapped;
+        plannedEncoder(after, *connected).set(settings);
     else if (planned != after.end() && !isThere)
-        planned->swapsWarningBytes = isSwapped;
+        planned->set(settings);
     else
         return;
     edit(std::move(after), tr("Warning bytes of %1").arg(number.shown()));

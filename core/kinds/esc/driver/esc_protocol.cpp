@@ -23,6 +23,11 @@ public:
                                       const PlanBasis &basis) const override;
     QString stepText(const DeviceDescription &device, const Step &step) const override;
     QString presetCommand() const override { return QStringLiteral("GP"); }
+    QString lineText() const override
+    {
+        return QCoreApplication::translate("codewheel::WriteReview",
+                                           "What will be sent, between ESC and CR LF");
+    }
 
     bool wasSent(const Progress &job, std::optional<Parameter> parameter) const override
     {

@@ -4,9 +4,11 @@
 #include "catalog/hex_code.h"
 #include "kinds/esc/line/esc_line_limits.h"
 #include "kinds/esc/line/esc_line_outline.h"
+#include "kinds/esc/line/esc_line_rows.h"
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/esc/plan/esc_line_plan_rules.h"
 #include "kinds/esc/protocol/esc_line_address.h"
+#include "kinds/esc/protocol/esc_profile.h"
 #include "project/bus_kind.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
@@ -73,7 +75,7 @@ void readEncoders(const JsonObject &json, std::vector<ProjectDevice> &encoders)
                     "Every encoder answers to \"esc:00\": one that is there must be alone on its line."));
         encoder.participant.number = place.value_or(placeOnLine({})).node;
         encoder.participant.deviceKey = row.text("device");
-        encoder.swapsWarningBytes = row.flagOr("swapsWarningBytes", false);
+        encoder.set(EscEncoderSettings{.swapsWarningBytes = row.flagOr("swapsWarningBytes", false)});
         ProjectReader::readWhatIsKnown(row, encoder);
         encoders.push_back(std::move(encoder));
     }
@@ -137,6 +139,10 @@ public:
     void write(ProjectWriter &writer, const KindData &settings,
                std::span<const ProjectDevice> devices) const override;
     const PlanRules &planRules() const override { return m_planRules; }
+    std::unique_ptr<RecordedRows> recordedRows(Profile profile) const override
+    {
+        return profile == profile::esc ? makeEscLineRows() : nullptr;
+    }
 
 private:
     EscLinePlanRules m_planRules;
@@ -223,7 +229,7 @@ void EscLineKind::write(ProjectWriter &writer, const KindData &settings,
         json.member("place", encoder.place().toString());
         writer.writeText("device", encoder.participant.deviceKey);
         writer.writeNames(encoder);
-        if (encoder.swapsWarningBytes)
+        if (encoder.its<EscEncoderSettings>().swapsWarningBytes)
             json.flag("swapsWarningBytes", true);
         writer.writeValues(encoder);
         writer.writeLastPosition(encoder);

@@ -20,7 +20,15 @@ struct EscLineAdapter
     friend bool operator==(const EscLineAdapter &, const EscLineAdapter &) = default;
 };
 
-// A serial line as planned.
+// What is peculiar to an encoder.
+struct EscEncoderSettings
+{
+    bool swapsWarningBytes = false; // its warnings come with the low byte first
+
+    friend bool operator==(const EscEncoderSettings &, const EscEncoderSettings &) = default;
+};
+
+// A serial line as planned; its encoders have EscEncoderSettings.
 struct EscLinePlan
 {
     EscLineSettings settings; // of its timing, the file keeps time-out, retries, and the quiet after a write

@@ -42,21 +42,22 @@ private:
 using Range = std::optional<AddressRange> DeviceAddresses::*;
 
 void fill(const Project &project, BusId ring, std::vector<DeviceAddresses> &addresses, Range range,
-          int Participant::*words, std::optional<int> ProjectDevice::*given)
+          int Participant::*words, std::optional<int> GivenAddresses::*given)
 {
     std::vector<AddressRange> byHand;
     const std::span<const ProjectDevice> devices = devicesOn(project, ring);
+    const auto typed = [given](const ProjectDevice &device) { return device.its<GivenAddresses>().*given; };
     for (const ProjectDevice &device : devices)
-        if (device.*given && device.participant.*words > 0)
-            byHand.push_back({*(device.*given), device.participant.*words * bytesPerWord, true});
+        if (const auto first = typed(device); first && device.participant.*words > 0)
+            byHand.push_back({*first, device.participant.*words * bytesPerWord, true});
     Image image(byHand, ringPlan(project, ring).addresses.first);
     for (std::size_t place = 0; place < addresses.size(); ++place) {
         const ProjectDevice &device = devices[place];
         const int bytes = device.participant.*words * bytesPerWord;
         if (bytes == 0)
             continue;
-        addresses[place].*range =
-            device.*given ? AddressRange{*(device.*given), bytes, true} : image.next(bytes);
+        const auto first = typed(device);
+        addresses[place].*range = first ? AddressRange{*first, bytes, true} : image.next(bytes);
     }
 }
 
@@ -65,8 +66,8 @@ void fill(const Project &project, BusId ring, std::vector<DeviceAddresses> &addr
 std::vector<DeviceAddresses> processAddresses(const Project &project, BusId ring)
 {
     std::vector<DeviceAddresses> addresses(devicesOn(project, ring).size());
-    fill(project, ring, addresses, &DeviceAddresses::in, &Participant::inWords, &ProjectDevice::inAddress);
-    fill(project, ring, addresses, &DeviceAddresses::out, &Participant::outWords, &ProjectDevice::outAddress);
+    fill(project, ring, addresses, &DeviceAddresses::in, &Participant::inWords, &GivenAddresses::in);
+    fill(project, ring, addresses, &DeviceAddresses::out, &Participant::outWords, &GivenAddresses::out);
     return addresses;
 }
 

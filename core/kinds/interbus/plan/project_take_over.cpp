@@ -14,8 +14,7 @@ ProjectDevice inThePlaceOf(const ProjectDevice &before)
     device.station = before.station;
     device.group = before.group;
     device.note = before.note;
-    device.inAddress = before.inAddress;
-    device.outAddress = before.outAddress;
+    device.settings = before.settings;
     return device;
 }
 

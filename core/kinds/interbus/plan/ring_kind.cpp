@@ -9,13 +9,17 @@
 #include "kinds/interbus/ring/cycle_time.h"
 #include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_outline.h"
+#include "kinds/interbus/ring/ring_rows.h"
 #include "kinds/interbus/ring/ring_rules.h"
 #include "kinds/interbus/words/device_number.h"
+#include "kinds/interbus/words/profiles.h"
 #include "project/bus_kind.h"
 #include "project/project_keys.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
 #include "vocabulary/refusal_text.h"
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -92,8 +96,7 @@ ProjectDevice readDevice(const JsonObject &json, DeviceNumber before)
 {
     ProjectDevice device;
     device.participant = readParticipant(json, before);
-    device.inAddress = address(json, "inAddress");
-    device.outAddress = address(json, "outAddress");
+    device.set(GivenAddresses{address(json, "inAddress"), address(json, "outAddress")});
     device.wantedCams = ProjectReader::readWantedCams(json);
     device.storedCams = ProjectReader::readStoredCams(json);
     ProjectReader::readWhatIsKnown(json, device);
@@ -136,8 +139,9 @@ void writeDevice(ProjectWriter &writer, const ProjectDevice &device)
 {
     writeParticipant(writer, device.participant);
     writer.writeNames(device);
-    writer.writeNumber("inAddress", device.inAddress);
-    writer.writeNumber("outAddress", device.outAddress);
+    const auto addresses = device.its<GivenAddresses>();
+    writer.writeNumber("inAddress", addresses.in);
+    writer.writeNumber("outAddress", addresses.out);
     writer.writeValues(device);
     writer.writeCams(device);
     writer.writeLastPosition(device);
@@ -168,6 +172,10 @@ public:
     void write(ProjectWriter &writer, const KindData &settings,
                std::span<const ProjectDevice> devices) const override;
     const PlanRules &planRules() const override { return m_planRules; }
+    std::unique_ptr<RecordedRows> recordedRows(Profile profile) const override
+    {
+        return std::ranges::count(profile::ofRings, profile) > 0 ? makeRingRows() : nullptr;
+    }
 
 private:
     RingPlanRules m_planRules;

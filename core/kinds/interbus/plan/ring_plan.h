@@ -30,7 +30,16 @@ struct ProjectLink
     friend bool operator==(const ProjectLink &, const ProjectLink &) = default;
 };
 
-// A ring as planned.
+// Where a device is in the process image if that was given by hand, in bytes; empty: automatic.
+struct GivenAddresses
+{
+    std::optional<int> in{};
+    std::optional<int> out{};
+
+    friend bool operator==(const GivenAddresses &, const GivenAddresses &) = default;
+};
+
+// A ring as planned; its devices have GivenAddresses.
 struct RingPlan
 {
     ProjectLink link;

@@ -149,8 +149,11 @@ Result<EditedPlan> RingPlanRules::type(const Project &project, Place device, con
     // What was merely looked at stays automatic.
     const bool isUnchanged =
         now && given && (now->first == *given || typedAddress(addressText(now->first, unit)) == text);
-    if (now && !isUnchanged)
-        (isIn ? edited->inAddress : edited->outAddress) = given;
+    if (now && !isUnchanged) {
+        auto byHand = edited->its<GivenAddresses>();
+        (isIn ? byHand.in : byHand.out) = given;
+        edited->set(byHand);
+    }
     return after;
 }
 

@@ -11,5 +11,6 @@ inline constexpr Profile k2{"K2"};
 inline constexpr Profile k3{"K3"};
 inline constexpr Profile k4{"K4"};
 inline constexpr Profile la66{"LA-66"};
+inline constexpr Profile ofRings[] = {k1, k2, k3, k4, la66};
 
 } // namespace codewheel::profile

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "tests/app/kinds/esc/esc_line_at_port_test.h"
 #include "tests/support/plans.h"
 #include "tests/support/port_holder.h"
@@ -40,7 +41,7 @@ protected:
     void write(Place number, Parameter parameter, std::int64_t value)
     {
         window().findChild<StructureView *>()->choose(number);
-        actions().operate->trigger();
+        operate();
         ASSERT_TRUE(comes([&] { return line().isOperating(); }));
         window().findChild<WantedValues *>()->set(number, parameter, value);
         advance(50);
@@ -139,6 +140,41 @@ TEST_F(EscLineAtPort, APortThatTheUserMayNotUseIsToldWithTheCommandThatGivesTheR
     EXPECT_TRUE(answers(at3));
 }
 
+TEST_F(EscLineAtPort, GoesToOperateOnlyWhenItWasAgreedToWriteToARealLine)
+{
+    plan({test::plannedEncoder(at3, QStringLiteral("Slide"))});
+    const QString port = startPeer(QStringLiteral("--addresses 03"));
+    connectPort(port);
+    ASSERT_TRUE(answers(at3));
+    window().findChild<StructureView *>()->choose(at3);
+    actions().operate->trigger();
+    ASSERT_NE(operateQuestion(), nullptr);
+    EXPECT_EQ(operateQuestion()->text(),
+              QStringLiteral("This serial line is real. Shall the program write to it?"));
+    EXPECT_TRUE(actions().watch->isChecked());
+    QTest::keyClick(operateQuestion(), Qt::Key_Return);
+    advance(100);
+    EXPECT_FALSE(line().isOperating());
+    operate();
+    ASSERT_TRUE(comes([&] { return line().isOperating(); }));
+
+    actions().watch->trigger();
+    ASSERT_TRUE(comes([&] { return !line().isOperating(); }));
+    actions().operate->trigger();
+    EXPECT_EQ(operateQuestion(), nullptr) << "once in a connection";
+    ASSERT_TRUE(comes([&] { return line().isOperating(); }));
+
+    lineActions().disconnectLine->trigger();
+    connectPort(port);
+    ASSERT_TRUE(answers(at3));
+    actions().operate->trigger();
+    EXPECT_NE(operateQuestion(), nullptr);
+    lineActions().disconnectLine->trigger();
+    advance(100);
+    EXPECT_TRUE(operateQuestion() == nullptr || !operateQuestion()->isVisible())
+        << "it goes with the line it is about";
+}
+
 TEST_F(EscLineAtPort, AnEncoderOfAnotherAddressIsFoundThereByTheProject)
 {
     plan({test::plannedEncoder(at3, QStringLiteral("Slide"))});
@@ -190,8 +226,8 @@ TEST_F(EscLineAtPort, SwappedWarningBytesAreKeptWithTheEncoder)
     ASSERT_TRUE(answers(at3) && answers(at5));
     window().findChild<StructureView *>()->choose(at3);
     lineActions().swapWarningBytes->trigger();
-    EXPECT_TRUE(encodersOnLine(project())[0].swapsWarningBytes);
-    EXPECT_FALSE(encodersOnLine(project())[1].swapsWarningBytes);
+    EXPECT_TRUE(encodersOnLine(project())[0].its<EscEncoderSettings>().swapsWarningBytes);
+    EXPECT_FALSE(encodersOnLine(project())[1].its<EscEncoderSettings>().swapsWarningBytes);
     const auto warnings = [this](Place number) { return line().encoder(number)->latest().warnings; };
     EXPECT_TRUE(comes([&] { return warnings(at3) == 0x9800 && warnings(at5) == 0x0098; }));
     // What is typed is sent once, and on a busy computer its answer may come late: so the polled ones are
@@ -239,14 +275,14 @@ TEST_F(EscLineAtPort, SwappedWarningBytesFollowTheEncoderThroughRemovalAndAnothe
     EXPECT_TRUE(isSwapped()) << "the line is open as it was";
     takeOver();
     ASSERT_TRUE(linePlan(project(), firstLine));
-    EXPECT_TRUE(encodersOnLine(project()).at(0).swapsWarningBytes);
+    EXPECT_TRUE(encodersOnLine(project()).at(0).its<EscEncoderSettings>().swapsWarningBytes);
 
     shown->project().setProject({}, {});
     window().findChild<StructureView *>()->choose(at3);
     lineActions().swapWarningBytes->trigger();
     EXPECT_FALSE(isSwapped());
     ASSERT_TRUE(linePlan(project(), firstLine)) << "what is told of an encoder takes it into the project";
-    EXPECT_FALSE(encodersOnLine(project()).at(0).swapsWarningBytes);
+    EXPECT_FALSE(encodersOnLine(project()).at(0).its<EscEncoderSettings>().swapsWarningBytes);
 }
 
 TEST_F(EscLineAtPort, TheFormatThatWasDeterminedIsKept)

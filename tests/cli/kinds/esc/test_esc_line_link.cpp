@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/kinds/esc/esc_line_link.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "tests/support/plans.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +75,7 @@ TEST(CliLineLink, TheLineOfAProjectKeepsItsSettingsSaveThoseTyped)
     setLinePlan(project, firstLine, line);
     for (const EscLineAddress address : {EscLineAddress{3}, EscLineAddress{5}})
         project.devices.emplace_back().standAt(placeOnLine(address));
-    project.devices[1].swapsWarningBytes = true;
+    project.devices[1].set(EscEncoderSettings{.swapsWarningBytes = true});
     const auto link = lineOf(project, firstLine, {QStringLiteral("fraction-bits=30")});
     ASSERT_TRUE(link);
     EXPECT_EQ(link->settings.port, QStringLiteral("/dev/ttyUSB3"));

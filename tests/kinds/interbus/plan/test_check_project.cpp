@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/check_project.h"
+#include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/words/device_number.h"
 #include "tests/support/plans.h"
 
@@ -40,13 +41,13 @@ TEST(CheckProject, NothingIsSaidOfAPlanInOrder)
 TEST(CheckProject, OverlapsAreToldAtBothDevices)
 {
     Project project = encoders(3);
-    project.devices[0].inAddress = 10;
-    project.devices[2].inAddress = 12;
+    project.devices[0].set(GivenAddresses{.in = 10});
+    project.devices[2].set(GivenAddresses{.in = 12});
     EXPECT_EQ(findings(project), (QStringList{QStringLiteral("0 fault: IN at 10 overlaps that of 3.0."),
                                               QStringLiteral("2 fault: IN at 12 overlaps that of 1.0.")}));
     changeRing(project, [&](RingPlan &ring) { ring.addresses.unit = AddressRules::Unit::word; });
     EXPECT_EQ(findings(project).first(), QStringLiteral("0 fault: IN at 5 overlaps that of 3.0."));
-    project.devices[2].inAddress = 14;
+    project.devices[2].set(GivenAddresses{.in = 14});
     EXPECT_EQ(findings(project), QStringList()) << "side by side";
 }
 
@@ -55,8 +56,8 @@ TEST(CheckProject, OneLongRangeOverlapsSeveral)
     Project project = encoders(3);
     project.devices[0].participant.outWords = 8;
     for (ProjectDevice &device : project.devices)
-        device.outAddress = 0;
-    project.devices[2].outAddress = 14;
+        device.set(GivenAddresses{.out = 0});
+    project.devices[2].set(GivenAddresses{.out = 14});
     EXPECT_EQ(findings(project).size(), 4);
     EXPECT_TRUE(findings(project).contains(QStringLiteral("2 fault: OUT at 14 overlaps that of 1.0.")));
 }
@@ -64,7 +65,7 @@ TEST(CheckProject, OneLongRangeOverlapsSeveral)
 TEST(CheckProject, AnOddByteIsWithinAWord)
 {
     Project project = encoders(1);
-    project.devices[0].outAddress = 13;
+    project.devices[0].set(GivenAddresses{.out = 13});
     EXPECT_EQ(findings(project),
               QStringList{QStringLiteral("0 attention: OUT begins at the odd byte 13, within a word.")});
 }
@@ -84,10 +85,9 @@ TEST(CheckProject, Step5WantsEncodersAboveP127)
                          "0 attention: IN is not above P127: with Step 5, the process image overwrites it."),
                      QStringLiteral("0 attention: OUT is not above P127: with Step 5, the process image "
                                     "overwrites it.")}));
-    project.devices[0].inAddress = 127;
-    project.devices[0].outAddress = 128;
+    project.devices[0].set(GivenAddresses{.in = 127, .out = 128});
     EXPECT_EQ(findings(project).size(), 2) << "127 is odd as well";
-    project.devices[0].inAddress = 128;
+    project.devices[0].set(GivenAddresses{.in = 128, .out = 128});
     EXPECT_EQ(findings(project), QStringList());
 }
 

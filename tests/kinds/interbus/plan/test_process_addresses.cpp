@@ -49,10 +49,9 @@ TEST(ProcessAddresses, AutomaticOnesGoRoundThoseGivenByHand)
 {
     Project project;
     project.devices = {device(2, 2), device(2, 2), device(2, 2)};
-    project.devices[1].inAddress = 2;
-    project.devices[1].outAddress = 128;
+    project.devices[1].set(GivenAddresses{.in = 2, .out = 128});
     EXPECT_EQ(shown(processAddresses(project)).toStdString(), "6..9/0..3 2..5!/128..131! 10..13/4..7");
-    project.devices[1].inAddress = 5;
+    project.devices[1].set(GivenAddresses{.in = 5, .out = 128});
     EXPECT_EQ(shown(processAddresses(project)).toStdString(), "0..3/0..3 5..8!/128..131! 10..13/4..7");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/project_take_over.h"
+#include "kinds/interbus/plan/ring_plan.h"
 #include "tests/kinds/interbus/ring/written_ring.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +21,7 @@ Project projectOf(const char *ring)
         device.group = QStringLiteral("hoist");
         device.note = QStringLiteral("note");
         device.label.serialNumber = QStringLiteral("4711");
-        device.inAddress = 20;
-        device.outAddress = 22;
+        device.set(GivenAddresses{.in = 20, .out = 22});
         device.wanted = {{Parameter::steps, 100}};
         device.wantedCams = {CamProgram{}};
         device.stored = {{Parameter::steps, 90, Evidence::read, {}}};
@@ -75,8 +75,7 @@ TEST(ProjectTakeOver, AnotherDeviceKeepsWhatBelongsToThePlace)
     expected.station = QStringLiteral("2.0");
     expected.group = QStringLiteral("hoist");
     expected.note = QStringLiteral("note");
-    expected.inAddress = 20;
-    expected.outAddress = 22;
+    expected.set(GivenAddresses{.in = 20, .out = 22});
     EXPECT_EQ(after.devices[0], before.devices[0]);
     EXPECT_EQ(after.devices[1], expected);
 }
