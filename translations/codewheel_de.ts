@@ -1167,6 +1167,10 @@
         <comment>names and values</comment>
         <translation>Jetzt gilt: %1.</translation>
     </message>
+    <message>
+        <source>As long as it is not known whether the encoder counts steps minus 1, a word written by hand does not tell its steps.</source>
+        <translation>Solange nicht bekannt ist, ob der Geber Schritte minus 1 zählt, sagt ein von Hand geschriebenes Wort nicht, welche Schritte er hat.</translation>
+    </message>
 </context>
 <context>
     <name>Leds</name>
@@ -2486,6 +2490,10 @@
         <source>Each word goes out for two bus cycles with its first bit, the service bit, 0; what was written is read back.</source>
         <translation>Jedes Wort geht zwei Buszyklen lang mit dem ersten Bit, dem Dienst-Bit, 0 hinaus; Geschriebenes wird zurückgelesen.</translation>
     </message>
+    <message>
+        <source>What will be sent</source>
+        <translation>Was gesendet wird</translation>
+    </message>
 </context>
 <context>
     <name>Refusal</name>
@@ -3190,10 +3198,6 @@
         <translation>Der Geber hat nicht innerhalb von %1 s geantwortet (OUT %2, IN %3). In der Verbindung das erste Register von OUT prüfen: Seine Worte gehen vielleicht woandershin. Dann prüfen, welcher Geber es ist und ob er eingeschaltet ist.</translation>
     </message>
     <message>
-        <source>No answer came from the encoder for %1 s after this was confirmed, so nothing was sent. Check the line, then start again.</source>
-        <translation>Nach dem Bestätigen kam %1 s lang keine Antwort vom Geber, deshalb wurde nichts gesendet. Die Leitung prüfen, dann neu beginnen.</translation>
-    </message>
-    <message>
         <source>The encoder has lost its parameters, and works again only with all of parameters 1 to 4. Without a value: %1. Give them one; nothing is sent before.</source>
         <translation>Der Geber hat seine Parameter verloren und arbeitet erst wieder mit allen Parametern 1 bis 4. Ohne Wert: %1. Geben Sie einen an; vorher wird nichts gesendet.</translation>
     </message>
@@ -3232,6 +3236,18 @@
     <message>
         <source>Error 2: the encoder refused %3, the word for %1 (IN %2). Perhaps it is in cam mode, where it takes no parameters: switch it to position mode, then try again. If it was in position mode, check which encoder it is.</source>
         <translation>Fehler 2: Der Geber hat %3, das Wort für %1, abgelehnt (IN %2). Vielleicht ist er im Nockenbetrieb, in dem er keine Parameter annimmt: in den Positionsbetrieb schalten, dann noch einmal versuchen. War er im Positionsbetrieb, prüfen, welcher Geber es ist.</translation>
+    </message>
+    <message>
+        <source>No answer came from the encoder for %1 s after this was confirmed, so nothing was written. Check the line, then start again.</source>
+        <translation>Nach dem Bestätigen kam %1 s lang keine Antwort vom Geber, deshalb wurde nichts geschrieben. Die Leitung prüfen, dann neu beginnen.</translation>
+    </message>
+    <message>
+        <source>The encoder refused the value of %1. Check it and write again.</source>
+        <translation>Der Geber hat den Wert für %1 abgelehnt. Wert prüfen und neu schreiben.</translation>
+    </message>
+    <message>
+        <source>The encoder has lost its parameters, and gives no position. Write them again.</source>
+        <translation>Der Geber hat seine Parameter verloren und zeigt keine Position. Parameter neu schreiben.</translation>
     </message>
 </context>
 <context>
@@ -3642,6 +3658,22 @@
         <source>This shifts the position: now %1, then about %2.</source>
         <translation>Das verschiebt die Position: jetzt %1, danach etwa %2.</translation>
     </message>
+    <message>
+        <source>A preset acts once, and the one in the encoder is used up: it is written again, so that the position can be set to it.</source>
+        <translation>Ein Preset wirkt einmal, und der im Geber ist verbraucht: Er wird noch einmal geschrieben, damit die Position darauf gesetzt werden kann.</translation>
+    </message>
+    <message>
+        <source>A preset acts once. Whether the one in the encoder is used up is read first; if it is, it is written again.</source>
+        <translation>Ein Preset wirkt einmal. Ob der im Geber verbraucht ist, wird zuerst ausgelesen; wenn ja, wird er noch einmal geschrieben.</translation>
+    </message>
+    <message>
+        <source>Perhaps not in force</source>
+        <translation>Vielleicht nicht wirksam</translation>
+    </message>
+    <message>
+        <source>Not in force</source>
+        <translation>Nicht wirksam</translation>
+    </message>
 </context>
 <context>
     <name>WizardReport</name>
@@ -3794,10 +3826,6 @@
         <translation>nicht beantwortet</translation>
     </message>
     <message>
-        <source>Not in force</source>
-        <translation>Nicht wirksam</translation>
-    </message>
-    <message>
         <source>the encoder shows the position that was set</source>
         <translation>der Geber zeigt die gesetzte Position</translation>
     </message>
@@ -3824,6 +3852,10 @@
     <message>
         <source>Mode afterwards</source>
         <translation>Betriebsart danach</translation>
+    </message>
+    <message>
+        <source>confirmed by the encoder, which cannot be read</source>
+        <translation>vom Geber quittiert, der sich nicht auslesen lässt</translation>
     </message>
 </context>
 <context>
@@ -4066,6 +4098,10 @@
     <message>
         <source>Remove %1</source>
         <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Until its connection leads to a real bus, &quot;%1&quot; is simulated: it is that of the training bus, and what is connected there stays connected.</source>
+        <translation>Bis seine Verbindung zu einem echten Bus führt, ist „%1“ simuliert: Es ist der des Übungsbusses, und was dort verbunden ist, bleibt verbunden.</translation>
     </message>
 </context>
 <context>
@@ -4719,6 +4755,11 @@
     <message>
         <source>Sent although already there: %1. Outside cam mode the word after it would mean something else.</source>
         <translation>Wird gesendet, obwohl es schon gilt: %1. Außerhalb des Nockenbetriebs hätte das Wort danach eine andere Bedeutung.</translation>
+    </message>
+    <message>
+        <source>The encoder had all of it when it was seen last. Whether it has it now is not known: %1</source>
+        <comment>a sentence</comment>
+        <translation>Als der Geber zuletzt zu sehen war, hatte er alles schon. Ob er es jetzt hat, ist nicht bekannt: %1</translation>
     </message>
 </context>
 <context>
@@ -8359,16 +8400,16 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <translation>Verbunden. Diese Seite schließen (Esc), um die Geber zu sehen.</translation>
     </message>
     <message>
-        <source>The training bus is connected. It is disconnected first. What the project plans for its encoders then counts for the real ones.</source>
-        <translation>Der Übungsbus ist verbunden. Er wird zuerst getrennt. Was das Projekt für seine Geber plant, gilt dann für die echten.</translation>
-    </message>
-    <message>
         <source>This bus is connected. It is disconnected first.</source>
         <translation>Dieser Bus ist verbunden. Er wird zuerst getrennt.</translation>
     </message>
     <message>
         <source>Disconnect and connect</source>
         <translation>Trennen und verbinden</translation>
+    </message>
+    <message>
+        <source>This bus is connected to simulated encoders. It is disconnected first. What the project plans for them then counts for the real ones.</source>
+        <translation>Dieser Bus ist mit simulierten Gebern verbunden. Er wird zuerst getrennt. Was das Projekt für sie plant, gilt dann für die echten.</translation>
     </message>
 </context>
 <context>
@@ -9281,6 +9322,10 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <source>Show &amp;speed in trend</source>
         <translation>&amp;Drehzahl im Trend zeigen</translation>
     </message>
+    <message>
+        <source>The project plans it, but it is not on the bus that is connected. Its position is shown once it is.</source>
+        <translation>Das Projekt plant ihn, aber am verbundenen Bus ist er nicht. Die Position wird angezeigt, sobald er da ist.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DirectionPage</name>
@@ -9363,6 +9408,14 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>When moved this way, the position should:</source>
         <translation>Bei dieser Bewegung soll die Position:</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DisabledKey</name>
+    <message>
+        <source>Not possible now: %1. %2</source>
+        <comment>action, why or what it does</comment>
+        <translation>Jetzt nicht möglich: %1. %2</translation>
     </message>
 </context>
 <context>
@@ -11293,6 +11346,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Use this adapter</source>
         <translation>Diesen Adapter verwenden</translation>
     </message>
+    <message>
+        <source>The line is not connected.</source>
+        <translation>Die Leitung ist nicht verbunden.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::FaultBanner</name>
@@ -11731,10 +11788,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Niemand sendet. Mehr zeigt eine Abfrage.</translation>
     </message>
     <message>
-        <source>The line is silent: it is asked.</source>
-        <translation>Niemand sendet: Die Leitung wird abgefragt.</translation>
-    </message>
-    <message>
         <source>Somebody talks on this line, but it makes sense with no usual setting. Nothing was sent.</source>
         <translation>An dieser Leitung spricht jemand, aber mit keiner üblichen Einstellung ergibt es einen Sinn. Nichts wurde gesendet.</translation>
     </message>
@@ -11789,6 +11842,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Bytes come, but none that make sense at %1. Nothing is sent; other settings are tried by listening.</source>
         <translation>Es kommen Bytes, die bei %1 keinen Sinn ergeben. Nichts wird gesendet; es wird mit anderen Einstellungen gehorcht.</translation>
+    </message>
+    <message>
+        <source>Nobody sends on this line by itself.</source>
+        <translation>Von selbst sendet auf dieser Leitung niemand.</translation>
     </message>
 </context>
 <context>
@@ -13812,6 +13869,11 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>The window is made anew once the transfer has ended.</source>
         <translation>Das Fenster wird neu aufgebaut, sobald die Übertragung zu Ende ist.</translation>
     </message>
+    <message>
+        <source>still %1</source>
+        <comment>place of a device</comment>
+        <translation>noch %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -14863,10 +14925,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>&amp;Bedienen</translation>
     </message>
     <message>
-        <source>Words can be sent from now on; none is changed by that. This is not asked again before the ring is connected anew</source>
-        <translation>Ab jetzt können Worte gesendet werden; dadurch ändert sich keines. Erst nach dem nächsten Verbinden wird wieder gefragt</translation>
-    </message>
-    <message>
         <source>&amp;Stay in Watch</source>
         <translation>B&amp;eobachten</translation>
     </message>
@@ -14889,6 +14947,22 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>OUT cannot be read back of these. It stays as it is until something is sent there:</source>
         <translation>Bei diesen kann OUT nicht zurückgelesen werden. Es bleibt, wie es ist, bis dorthin etwas gesendet wird:</translation>
+    </message>
+    <message>
+        <source>It can be written to from now on; nothing is changed by that. This is not asked again before it is connected anew</source>
+        <translation>Ab jetzt kann geschrieben werden; dadurch ändert sich nichts. Erst nach dem nächsten Verbinden wird wieder gefragt</translation>
+    </message>
+    <message>
+        <source>This serial line is real. Shall the program write to it?</source>
+        <translation>Diese serielle Leitung ist echt. Soll das Programm auf sie schreiben?</translation>
+    </message>
+    <message>
+        <source>%1 is a real serial line. Shall the program write to it?</source>
+        <translation>%1 ist eine echte serielle Leitung. Soll das Programm auf sie schreiben?</translation>
+    </message>
+    <message>
+        <source>In Operate, what you write goes to the encoders on the line. A preset or a parameter changes the position that the controller sees. Switching over sends nothing.</source>
+        <translation>Beim Bedienen geht das, was Sie schreiben, an die Geber der Leitung. Ein Preset oder ein Parameter ändert die Position, die die Steuerung sieht. Das Umschalten sendet nichts.</translation>
     </message>
 </context>
 <context>
@@ -15451,6 +15525,11 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
         <source>What was being typed for encoder %1 was not taken: %2 %3.</source>
         <translation>Die angefangene Eingabe für Geber %1 wurde nicht übernommen: %2 %3.</translation>
     </message>
+    <message>
+        <source>%1 Done before that: %2</source>
+        <comment>a sentence, sentences</comment>
+        <translation>%1 Davor erledigt: %2</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ParameterTable</name>
@@ -15537,6 +15616,10 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>Wizard shows it again.</source>
         <translation>Assistent zeigt ihn wieder.</translation>
+    </message>
+    <message>
+        <source>Nothing is being sent.</source>
+        <translation>Es wird nichts gesendet.</translation>
     </message>
 </context>
 <context>
@@ -17787,6 +17870,23 @@ Zustand: %3 (%4)</translation>
         <source>Each write uses up one of the writes of the encoder&apos;s EEPROM.</source>
         <translation>Jedes Schreiben kostet das EEPROM des Gebers einen seiner Schreibvorgänge.</translation>
     </message>
+    <message>
+        <source>already there, written if used up</source>
+        <translation>vorhanden, geschrieben, falls verbraucht</translation>
+    </message>
+    <message>
+        <source>not wanted, goes along</source>
+        <translation>nicht gewünscht, geht mit</translation>
+    </message>
+    <message>
+        <source>The encoder had all of these values when it was seen last. Whether it has them now is not known: %1</source>
+        <comment>a sentence</comment>
+        <translation>Als der Geber zuletzt zu sehen war, hatte er alle diese Werte. Ob er sie jetzt hat, ist nicht bekannt: %1</translation>
+    </message>
+    <message>
+        <source>This encoder cannot be read: its confirmation is the evidence.</source>
+        <translation>Dieser Geber lässt sich nicht auslesen: Der Nachweis ist seine Quittung.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RingActions</name>
@@ -17985,6 +18085,15 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>The reads of %1 do not agree, so its word is not believed. Check the word order, and where its registers begin. If they are right, stop the shaft or make the poll interval shorter: a position that moves is believed where reads follow each other closely.</source>
         <translation>Die Lesungen von %1 stimmen nicht überein, daher gilt sein Wort nicht. Die Wortreihenfolge prüfen, und wo seine Register beginnen. Stimmen sie, die Welle anhalten oder das Abfrageintervall verkürzen: Eine Position, die sich bewegt, gilt, wo die Lesungen dicht aufeinander folgen.</translation>
+    </message>
+    <message>
+        <source>A fault has stopped the ring. It is not told any more: start the ring again.</source>
+        <translation>Eine Störung hat den Ring angehalten. Sie wird nicht mehr gemeldet: den Ring neu starten.</translation>
+    </message>
+    <message>
+        <source>%1, or no supply</source>
+        <comment>a position</comment>
+        <translation>%1, oder keine Versorgung</translation>
     </message>
 </context>
 <context>
@@ -18394,6 +18503,11 @@ Zustand: %7</translation>
         <source>outputs blocked</source>
         <comment>of a gateway</comment>
         <translation>Ausgänge gesperrt</translation>
+    </message>
+    <message>
+        <source>gateway</source>
+        <comment>behind the name of a ring</comment>
+        <translation>Gateway</translation>
     </message>
 </context>
 <context>
@@ -18856,6 +18970,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Switches %1 back to position mode, after asking</source>
         <translation>Schaltet %1 nach einer Rückfrage zurück in den Positionsbetrieb</translation>
+    </message>
+    <message>
+        <source>The ring is not connected.</source>
+        <translation>Der Ring ist nicht verbunden.</translation>
     </message>
 </context>
 <context>
@@ -19469,10 +19587,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>%1 ist nicht verbunden</translation>
     </message>
     <message>
-        <source>Words can be sent to it once its bus is connected.</source>
-        <translation>Worte lassen sich senden, sobald der Bus verbunden ist.</translation>
-    </message>
-    <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
     </message>
@@ -19503,6 +19617,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>&amp;Leave the encoder unchanged, OUT back to 0</source>
         <translation>Geber un&amp;verändert lassen, OUT zurück auf 0</translation>
+    </message>
+    <message>
+        <source>Words can be sent to it once it is.</source>
+        <translation>Worte lassen sich senden, sobald er verbunden ist.</translation>
     </message>
 </context>
 <context>
@@ -21083,16 +21201,16 @@ Worte: IN %3, OUT %4</translation>
         <translation>%1 ist nicht verbunden</translation>
     </message>
     <message>
-        <source>What passes is shown once its bus is connected.</source>
-        <translation>Was gesendet und empfangen wird, erscheint hier, sobald der Bus verbunden ist.</translation>
-    </message>
-    <message>
         <source>Hold the table; new rows are kept and shown afterwards</source>
         <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
     </message>
     <message>
         <source>It has no words. The traffic of its line is in the terminal.</source>
         <translation>Er hat keine Worte. Was über seine Leitung geht, steht im Terminal.</translation>
+    </message>
+    <message>
+        <source>What passes is shown once it is.</source>
+        <translation>Was gesendet und empfangen wird, erscheint hier, sobald er verbunden ist.</translation>
     </message>
 </context>
 <context>
@@ -21206,6 +21324,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1 dropped</source>
         <translation>%1 verworfen</translation>
+    </message>
+    <message>
+        <source>Another connection begins here.</source>
+        <translation>Ab hier eine andere Verbindung.</translation>
     </message>
 </context>
 <context>
@@ -21475,6 +21597,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Computed from the other values, and sent after them</source>
         <translation>Aus den anderen Werten berechnet und nach ihnen gesendet</translation>
     </message>
+    <message>
+        <source>Not wanted: it goes along as it is known, otherwise as from the factory</source>
+        <translation>Nicht gewünscht: geht mit, wie er bekannt ist, sonst wie ab Werk</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferModel</name>
@@ -21742,10 +21868,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Setting the position</source>
         <translation>Setzen der Position</translation>
-    </message>
-    <message>
-        <source>Not in force</source>
-        <translation>Nicht wirksam</translation>
     </message>
 </context>
 <context>
@@ -22587,16 +22709,20 @@ Worte: IN %3, OUT %4</translation>
         <translation>IN (%1) sagt: %2.</translation>
     </message>
     <message>
-        <source>The encoder then gives its position by these values: it can jump, and what the controller drives by it can move. Which position it will read is not known.</source>
-        <translation>Danach gibt der Geber seine Position nach diesen Werten aus: Sie kann springen, und was die Steuerung danach antreibt, kann sich bewegen. Welche Position er anzeigen wird, ist nicht bekannt.</translation>
-    </message>
-    <message>
         <source>The encoder then switches its cams by these values, and what the controller drives by them can move.</source>
         <translation>Danach schaltet der Geber seine Nocken nach diesen Werten, und was die Steuerung danach antreibt, kann sich bewegen.</translation>
     </message>
     <message>
         <source>Its mode is not known: the encoder then gives its position by these values, or switches its cams by them. The position can jump, cams can switch, and what the controller drives by them can move.</source>
         <translation>Seine Betriebsart ist nicht bekannt: Danach gibt der Geber seine Position nach diesen Werten aus oder schaltet seine Nocken danach. Die Position kann springen, Nocken können schalten, und was die Steuerung danach antreibt, kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>The encoder then gives its position by these values: it can jump, and what the controller drives by it can move.</source>
+        <translation>Danach gibt der Geber seine Position nach diesen Werten aus: Sie kann springen, und was die Steuerung danach antreibt, kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>Which position it will read is not known.</source>
+        <translation>Welche Position er anzeigen wird, ist nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -23486,6 +23612,15 @@ Worte: IN %3, OUT %4</translation>
         <source>The word that will be in OUT</source>
         <translation>Das Wort, das dann in OUT steht</translation>
     </message>
+    <message>
+        <source>Sends this; the encoder confirms it, and cannot be read</source>
+        <translation>Sendet dies; der Geber quittiert es und lässt sich nicht auslesen</translation>
+    </message>
+    <message>
+        <source>The encoder had all wanted values when it was seen last. Whether it has them now is not known: %1</source>
+        <comment>a sentence</comment>
+        <translation>Als der Geber zuletzt zu sehen war, hatte er alle gewünschten Werte. Ob er sie jetzt hat, ist nicht bekannt: %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::WriteWords</name>
@@ -23500,6 +23635,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The encoder has lost its parameters (error 3), and works again only with all of parameters 1 to 4. Without a value: %1. Want these too, or reset it to its default values.</source>
         <translation>Der Geber hat seine Parameter verloren (Fehler 3) und arbeitet erst wieder mit allen Parametern 1 bis 4. Ohne Wert: %1. Auch diese vorgeben, oder ihn auf seine Standardwerte zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>The encoder takes all its values at once. These go along as they are known, otherwise as from the factory: %1.</source>
+        <translation>Der Geber nimmt alle Werte auf einmal. Diese gehen mit, wie sie bekannt sind, sonst wie ab Werk: %1.</translation>
     </message>
 </context>
 </TS>

@@ -14,6 +14,7 @@
 #include "app/window/help/context_help.h"
 #include "app/window/help/why_in_window.h"
 #include "app/window/look/bottom_fold.h"
+#include "app/window/look/disabled_key.h"
 #include "app/window/look/focus_rules.h"
 #include "app/window/look/page_head.h"
 #include "app/window/look/page_stack.h"
@@ -27,7 +28,8 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_pin.h"
-#include "widgets/input/held_enter_rule.h"
+#include "widgets/input/held_key_rule.h"
+#include "widgets/input/new_question_rule.h"
 #include "widgets/input/undo_rule.h"
 #include "widgets/input/wheel_rule.h"
 #include "widgets/look/content_scroll_area.h"
@@ -83,7 +85,9 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     setObjectName(QStringLiteral("mainWindow"));
     qApp->installEventFilter(new WheelRule(this));
     qApp->installEventFilter(new UndoRule(this));
-    qApp->installEventFilter(new HeldEnterRule(this));
+    qApp->installEventFilter(new HeldKeyRule(this));
+    qApp->installEventFilter(new NewQuestionRule(this));
+    new DisabledKey(*this);
     auto *center = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(center, 0);
     rows->addWidget(m_notice);
@@ -305,6 +309,7 @@ void MainWindow::showChosen()
     // A device that its bus does not name is shown by its description.
     const bool isNamed = connected != nullptr && m_buses->channel(connected->place()) != nullptr;
     m_device->setPlace(place, encoder.isThere() && !isNamed ? std::optional(encoder.device()) : std::nullopt);
+    tellDeviceThatStays();
 }
 
 void MainWindow::showFrame()

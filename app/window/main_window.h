@@ -152,6 +152,7 @@ private:
     Chosen chosen() const;
     void chooseAgain(const Chosen &before, const BusAtWork &changed);
     void followRow();
+    void tellDeviceThatStays();
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
     void showOtherFaults();

@@ -8,6 +8,7 @@
 #include "bus/buses.h"
 #include "journal/message_fields.h"
 #include "vocabulary/sentence.h"
+#include "widgets/dial/dial_pin.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
@@ -181,6 +182,19 @@ void MainWindow::followRow()
         chooseBus(row->bus);
 }
 
+// For the row of a bus, the panels go on showing the device before.
+void MainWindow::tellDeviceThatStays()
+{
+    const auto place = m_structure->currentBus() ? m_choice->place() : std::nullopt;
+    const auto tell = [this](const Panel &panel, std::optional<Place> shown) {
+        m_panels.tellWhose(panel,
+                           shown ? tr("still %1", "place of a device").arg(shown->shown()) : QString());
+    };
+    tell(panel::parameters, place);
+    tell(panel::device, place);
+    tell(panel::dial, m_dial->pinned() ? std::nullopt : place);
+}
+
 // From now on, this bus is the one that the actions of its kind and the status line apply to.
 void MainWindow::setCurrent(BusAtWork &bus)
 {
@@ -213,6 +227,7 @@ void MainWindow::chooseBus(BusId bus)
             m_panels.showPage(*panel, page);
     }
     setCurrent(*its);
+    tellDeviceThatStays();
     showBusState();
 }
 

@@ -97,13 +97,14 @@ void MainWindow::makeFinder()
         m_pages->setCurrentWidget(page);
         page->setFocus();
     });
-    connect(page, &FindPage::connectWanted, this, [this](const Found &found) {
-        const BusId bus = m_currentOf.value(found.kind);
-        if (BusViews *views = viewsOf(bus)) {
-            views->connectFound(found.plan);
-            m_structure->choose(bus);
-        }
-    });
+    connect(page, &FindPage::connectWanted, this,
+            [this](const Found &found, const std::vector<KindData> &devices) {
+                const BusId bus = m_currentOf.value(found.kind);
+                if (BusViews *views = viewsOf(bus)) {
+                    views->connectFound(found.plan, devices);
+                    m_structure->choose(bus);
+                }
+            });
 }
 
 void MainWindow::makeDocks(MessageModel &messages)

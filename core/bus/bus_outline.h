@@ -48,7 +48,11 @@ class BusOutline
 public:
     virtual ~BusOutline() = default;
 
+    // What it is, where nobody has given it a name.
     virtual QString title() const = 0;
+    // What its row says behind the name of its bus, such as its port; may be empty. None: it is called by its
+    // title whatever its bus is called.
+    virtual std::optional<QString> behindName() const { return std::nullopt; }
     virtual QString toolTip() const = 0;
     virtual QString alarmStop() const { return tr("jobs end"); } // what ALARM STOP does there
     virtual StateWord state() const = 0;

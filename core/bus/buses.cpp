@@ -8,7 +8,7 @@ namespace codewheel {
 
 void Buses::add(EncoderBus &bus)
 {
-    m_buses.push_back(&bus);
+    m_buses.insert(std::ranges::upper_bound(m_buses, bus.id(), {}, &EncoderBus::id), &bus);
     connect(&bus, &EncoderBus::stateChanged, this, &Buses::changed);
     connect(&bus, &EncoderBus::nodesChanged, this, &Buses::changed);
     connect(&bus, &EncoderBus::updated, this, [this, id = bus.id()] { Q_EMIT updated(id); });

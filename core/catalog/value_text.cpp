@@ -4,6 +4,7 @@
 #include "catalog/hex_code.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -95,12 +96,12 @@ namespace {
 QString numberText(const ParameterDescription &parameter, std::int64_t value,
                    const std::optional<ValueOptions> &options)
 {
+    if (parameter.parameter == Parameter::serialNumber)
+        return serialNumberText(value);
     if (parameter.hexDigits > 0)
         return hexWord(static_cast<Word>(value)).right(parameter.hexDigits) + u'h';
     if (parameter.form != nullptr)
         return parameter.form->text(value, options);
-    if (parameter.parameter == Parameter::serialNumber) // compared with the label, by eye and by search
-        return QString::number(value);
     const double divisor = divisorOf(parameter.unit);
     const int decimals = parameter.unit == Unit::micrometres ? 3 : 1;
     QString number = divisor > 1 ? QLocale().toString(static_cast<double>(value) / divisor, 'f', decimals)

@@ -30,8 +30,9 @@ struct Found
     Certainty certainty = Certainty::certain;
     // A master works there: only listen, or use the place once it has gone.
     bool isMasterAtWork = false;
-    KindData plan{}; // of the link, as its kind plans it
-    QString link{};  // as typed for the command line: "esc:/dev/ttyUSB0,baud=9600"
+    KindData plan{};   // of the link, as its kind plans it
+    QString link{};    // as typed for the command line: "esc:/dev/ttyUSB0,baud=9600"
+    KindData device{}; // as its kind knows who it is; empty: it does not
 
     friend bool operator==(const Found &, const Found &) = default;
 };

@@ -196,7 +196,7 @@ FinderNews PortFinder::listen()
         return its;
     }
     startAsking();
-    return news(FinderNews::Kind::heard, FinderTexts::tr("The line is silent: it is asked."));
+    return news(FinderNews::Kind::heard, FinderTexts::tr("Nobody sends on this line by itself."));
 }
 
 FinderNews PortFinder::tune()

@@ -151,6 +151,14 @@ QString pattern(const ValueNote &note)
                    : QCoreApplication::translate("ValueNotes", "This shifts the position: now %1, then %2.");
     case ValueNote::Id::positionShiftsAbout:
         return QCoreApplication::translate("ValueNotes", "This shifts the position: now %1, then about %2.");
+    case ValueNote::Id::presetUsedUp:
+        return QCoreApplication::translate("ValueNotes",
+                                           "A preset acts once, and the one in the encoder is used up: it is "
+                                           "written again, so that the position can be set to it.");
+    case ValueNote::Id::presetMayBeUsedUp:
+        return QCoreApplication::translate("ValueNotes",
+                                           "A preset acts once. Whether the one in the encoder is used up is "
+                                           "read first; if it is, it is written again.");
     }
     return jumpPattern(note.id);
 }
@@ -222,6 +230,13 @@ QString noteText(const ValueNote &note)
     return sentence(pattern(note), argumentTexts(note.arguments));
 }
 
+QString forceLabel(const ValueNote &note)
+{
+    return note.id == ValueNote::Id::scalingUnknown
+               ? QCoreApplication::translate("ValueNotes", "Perhaps not in force")
+               : QCoreApplication::translate("ValueNotes", "Not in force");
+}
+
 QString noteKey(ValueNote::Id id)
 {
     switch (id) {
@@ -245,6 +260,10 @@ QString noteKey(ValueNote::Id id)
         return QStringLiteral("positionShifts");
     case ValueNote::Id::positionShiftsAbout:
         return QStringLiteral("positionShiftsAbout");
+    case ValueNote::Id::presetUsedUp:
+        return QStringLiteral("presetUsedUp");
+    case ValueNote::Id::presetMayBeUsedUp:
+        return QStringLiteral("presetMayBeUsedUp");
     }
     return {};
 }

@@ -26,6 +26,8 @@ struct ValueNote
         offsetLeftOut,  // the wanted zero offset, which setting the position replaces
         positionShifts, // position now, position then (both empty: not known)
         positionShiftsAbout, // likewise, with a step or so more or less
+        presetUsedUp,        // the one that is there acts once more only if it is written again
+        presetMayBeUsedUp,   // likewise, perhaps: that is read first
     };
 
     Id id = Id::revolutionsSetAlong;
@@ -57,6 +59,8 @@ std::optional<ValueNote> scalingNote(const EncoderSession &encoder, const Parame
 std::optional<ValueNote> jumpNote(const DeviceDescription &device, const PositionScale &scale);
 
 QString noteText(const ValueNote &note); // a sentence or two
-QString noteKey(ValueNote::Id id);       // for JSON: "revolutionsSetAlong"
+// Above a scalingNote(): "Not in force".
+QString forceLabel(const ValueNote &note);
+QString noteKey(ValueNote::Id id); // for JSON: "revolutionsSetAlong"
 
 } // namespace codewheel

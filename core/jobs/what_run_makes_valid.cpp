@@ -61,12 +61,14 @@ QString whatRunMakesValid(const EncoderSession &encoder)
                 : sentence(RunText::tr("Run makes valid what it has taken, from here: %1."), {taken}));
 }
 
-QString whatFollowsRun(const EncoderSession &encoder)
+QString whatFollowsRun(const EncoderSession &encoder, const QString &positionThen)
 {
     if (!mayBeOfCams(encoder))
         return RunText::tr("The encoder then gives its position by these values: it can jump, and what "
-                           "the controller drives by it can move. Which position it will read is not "
-                           "known.");
+                           "the controller drives by it can move.") +
+               u' ' +
+               (positionThen.isEmpty() ? RunText::tr("Which position it will read is not known.")
+                                       : positionThen);
     if (modeTakenIn(encoder) == Mode::cam)
         return RunText::tr("The encoder then switches its cams by these values, and what the controller "
                            "drives by them can move.");

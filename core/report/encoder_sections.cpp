@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/total_range.h"
+#include "jobs/value_notes.h"
 #include "report/cam_blocks.h"
 #include "report/report_words.h"
 #include "report/sections.h"
@@ -40,6 +41,17 @@ QString labelText(const DeviceLabel &label)
                      label.stepsPerTurn > 0 ? numberText(label.stepsPerTurn) : report_words::unknown()});
 }
 
+// Of what it has as wanted.
+std::optional<ValueNote> notInForce(const ReportedDevice &device)
+{
+    const ParameterValues known = device.knownValues();
+    ParameterValues there = device.planned->wanted;
+    std::erase_if(there, [&](const ParameterValue &wanted) {
+        return findValue(known, wanted.parameter) != wanted.value;
+    });
+    return scalingNote(*device.description, there, known);
+}
+
 ReportFacts factsOf(const ReportedDevice &device, const QDateTime &now)
 {
     const ProjectDevice &planned = *device.planned;
@@ -59,6 +71,8 @@ ReportFacts factsOf(const ReportedDevice &device, const QDateTime &now)
                         {report_words::lastSeen(*device.notLive, now)})
          : device.isSimulated ? ReportTexts::tr("of a simulated encoder")
                               : ReportTexts::tr("of the connected encoder")});
+    if (const auto unscaled = notInForce(device))
+        facts.push_back({forceLabel(*unscaled), noteText(*unscaled)});
     if (!planned.note.isEmpty())
         facts.push_back({ReportTexts::tr("Note"), planned.note});
     return facts;

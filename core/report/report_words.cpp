@@ -5,6 +5,7 @@
 #include "report/texts.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
 
 #include <QLocale>
 #include <QTimeZone>
@@ -49,8 +50,7 @@ QString serialNumber(const QString &decimal)
 {
     bool isNumber = false;
     const qint64 number = decimal.toLongLong(&isNumber);
-    return isNumber ? QStringLiteral("%1 (%2h)").arg(decimal, QString::number(number, 16).toUpper())
-                    : decimal;
+    return isNumber ? serialNumberText(number) : decimal;
 }
 
 QString serialNumberOfLabel(const QString &typed, std::optional<std::int64_t> read)

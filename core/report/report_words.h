@@ -14,7 +14,7 @@ QString device(const ReportedDevice &device);
 QString value(const ReportedDevice &device, Parameter parameter, const Value &value);
 QString unit(const ReportedDevice &device, Parameter parameter);
 QString evidence(Evidence evidence);
-// "20417 (4FC1h)": labels have the one or the other. Anything else is shown as it is.
+// As serialNumberText(). Anything else is shown as it is.
 QString serialNumber(const QString &decimal);
 // As typed from a label. With letters, or where `read` is this number, it is hexadecimal; of digits alone
 // nobody knows.

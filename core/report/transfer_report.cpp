@@ -53,7 +53,7 @@ ReportFacts accountFacts(const EncoderAccount &account)
     ReportFacts facts{{TransferReport::tr("Device"), account.device},
                       {TransferReport::tr("Result"), transfer_words::outcome(account)}};
     if (account.notInForce)
-        facts.push_back({TransferReport::tr("Not in force"), noteText(*account.notInForce)});
+        facts.push_back({forceLabel(*account.notInForce), noteText(*account.notInForce)});
     if (!account.isBegun)
         return facts;
     facts.push_back({TransferReport::tr("Begun"), timeText(account.begun)});

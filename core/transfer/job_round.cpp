@@ -14,9 +14,10 @@ bool losesBus(const Refusal &why)
            (why.id == RefusalId::stoppedInWrite && why.kind == RefusalKind::link);
 }
 
-void takePositions(EncoderResult &result, const Outcome &outcome)
+// An encoder that was found in error had no position before, whatever it shows once it has its values.
+void takePositions(EncoderResult &result, const Outcome &outcome, bool wasInError)
 {
-    if (!result.positionBefore)
+    if (!result.positionBefore && !wasInError)
         result.positionBefore = outcome.positionBefore;
     if (outcome.positionAfter)
         result.positionAfter = outcome.positionAfter;
@@ -93,6 +94,7 @@ void JobRound::beginEncoder()
     }
     if (!m_encoder->agreesOnPositions())
         current().positionBefore = m_encoder->latest().position;
+    m_wasInError = m_encoder->latest().state == EncoderState::error;
     connect(m_encoder, &EncoderSession::finished, this, &JobRound::takeOutcome);
     connect(m_encoder, &EncoderSession::progressed, this, [this](const Progress &progress) {
         if (progress.job != m_id)
@@ -127,7 +129,7 @@ void JobRound::takeOutcome(const Outcome &outcome)
         return;
     m_id.reset();
     current().outcomes.push_back(outcome);
-    takePositions(current(), outcome);
+    takePositions(current(), outcome, m_wasInError);
     if (!outcome.result)
         endEncoder(outcome.result.error());
     else if (m_beginsNoJob && m_job + 1 < m_encoders[m_index].jobs.size())

@@ -99,6 +99,7 @@ private:
     std::optional<JobId> m_id;
     Progress m_jobProgress;
     bool m_isRunning = false;
+    bool m_wasInError = false;    // the encoder, before its first job
     bool m_beginsNoOther = false; // encoder
     bool m_beginsNoJob = false;
 };

@@ -121,17 +121,19 @@ void addResult(EncoderAccount &account, const EncoderResult &result)
     }
 }
 
-// The preset that was to set the position was written, and is left: it did not act, and would, the next time;
-// or what was to be written after it was not.
+// The preset that was to set the position was written, and is left, unless another one was written after it.
 void addPresetThatIsLeft(EncoderAccount &account, const EncoderPlan &plan, const EncoderSession *encoder,
                          const std::vector<Outcome> &outcomes)
 {
     const ParameterValue preset{Parameter::preset, plan.position.value_or(0)};
     const bool isShown = std::ranges::find(account.rows, preset, &AccountRow::wanted) != account.rows.end();
+    const bool isReplaced = std::ranges::any_of(plan.write.rows, [&](const WriteRow &row) {
+        return row.wanted.parameter == preset.parameter && !row.goesAlong;
+    });
     const bool wasWritten = std::ranges::any_of(outcomes, [&](const Outcome &outcome) {
         return findValue(outcome.written, preset.parameter) == preset.value;
     });
-    const bool isLeft = !account.positionSet || account.why;
+    const bool isLeft = !isReplaced || !account.positionSet || account.why;
     if (plan.position && isLeft && wasWritten && !isShown)
         account.rows.push_back({.wanted = preset,
                                 .before = valueBefore({.wanted = preset}, outcomes),

@@ -26,11 +26,11 @@ Reason reasonOf(Instant seen, const Freshness::Circumstances &bus)
     return bus.isAnswering ? Reason::notAsked : Reason::silent;
 }
 
-// One whose line was lost is not seen any more, and keeps the position it showed last.
+// One that is silent, or not seen any more, keeps the position it showed last.
 std::optional<Instant> seenAt(const Reading &reading)
 {
-    const bool neverWas = reading.state == EncoderState::notSeen && !reading.position;
-    return neverWas ? std::nullopt : std::optional(reading.at);
+    const bool isAway = reading.state == EncoderState::notSeen || reading.state == EncoderState::silent;
+    return isAway && !reading.position ? std::nullopt : std::optional(reading.at);
 }
 
 } // namespace
@@ -47,8 +47,10 @@ Freshness::Freshness(std::optional<Instant> seen, const Circumstances &bus)
 Freshness::Freshness(const Reading &reading, const Circumstances &bus)
     : Freshness(seenAt(reading), bus)
 {
-    const bool mayBeLive = isLive() || m_reason == Reason::notAsked || m_reason == Reason::slept;
     const bool isSilent = reading.state == EncoderState::silent;
+    if (isSilent && m_state == State::unknown && bus.isConnected && bus.isLinkThere && bus.isRunning)
+        m_reason = Reason::silent;
+    const bool mayBeLive = isLive() || m_reason == Reason::notAsked || m_reason == Reason::slept;
     if (!mayBeLive || (!isSilent && reading.state != EncoderState::notSeen))
         return;
     m_state = State::old;

@@ -3,6 +3,7 @@
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"
+#include "vocabulary/port_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/texts_of_kinds.h"
@@ -391,14 +392,6 @@ QString dataSizeText(const RefusalArgument &size)
     const auto *bytes = std::get_if<std::int64_t>(&size);
     return bytes != nullptr ? QLocale().formattedDataSize(*bytes, 1, QLocale::DataSizeSIFormat)
                             : argumentText(size);
-}
-
-QString portText(const RefusalArgument &port)
-{
-    const QString text = argumentText(port);
-    return text == QLatin1String("training")
-               ? QCoreApplication::translate("SimulatedEscLine", "training line")
-               : text;
 }
 
 // In files of before it was a text in some language.

@@ -2,6 +2,7 @@
 #include "vocabulary/refusal_text.h"
 
 #include "vocabulary/enumeration_rows.h"
+#include "vocabulary/port_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/texts_of_kinds.h"
 
@@ -407,7 +408,7 @@ constexpr std::array refusalRows{
     RefusalRow{RefusalId::escNotSentInTime, "escNotSentInTime",
                QT_TRANSLATE_NOOP("Refusal",
                                  "No answer came from the encoder for %1 s after this was confirmed, so "
-                                 "nothing was sent. Check the line, then start again.")},
+                                 "nothing was written. Check the line, then start again.")},
     RefusalRow{RefusalId::escReadsDisagree, "escReadsDisagree",
                QT_TRANSLATE_NOOP("Refusal",
                                  "%1 was read as %2 and then as %3, so neither is taken. Check the line "
@@ -698,6 +699,11 @@ QString suspectsText(const Refusal &refusal)
             suspects << argumentText(argument);
     }
     const RefusalRow &row = refusalRow(refusal.id);
+    if (words.isEmpty() && suspects.size() == 1 && refusal.id == RefusalId::wrongParameterData)
+        return sentence(
+            refusalPattern(QT_TRANSLATE_NOOP("Refusal", "The encoder refused the value of %1. Check it and "
+                                                        "write again.")),
+            suspects);
     const QString either = refusalPattern(QT_TRANSLATE_NOOP("Refusal", " or "));
     const QString in = words.isEmpty() ? QStringLiteral("?") : words.last();
     if (words.size() > 1)
@@ -728,6 +734,23 @@ QString fileText(const Refusal &refusal)
     return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
 }
 
+QString lostPortText(const Refusal &refusal)
+{
+    QStringList parts = argumentTexts(refusal.arguments);
+    if (!parts.isEmpty())
+        parts.front() = portText(refusal.arguments.front());
+    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
+}
+
+// Without IN it is no K3.
+QString lostText(const Refusal &refusal)
+{
+    return refusal.arguments.empty()
+               ? refusalPattern(QT_TRANSLATE_NOOP("Refusal", "The encoder has lost its parameters, and gives "
+                                                             "no position. Write them again."))
+               : sentence(refusalPattern(refusalRow(refusal.id).text), argumentTexts(refusal.arguments));
+}
+
 // A name rather than a number: not grouped.
 QString serverPortText(const Refusal &refusal)
 {
@@ -747,6 +770,8 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::wrongParameterData:
     case RefusalId::unknownParameterNumber:
         return suspectsText(refusal);
+    case RefusalId::parametersLost:
+        return lostText(refusal);
     case RefusalId::camPositionAboveRange:
         return camPositionText(refusal);
     case RefusalId::presetNotKnown:
@@ -763,6 +788,9 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::fileNotReadable:
     case RefusalId::fileNotWritten:
         return fileText(refusal);
+    case RefusalId::portLost:
+    case RefusalId::portNotFound:
+        return lostPortText(refusal);
     case RefusalId::busFault:
         return sentence(refusalPattern(refusalRow(refusal.id).text), {faultOfBusText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:

@@ -10,8 +10,10 @@
 
 #include <QAbstractItemModel>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTest>
 #include <QTreeView>
@@ -105,6 +107,26 @@ TEST_F(ConnectionTest, DisconnectingAsksForOutWordsThatAreNotZero)
     ringActions().disconnectBus->trigger();
     advance(50);
     EXPECT_FALSE(bus().isOpen());
+}
+
+TEST_F(ConnectionTest, TheKeyOfAnActionThatIsDisabledSaysWhy)
+{
+    const auto press = [this] {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F5, Qt::ControlModifier | Qt::ShiftModifier);
+        advance(50);
+    };
+    window().findChild<StructureView *>()->choose(fraba);
+    window().findChild<StructureView *>()->setFocus();
+    press();
+    ASSERT_FALSE(bus().isOpen());
+    EXPECT_EQ(window().statusBar()->currentMessage(), QString());
+    window().findChild<StructureView *>()->choose(firstLine);
+    press();
+    EXPECT_TRUE(
+        window().statusBar()->currentMessage().startsWith(QStringLiteral("Not possible now: Disconnect")))
+        << window().statusBar()->currentMessage().toStdString();
+    EXPECT_TRUE(window().statusBar()->currentMessage().endsWith(QStringLiteral("The ring is not connected.")))
+        << window().statusBar()->currentMessage().toStdString();
 }
 
 TEST_F(ConnectionTest, StationsOfTheProjectStandInTheTree)

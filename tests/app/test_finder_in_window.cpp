@@ -7,8 +7,10 @@
 #include "widgets/find/find_page.h"
 #include "widgets/find/finder_news_model.h"
 #include "widgets/kinds/esc/line/esc_line_search.h"
+#include "widgets/kinds/esc/line/found_encoder_model.h"
 
 #include <QSpinBox>
+#include <QTableView>
 
 namespace codewheel {
 namespace {
@@ -44,6 +46,24 @@ TEST_F(FinderInWindowTest, AnEncoderIsFoundAndConnectedWithItsSettings)
     EXPECT_EQ(line().linkName(), port);
     EXPECT_FALSE(line().isOperating());
     EXPECT_TRUE(window().findChild<EscLineSearch *>()->isVisible()) << "its encoders are taken over there";
+}
+
+TEST_F(FinderInWindowTest, TheEncodersThatWereFoundNeedNotBeSearchedForAgain)
+{
+    lookAt(startPeer(QStringLiteral("--addresses 03,05,12")));
+    click(page(), QStringLiteral("Ask"));
+    ASSERT_TRUE(comes([&] { return !page().isSearching(); }));
+    click(page(), QStringLiteral("Connect"));
+    test::agreeToReplace(connection());
+    const auto &search = *window().findChild<EscLineSearch *>();
+    ASSERT_TRUE(comes([&] { return search.isVisible(); }));
+    const QAbstractItemModel &found = *search.findChild<QTableView *>()->model();
+    ASSERT_EQ(found.rowCount(), 3);
+    EXPECT_TRUE(search.findChild<QTableView *>()->isVisible());
+    EXPECT_EQ(found.index(1, FoundEncoderModel::serialNumber).data().toString(),
+              QStringLiteral("1234181 (12D505h)"));
+    click(search, QStringLiteral("Take over"));
+    EXPECT_TRUE(answers(placeOnLine({3})) && answers(placeOnLine({5})) && answers(placeOnLine({0x12})));
 }
 
 TEST_F(FinderInWindowTest, AGatewayIsFoundAtAHostAndConnected)

@@ -208,6 +208,20 @@ TEST_F(MainWindowTest, WatchAndOperateAreTold)
     EXPECT_TRUE(bus().isOperating());
 }
 
+TEST_F(MainWindowTest, PanelsThatStayAtADeviceWhileABusIsChosenSayAtWhich)
+{
+    auto &tree = *window().findChild<StructureView *>();
+    tree.choose(baumer);
+    EXPECT_EQ(dock("parametersDock")->windowTitle(), QStringLiteral("Parameters"));
+    tree.choose(firstRing);
+    advance(50);
+    for (const char *name : {"parametersDock", "dialDock", "deviceDock"})
+        EXPECT_TRUE(dock(name)->windowTitle().endsWith(QStringLiteral("(still 2.0)")))
+            << dock(name)->windowTitle().toStdString();
+    tree.choose(fraba);
+    EXPECT_EQ(dock("parametersDock")->windowTitle(), QStringLiteral("Parameters"));
+}
+
 TEST_F(MainWindowTest, TheStateStaysInSightWhileTheStatusLineTellsOfSomethingElse)
 {
     const auto inStatusLine = [this](const QString &text) {

@@ -576,6 +576,19 @@ protected:
     Buses buses;
 };
 
+TEST_F(BusesTest, TheirOrderIsThatOfTheirNumbersWhicheverConnectedFirst)
+{
+    openBoth();
+    const std::vector<Place> places = buses.places();
+    EXPECT_TRUE(std::ranges::is_sorted(places, {}, &Place::bus));
+    buses.remove(&ring.bus);
+    buses.add(ring.bus);
+    EXPECT_EQ(buses.places(), places);
+    buses.remove(&line.bus);
+    buses.add(line.bus);
+    EXPECT_EQ(buses.places(), places);
+}
+
 TEST_F(BusesTest, AnEncoderIsFoundOnWhateverBusItIs)
 {
     EXPECT_TRUE(buses.places().empty()) << "none is open";

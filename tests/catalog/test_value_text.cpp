@@ -25,7 +25,7 @@ TEST(ValueText, NumbersAreWrittenByLocale)
     const DeviceDescription &fraba = *catalog.find(u"fraba-ocd-ib");
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     EXPECT_EQ(valueText(*fraba.find(Parameter::steps), 33'554'431), QStringLiteral("33.554.431"));
-    EXPECT_EQ(valueText(*fraba.find(Parameter::serialNumber), 20'417), QStringLiteral("20417"))
+    EXPECT_EQ(valueText(*fraba.find(Parameter::serialNumber), 20'417), QStringLiteral("20417 (4FC1h)"))
         << "as on the label";
     EXPECT_EQ(valueText(*fraba.find(Parameter::temperature), 215), QStringLiteral("21,5"));
     QLocale::setDefault(QLocale::c());
@@ -55,7 +55,7 @@ TEST(ValueText, WhatASerialEncoderTellsIsHexadecimalAndBitByBit)
               QStringLiteral("7005h (limit switch active, resolution per revolution, calculated factor, "
                              "scaling on, direction CCW)"));
     EXPECT_EQ(text(Parameter::deviceCode, 0x8000), QStringLiteral("8000h"));
-    EXPECT_EQ(text(Parameter::serialNumber, 0x12D5A4), QStringLiteral("0012D5A4"));
+    EXPECT_EQ(text(Parameter::serialNumber, 0x12D5A4), QStringLiteral("1234340 (12D5A4h)"));
     EXPECT_EQ(text(Parameter::lineAddress, 0x12), QStringLiteral("12h (18)"));
     EXPECT_EQ(text(Parameter::direction, 1), QStringLiteral("1 (CCW)")) << "a bit of an answer";
     EXPECT_EQ(text(Parameter::measuringRange, 4096), QStringLiteral("4096")) << "a number";

@@ -22,7 +22,7 @@ TEST(CliRead, ReadsAllThatHasAReadOut)
                        "direction                 = cw (3)\n"
                        "preset                    = 0 steps\n"
                        "zero-offset               = 0 steps\n"
-                       "serial-number             = 20417\n"
+                       "serial-number             = 20417 (4FC1h)\n"
                        "preset-flag               = activated (0)\n"
                        "software-version          = 259\n"
                        "operating-time            = 205.7 h\n"
@@ -114,7 +114,7 @@ TEST(CliRead, ReadsAnEncoderOnTheLoop)
 {
     const CliRun run = runLine(QStringLiteral("read 6.1 serial-number start-up-mode"));
     EXPECT_EQ(run.exit, 0);
-    EXPECT_EQ(run.out, "serial-number  = 20418\n"
+    EXPECT_EQ(run.out, "serial-number  = 20418 (4FC2h)\n"
                        "start-up-mode  = k3 (1)\n");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("read 6.0 --json"))), "noEncoder");
 }

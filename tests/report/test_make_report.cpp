@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "journal/ledger.h"
 #include "kinds/interbus/plan/project_take_over.h"
+#include "kinds/interbus/plan/ring_plan.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"
 #include "report/deviations.h"
@@ -63,7 +64,7 @@ TEST(CommissioningReport, StandsInItsOrder)
 TEST(CommissioningReport, StructureHasNumberStationDeviceCodeWordsAndAddresses)
 {
     ReportInput input = exampleInput();
-    input.project.devices[1].outAddress = 16;
+    input.project.devices[1].set(GivenAddresses{.out = 16});
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Bus structure")),
                 ElementsAre("1.0 | Crane 1, hoist | FRABA OCD-IB K3 | 37h | 2 / 2 | 0 | 0",
                             "2.0 | Crane 1, trolley | Baumer GXP6W K3 | 37h | 2 / 2 | 4 | 16 by hand",
@@ -89,6 +90,28 @@ TEST(CommissioningReport, EveryValueHasItsEvidenceAndTime)
                             "Direction | 3 (CW) | 3 (CW) |  | echoed | 1 Mar 2026 12:01:00 | as wanted",
                             "Preset | 0 | unknown | steps |  |  | not compared",
                             "Zero offset |  | unknown | steps |  |  | "));
+}
+
+TEST(CommissioningReport, ValuesThatMayNotActAreToldAlthoughTheyAreAsWanted)
+{
+    ReportInput input = exampleInput();
+    ProjectDevice &device = fraba(input);
+    device.participant.deviceKey = QStringLiteral("kuebler-esc-rs485");
+    device.wanted = {{Parameter::steps, 2000}};
+    device.stored = {{Parameter::steps, 2000, Evidence::read, input.now}};
+    const auto facts = [&] {
+        const Report report = reportOf(input);
+        const auto its = std::ranges::find_if(report.sections, [](const ReportSection &section) {
+            return section.heading.startsWith(QStringLiteral("1.0: "));
+        });
+        return its == report.sections.end() ? std::vector<std::string>() : factsOf(its->blocks);
+    };
+    EXPECT_THAT(facts(),
+                Contains(testing::StartsWith("Perhaps not in force: It is not known whether scaling")));
+    device.stored.push_back({Parameter::scaling, 0, Evidence::read, input.now});
+    EXPECT_THAT(facts(), Contains(testing::StartsWith("Not in force: Scaling is off")));
+    device.stored.back().value = 1;
+    EXPECT_THAT(facts(), Each(testing::Not(HasSubstr("in force"))));
 }
 
 TEST(CommissioningReport, AFactoryValueIsNeverTakenForAKnownOne)
@@ -179,7 +202,7 @@ ReportInput twoRings()
     std::vector<ProjectDevice> same = input.project.devices;
     for (ProjectDevice &device : same)
         device.bus = BusId{3};
-    same[1].outAddress = 1;
+    same[1].set(GivenAddresses{.out = 1});
     same[2].note = QStringLiteral("In the cabinet");
     setDevicesOn(input.project, BusId{3}, std::move(same));
     return input;
@@ -227,8 +250,8 @@ TEST(CommissioningReport, AMakeOfAnotherDeviceCodeIsNotBelieved)
 TEST(CommissioningReport, BrokenRulesOfTheBusAreTold)
 {
     ReportInput input = exampleInput();
-    fraba(input).inAddress = 0;
-    input.project.devices[1].inAddress = 2;
+    fraba(input).set(GivenAddresses{.in = 0});
+    input.project.devices[1].set(GivenAddresses{.in = 2});
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")), Contains(StartsWith("2.0 | ")));
 }
 

@@ -66,5 +66,16 @@ TEST_F(TransferReports, PlansSayWhatIsWorthKnowing)
     EXPECT_EQ(transfer_words::summary(plan[1]).toStdString(), "Nothing is wanted for it.");
 }
 
+TEST_F(TransferReports, ClaimNoMoreOfTheScalingThanIsKnown)
+{
+    using Id = ValueNote::Id;
+    const auto text = [this](Id id) {
+        const TransferAccount account{.encoders = {{.place = baumer, .notInForce = ValueNote{id, {}}}}};
+        return reportAsText(reportOf(account, catalog, {}));
+    };
+    EXPECT_TRUE(text(Id::scalingOff).contains(QStringLiteral("\nNot in force: Scaling is off")));
+    EXPECT_TRUE(text(Id::scalingUnknown).contains(QStringLiteral("\nPerhaps not in force: It is not known")));
+}
+
 } // namespace
 } // namespace codewheel

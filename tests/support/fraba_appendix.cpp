@@ -58,7 +58,7 @@ const AppendixRow appendixRows[] = {
      0x2040'0000, 0x0000'3039, {velocityOff}, at12345, "Velocity mode off", "Running, position 12345"},
     {"10.2", "serial number", "20210000", out, Mode::position, nothing, {},
      0x2021'0000, 0xA000'1267, {readOutRequest, {0}}, {readOutValue, {0, 4711}},
-     "Read out serial number", "Read-out: serial number = 4711"},
+     "Read out serial number", "Read-out: serial number = 4711 (1267h)"},
     {"10.2", "steps", "20210001", out, Mode::position, nothing, {},
      0x2021'0001, 0xA000'2000, {readOutRequest, {1}}, {readOutValue, {1, 8192}},
      "Read out steps", "Read-out: steps = 8192"},

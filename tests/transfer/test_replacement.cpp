@@ -130,6 +130,23 @@ TEST_F(Replacing, AnEncoderThatHasLostItsParametersGetsThePositionAsItsPreset)
                 testing::HasSubstr("02001000 04000001 06000003 08000BB8 80000000"));
 }
 
+// It is left in the encoder, and no wanted one is written after it.
+TEST_F(Replacing, ThePresetThatAnEncoderInErrorNeededIsInTheAccount)
+{
+    const ProjectDevice device = frabaThatLosesItsParameters(
+        {{Parameter::steps, 4096}, {Parameter::revolutions, 1}, {Parameter::direction, 3}});
+    const TransferAccount account =
+        carryOut(planTransfer(buses, {wishToReplace(device, with("fraba-ocd-ib"), 3000, anywhere)}));
+    ASSERT_TRUE(account.isDone());
+    const EncoderAccount &its = account.encoders[0];
+    const auto preset =
+        std::ranges::find(its.rows, ParameterValue{Parameter::preset, 3000}, &AccountRow::wanted);
+    ASSERT_NE(preset, its.rows.end());
+    EXPECT_EQ(preset->became, Became::written);
+    EXPECT_FALSE(its.positionBefore) << "an error is no position";
+    EXPECT_EQ(its.positionAfter, 3000);
+}
+
 TEST_F(Replacing, ThePlanSaysWhatAnEncoderLacksThatHasLostItsParameters)
 {
     const ProjectDevice device =

@@ -208,9 +208,10 @@ TEST_F(RingAndLine, OnALineAddressDeviceAndSerialNumberTellTheEncoder)
         EXPECT_EQ(hindrance(project, standing), "") << same;
     }
     device.label.serialNumber = QStringLiteral("4711");
-    EXPECT_EQ(hindrance(project, standing),
-              "esc:05: the label in the project has the serial number 4711, the encoder reports 0012D5A4. "
-              "Replace the encoder in the project, or correct the label.");
+    EXPECT_EQ(
+        hindrance(project, standing),
+        "esc:05: the label in the project has the serial number 4711, the encoder reports 1234340 (12D5A4h). "
+        "Replace the encoder in the project, or correct the label.");
     EXPECT_FALSE(ProjectPlaces(project, buses).hindranceToReplace(standing));
     device.participant.deviceKey = QStringLiteral("kuebler-esc-rs422");
     EXPECT_EQ(ProjectPlaces(project, buses).hindrance(standing)->id, RefusalId::deviceDiffers);

@@ -15,7 +15,7 @@ constexpr Freshness::Circumstances running{.isConnected = true, .isRunning = tru
 
 Reading shown(EncoderState state, Instant at)
 {
-    const bool neverWas = state == EncoderState::notSeen && at == Instant{};
+    const bool neverWas = at == Instant{};
     return {.at = at,
             .state = state,
             .position = neverWas ? std::nullopt : std::optional<std::int64_t>(255),
@@ -62,6 +62,8 @@ constexpr std::array freshnessCases{
     FreshnessCase{"silent", EncoderState::silent, 10s, running, Freshness::State::old, Reason::silent},
     FreshnessCase{"silent for long", EncoderState::silent, 1s, running, Freshness::State::old,
                   Reason::silent},
+    FreshnessCase{"silent from the beginning", EncoderState::silent, Instant{}, running,
+                  Freshness::State::unknown, Reason::silent},
     FreshnessCase{"nothing came yet",
                   EncoderState::notSeen,
                   0s,

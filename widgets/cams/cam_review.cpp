@@ -8,6 +8,7 @@
 #include "vocabulary/mode_text.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/look/describe.h"
+#include "widgets/models/age_text.h"
 
 #include <QComboBox>
 #include <QHeaderView>
@@ -131,6 +132,16 @@ void CamReview::review(EncoderSession &encoder, const std::vector<CamProgram> &p
     table().horizontalHeader()->setSectionResizeMode(meaningColumn, QHeaderView::Stretch);
 }
 
+QString CamReview::nothingToWrite(const EncoderSession &encoder)
+{
+    const QString why = outOfSightReason(encoder);
+    return why.isEmpty() ? tr("The encoder is known to have all of it. There is nothing to write.")
+                         : tr("The encoder had all of it when it was seen last. Whether it has it now is "
+                              "not known: %1",
+                              "a sentence")
+                               .arg(why);
+}
+
 JobReview::Contents CamReview::contents(const EncoderSession &encoder, bool writesAll) const
 {
     const WriteCams job{
@@ -146,7 +157,7 @@ JobReview::Contents CamReview::contents(const EncoderSession &encoder, bool writ
     const auto count = words.rows.size();
     contents.write = count == 1 ? tr("&Write this word") : tr("&Write these %1 words").arg(count);
     if (count == 0)
-        contents.notes << tr("The encoder is known to have all of it. There is nothing to write.");
+        contents.notes << nothingToWrite(encoder);
     if (count > 0 && !writesAll)
         contents.notes << readsFirstText();
     if (count > 0)

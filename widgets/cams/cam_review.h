@@ -24,6 +24,7 @@ public:
 
 private:
     Contents contents(const EncoderSession &encoder, bool writesAll) const override;
+    static QString nothingToWrite(const EncoderSession &encoder);
     void offerAfterwards(const SwitchMode &before);
 
     std::vector<CamProgram> m_programs;

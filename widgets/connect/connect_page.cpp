@@ -210,8 +210,9 @@ void ConnectPage::ask(const QString &sentence, const QString &answer)
 void ConnectPage::askToReplace()
 {
     ask(m_connected == Connected::simulated && form()->canBeTested()
-            ? tr("The training bus is connected. It is disconnected first. What the project plans for its "
-                 "encoders then counts for the real ones.")
+            ? tr("This bus is connected to simulated encoders. It is disconnected first. What the project "
+                 "plans "
+                 "for them then counts for the real ones.")
             : tr("This bus is connected. It is disconnected first."),
         tr("Disconnect and connect"));
     m_problem->focusAction();

@@ -77,6 +77,14 @@ void DialPanel::setEncoder(EncoderSession *encoder, std::optional<Place> offline
         m_pages->setCurrentWidget(isRod ? static_cast<QWidget *>(m_rod) : m_shaft);
 }
 
+void DialPanel::setAbsent(Place planned)
+{
+    setEncoder(nullptr);
+    m_empty->setTexts(tr("There is no encoder at %1", "2.0").arg(planned.shown()),
+                      tr("The project plans it, but it is not on the bus that is connected. Its position is "
+                         "shown once it is."));
+}
+
 void DialPanel::setAway(Place pinned)
 {
     setEncoder(nullptr);

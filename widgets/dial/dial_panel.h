@@ -30,7 +30,9 @@ public:
 
     // Null: an empty state, which says so if the chosen encoder is not connected.
     void setEncoder(codewheel::EncoderSession *encoder, std::optional<codewheel::Place> offline = {});
-    void setAway(Place pinned); // its bus is connected, without an encoder there
+    // Its bus is connected, without an encoder there.
+    void setAbsent(codewheel::Place planned);
+    void setAway(Place pinned);
     DialHead &head() { return *m_head; }
 
     std::optional<PrintedView> printedView() const override;

@@ -65,7 +65,9 @@ void DialPin::show()
     showHead();
     const bool isOffline = m_chosen.isThere() && m_chosen.session() == nullptr;
     EncoderSession *pinned = m_pin ? m_buses.encoder(m_pin->place) : nullptr;
-    if (!m_pin)
+    if (!m_pin && isOffline && m_buses.open(m_chosen.place().bus) != nullptr)
+        m_panel.setAbsent(m_chosen.place());
+    else if (!m_pin)
         m_panel.setEncoder(m_chosen.session(), isOffline ? std::optional(m_chosen.place()) : std::nullopt);
     else if (pinned == nullptr && m_buses.open(m_pin->place.bus) != nullptr)
         m_panel.setAway(m_pin->place);

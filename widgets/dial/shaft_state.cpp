@@ -108,12 +108,12 @@ DialState running(const Shown &shown)
     return state;
 }
 
-// A serial encoder that is silent, or whose line was lost, shows its last position.
+// One that is silent, cut off, or whose line was lost, shows its last position.
 DialState stateOf(const Shown &shown)
 {
     const Reading &reading = shown.encoder.latest();
-    const bool wasSeen = reading.state == EncoderState::notSeen && reading.position;
-    if (reading.state == EncoderState::operation || reading.state == EncoderState::silent || wasSeen)
+    const bool isAway = reading.state == EncoderState::notSeen || reading.state == EncoderState::silent;
+    if (reading.state == EncoderState::operation || (isAway && reading.position))
         return running(shown);
     const StateNote note = noteOfState(shown.encoder.device(), reading);
     return {.note = note.sentence, .role = note.role};

@@ -276,7 +276,16 @@ const Found *FindPage::chosen() const
 void FindPage::connectChosen()
 {
     if (const Found *found = chosen(); found != nullptr && !m_isSearching)
-        Q_EMIT connectWanted(*found);
+        Q_EMIT connectWanted(*found, devicesAt(found->link));
+}
+
+std::vector<KindData> FindPage::devicesAt(const QString &link) const
+{
+    std::vector<KindData> devices;
+    for (const FinderNews &news : m_news->rows())
+        if (news.found && news.found->link == link && news.found->device != KindData())
+            devices.push_back(news.found->device);
+    return devices;
 }
 
 void FindPage::showWhatIsPossible()

@@ -68,7 +68,8 @@ Q_SIGNALS:
     void searchWanted(const codewheel::FindWish &wish);
     void askAgreed();
     void cancelled();
-    void connectWanted(const codewheel::Found &found);
+    // `devices`: all that were found by the same link, as their kind knows them.
+    void connectWanted(const codewheel::Found &found, const std::vector<codewheel::KindData> &devices);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
@@ -81,6 +82,7 @@ private:
     void search();
     void connectChosen();
     const Found *chosen() const; // null: none, or nobody
+    std::vector<KindData> devicesAt(const QString &link) const;
     void placesChanged();
     void showWhatIsPossible();
 

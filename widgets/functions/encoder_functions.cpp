@@ -24,6 +24,7 @@ void describeAction(QAction &action, const char *name, const QString &what, cons
     action.setObjectName(QLatin1String(name));
     action.setStatusTip(what);
     action.setShortcut(key);
+    action.setAutoRepeat(false); // what is sent to an encoder is sent once for each press
     action.setToolTip(
         key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key.toString(QKeySequence::NativeText)));
 }

@@ -188,12 +188,12 @@ bool askForReset(QWidget *window, const EncoderSession &encoder)
                    Functions::tr("Sends 0E000000, then run. This cannot be undone."));
 }
 
-bool askToSendRun(QWidget *window, const EncoderSession &encoder)
+bool askToSendRun(QWidget *window, const EncoderSession &encoder, const QString &positionThen)
 {
     return confirm(window, encoder, "parameters.md#write",
                    Functions::tr("Send run to %1?").arg(encoder.place().shown()),
-                   {whatRunMakesValid(encoder), whatFollowsRun(encoder)}, Functions::tr("&Send run"),
-                   Functions::tr("Sends 80000000, then 00000000"));
+                   {whatRunMakesValid(encoder), whatFollowsRun(encoder, positionThen)},
+                   Functions::tr("&Send run"), Functions::tr("Sends 80000000, then 00000000"));
 }
 
 bool askToRestore(QWidget *window, const EncoderSession &encoder, const ParameterValues &values)

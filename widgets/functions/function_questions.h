@@ -16,8 +16,8 @@ ModeAnswer askForMode(QWidget *window, const EncoderSession &encoder, Word out);
 bool askToLeaveCamMode(QWidget *window, const EncoderSession &encoder);
 bool askForFrabaPreset(QWidget *window, EncoderSession &encoder);
 bool askForReset(QWidget *window, const EncoderSession &encoder);
-// To one that was left in parameterization or in an error.
-bool askToSendRun(QWidget *window, const EncoderSession &encoder);
+// To one that was left in parameterization or in an error. `positionThen`: as for whatFollowsRun().
+bool askToSendRun(QWidget *window, const EncoderSession &encoder, const QString &positionThen = {});
 // Run, then these values again.
 bool askToRestore(QWidget *window, const EncoderSession &encoder, const ParameterValues &values);
 

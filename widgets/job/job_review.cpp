@@ -25,7 +25,7 @@
 namespace codewheel {
 namespace {
 
-constexpr int narrowestColumn = 50; // px: longer texts wrap
+constexpr int narrowestColumn = 40; // px: longer texts wrap
 constexpr int reviewRowsInSight = 2;
 constexpr int mostInSight = 8 * grid::largeIcon; // px, where texts wrap much
 

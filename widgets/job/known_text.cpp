@@ -78,6 +78,16 @@ QString howKnown(const std::optional<Known> &known, const EncoderSession &encode
     return known ? how + u'\n' + QLocale().toString(encoder.dateTime(known->at), QLocale::ShortFormat) : how;
 }
 
+QString whyNotToldByWord(Parameter parameter, const EncoderSession &encoder)
+{
+    const bool maySayLess = parameter == Parameter::steps && encoder.device().quirks.mayCountStepsMinusOne &&
+                            !encoder.known(Parameter::multiTurnAndStepsMinusOne);
+    return maySayLess
+               ? KnownText::tr("As long as it is not known whether the encoder counts steps minus 1, a word "
+                               "written by hand does not tell its steps.")
+               : QString();
+}
+
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
                       const std::optional<ValueOptions> &options)
 {

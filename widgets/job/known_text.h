@@ -15,6 +15,8 @@ QString evidenceText(const std::optional<Known> &known);
 QString evidenceExplanation(const std::optional<Known> &known, bool reads);
 // With the date and time of when it became known.
 QString howKnown(const std::optional<Known> &known, const EncoderSession &encoder);
+// Why even a word written by hand, which the encoder has confirmed, does not tell its steps; empty: it does.
+QString whyNotToldByWord(Parameter parameter, const EncoderSession &encoder);
 
 // "8 192 steps", "3 (CW)". options: valueText().
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,

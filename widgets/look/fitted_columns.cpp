@@ -45,22 +45,39 @@ int highestLevel(const std::vector<Widths> &columns, int room)
     return level;
 }
 
+// Where the longest words have no room beside each other, their cells are in small type. If that does not
+// help either, the widest give way: without a scroll bar the last ones would be out of sight.
+void giveWay(std::vector<Widths> &columns, int room)
+{
+    if (widthAt(columns, 0) <= room)
+        return;
+    std::vector<Widths> words = columns;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        columns[i].word = columns[i].smallWord;
+        words[i] = {0, columns[i].smallWord, 0};
+    }
+    const int level = highestLevel(words, room);
+    for (Widths &column : columns)
+        column.word = std::min(column.word, level);
+}
+
 std::vector<Widths> widthsOf(const QTableView &table, const WrappedCells &cells)
 {
     std::vector<Widths> columns;
     for (int column = 0; column < table.model()->columnCount(); ++column) {
         if (table.isColumnHidden(column)) {
-            columns.push_back({0, 0});
+            columns.push_back({});
             continue;
         }
         const QHeaderView &header = *table.horizontalHeader(); // makes no column narrower than its least
         const int head = std::max(headingWidth(header, column), header.minimumSectionSize());
-        Widths widest{head, head};
+        Widths widest{head, head, head};
         for (int row = 0; row < std::min(table.model()->rowCount(), mostRows); ++row) {
             if (table.columnSpan(row, column) > 1)
                 continue;
             const Widths its = cells.widthsOf(table.model()->index(row, column));
-            widest = {std::max(widest.word, its.word), std::max(widest.line, its.line)};
+            widest = {std::max(widest.word, its.word), std::max(widest.line, its.line),
+                      std::max(widest.smallWord, its.smallWord)};
         }
         columns.push_back(widest);
     }
@@ -122,9 +139,11 @@ void FittedColumns::fit()
     if (mayElide(m_table, m_stretched)) {
         const int least = std::min(columns[static_cast<std::size_t>(m_stretched)].line,
                                    leastElided * m_table.fontMetrics().averageCharWidth());
-        columns[static_cast<std::size_t>(m_stretched)] = {least, least};
+        columns[static_cast<std::size_t>(m_stretched)] = {least, least, least};
     }
     const int room = m_table.viewport()->width();
+    if (m_table.horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff)
+        giveWay(columns, room);
     const int level = highestLevel(columns, room);
     const int left = std::max(room - widthAt(columns, level), 0);
     for (int column = 0; column < static_cast<int>(columns.size()); ++column)

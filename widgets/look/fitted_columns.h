@@ -11,8 +11,8 @@ class WrappedCells;
 
 // Shares the width of a small table among its columns so that nothing in it is cut off: each has its longest
 // text on one line as long as there is room. Where there is not, the widest of them take more lines, and none
-// is narrower than its longest word. Hidden columns take nothing. Cells that span columns wrap in all of
-// these.
+// is narrower than its longest word, if need be in small type. Hidden columns take nothing. Cells that span
+// columns wrap in all of these.
 class FittedColumns : public QObject
 {
     Q_OBJECT

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/wrapped_cells.h"
 
+#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/may_elide.h"
 #include "widgets/look/wrapped_text.h"
@@ -13,6 +14,35 @@
 #include <utility>
 
 namespace codewheel {
+
+namespace {
+
+QFont smallOf(QFont font)
+{
+    const QFont small = textFont(TextSize::small);
+    if (small.pointSizeF() > 0)
+        font.setPointSizeF(std::min(font.pointSizeF(), small.pointSizeF()));
+    else
+        font.setPixelSize(std::min(font.pixelSize(), small.pixelSize()));
+    return font;
+}
+
+int longestWordOf(const QString &text, const QFont &font)
+{
+    const QFontMetrics metrics(font);
+    int longest = 0;
+    for (const QString &word : withWholeParentheses(text).split(u' '))
+        longest = std::max(longest, metrics.horizontalAdvance(word));
+    return longest;
+}
+
+// Small rather than broken within a word: half a number is misread.
+QFont fittingFont(const QString &text, const QFont &usual, int room)
+{
+    return longestWordOf(text, usual) > room ? smallOf(usual) : usual;
+}
+
+} // namespace
 
 WrappedCells::WrappedCells(QTableView &table)
     : QStyledItemDelegate(&table)
@@ -34,13 +64,10 @@ WrappedCells::Widths WrappedCells::widthsOf(const QModelIndex &index) const
     const int icon = m_table.style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, &m_table);
     option.decorationSize = m_table.iconSize().isValid() ? m_table.iconSize() : QSize(icon, icon);
     initStyleOption(&option, index);
-    const QFontMetrics metrics(option.font);
-    Widths widths;
-    for (const QString &word : withWholeParentheses(option.text).split(u' '))
-        widths.word = std::max(widths.word, metrics.horizontalAdvance(word));
-    widths.line = std::max(widths.word, metrics.horizontalAdvance(option.text));
+    const int word = longestWordOf(option.text, option.font);
+    const int line = std::max(word, QFontMetrics(option.font).horizontalAdvance(option.text));
     const int beside = besideText(option) + grid::unit; // lines are broken to the pixel
-    return {widths.word + beside, widths.line + beside};
+    return {word + beside, line + beside, longestWordOf(option.text, smallOf(option.font)) + beside};
 }
 
 // All that icon and check box leave.
@@ -73,7 +100,8 @@ void WrappedCells::paint(QPainter *painter, const QStyleOptionViewItem &given, c
     const bool isSelected = option.state.testFlag(QStyle::State_Selected);
     painter->save();
     painter->setPen(option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text));
-    WrappedText(text, option.font, inside.width(), option.displayAlignment).draw(*painter, inside);
+    WrappedText(text, fittingFont(text, option.font, inside.width()), inside.width(), option.displayAlignment)
+        .draw(*painter, inside);
     painter->restore();
 }
 
@@ -88,7 +116,8 @@ QSize WrappedCells::sizeHint(const QStyleOptionViewItem &given, const QModelInde
         room += m_table.columnWidth(index.column() + span);
     if (mayElide(m_table, index.column()))
         room = QWIDGETSIZE_MAX;
-    const int lines = WrappedText(option.text, option.font, room, option.displayAlignment).height();
+    const QFont font = fittingFont(option.text, option.font, room);
+    const int lines = WrappedText(option.text, font, room, option.displayAlignment).height();
     return {inOneLine.width() + grid::unit, std::max(inOneLine.height(), lines + 2 * grid::unit)};
 }
 

@@ -20,8 +20,9 @@ public:
 
     struct Widths
     {
-        int word = 0; // of the longest word of the text
-        int line = 0; // of all of it
+        int word = 0;      // of the longest word of the text
+        int line = 0;      // of all of it
+        int smallWord = 0; // of the longest word in small type
     };
     Widths widthsOf(const QModelIndex &index) const;
 

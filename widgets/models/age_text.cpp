@@ -50,6 +50,14 @@ QString ageSentence(const EncoderSession &encoder)
                              : QString();
 }
 
+QString outOfSightReason(const EncoderSession &encoder)
+{
+    const Freshness &freshness = encoder.freshness();
+    const bool isOnlyLate = freshness.reason() == Freshness::Reason::unsettled ||
+                            freshness.reason() == Freshness::Reason::notAsked;
+    return freshness.isOld() && !isOnlyLate ? freshnessText(freshness.reason()) : QString();
+}
+
 QString unchangedSentence(const EncoderSession &encoder)
 {
     const auto since = encoder.freshness().isLive() ? encoder.unchangedSince() : std::nullopt;

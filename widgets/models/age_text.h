@@ -17,6 +17,9 @@ QString ageText(const WordChannel &word);
 QString ageSentence(const EncoderSession &encoder);
 QString ageSentence(const NotLive &old);
 
+// Why what it has now is not known: "The link is lost."; empty: it is seen, or only comes late.
+QString outOfSightReason(const EncoderSession &encoder);
+
 // Since when what is live has been the same: "It has shown the same since 14:02."; empty for less than 10 s.
 QString unchangedSentence(const EncoderSession &encoder);
 

@@ -60,13 +60,13 @@ double inMilliseconds(Instant duration)
     return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-// A typed request and its answer stand out as a pair.
+// A typed request and its answer stand out as a pair; so does where another connection begins.
 QVariant fontOf(const ShownTraffic &row, const ColumnShape &shape)
 {
-    if (!shape.hasNumberFont && !row.what.isTyped)
+    if (!shape.hasNumberFont && !row.what.isTyped && !row.beginsConnection)
         return {};
     QFont font = shape.hasNumberFont ? numberFont() : textFont();
-    font.setBold(row.what.isTyped);
+    font.setBold(row.what.isTyped || row.beginsConnection);
     return font;
 }
 
@@ -185,6 +185,17 @@ std::vector<bool> TrafficModel::chooseSurplus(const std::vector<ShownTraffic> &r
     return goes;
 }
 
+void TrafficModel::beginConnection(const QDateTime &time)
+{
+    m_last.reset();
+    if (isEmpty() && !hasCleared())
+        return;
+    TrafficRow row{.time = time};
+    row.meaning = [] { return tr("Another connection begins here."); };
+    m_waiting.push_back({.what = std::move(row), .beginsConnection = true});
+    showWaiting();
+}
+
 // Everything from the last time it was sent belongs to the answer.
 void TrafficModel::markTyped(const QByteArray &sent)
 {
@@ -242,6 +253,10 @@ QString TrafficModel::cellText(const ShownTraffic &row, TrafficColumn column,
                                ControlCharacters controls) const
 {
     const TrafficRow &what = row.what;
+    const bool isText =
+        column == TrafficColumn::time || column == TrafficColumn::meaning || column == TrafficColumn::remark;
+    if (row.beginsConnection && !isText)
+        return {};
     switch (column) {
     case TrafficColumn::time:
         return what.time.time().toString(QStringLiteral("HH:mm:ss.zzz"));
@@ -298,7 +313,7 @@ QByteArray TrafficModel::csv(Place place) const
         case TrafficColumn::sinceLast:
             return row.sinceLast ? QString::number(inMilliseconds(*row.sinceLast), 'f', 1) : QString();
         case TrafficColumn::cycle:
-            return QString::number(row.what.cycle);
+            return row.beginsConnection ? QString() : QString::number(row.what.cycle);
         case TrafficColumn::out:
         case TrafficColumn::in:
         case TrafficColumn::bytes:

@@ -13,6 +13,7 @@ struct ShownTraffic
     TrafficRow what;
     std::optional<Instant> sinceLast{}; // nothing for the first row
     QString remark{};
+    bool beginsConnection = false; // nothing passed: what follows is of another connection
 };
 
 ControlCharacters shownControls(); // as far as the number font has them
@@ -41,6 +42,8 @@ public:
 
     void add(TrafficRow row); // waits until showWaiting()
     void showWaiting();
+    // What comes is of another connection: a row says so, unless there is nothing before it.
+    void beginConnection(const QDateTime &time);
     // The last exchange, which began with sending this, was typed: marks all its rows.
     void markTyped(const QByteArray &sent);
     void tellMeaningsChanged();

@@ -56,6 +56,19 @@ void drawLine(QPainter &painter, const QRect &where, Qt::Alignment alignment, co
                      shown);
 }
 
+// What is too long for a line is elided, not broken: the tooltip has all of it.
+QString withWordsElided(const QString &name, const QFontMetrics &metrics, int room)
+{
+    QStringList words = name.split(u' ');
+    for (QString &word : words) {
+        const QStringList parts = word.split(u'-');
+        if (std::ranges::any_of(parts,
+                                [&](const QString &part) { return metrics.horizontalAdvance(part) > room; }))
+            word = metrics.elidedText(word, Qt::ElideRight, room);
+    }
+    return words.join(u' ');
+}
+
 // On two lines if necessary, or small if it still does not fit.
 void drawName(QPainter &painter, const QRect &where, const QString &name)
 {
@@ -63,7 +76,16 @@ void drawName(QPainter &painter, const QRect &where, const QString &name)
     const QRect needed = painter.boundingRect(where, flags, name);
     if (needed.height() > where.height() || needed.width() > where.width())
         painter.setFont(textFont(TextSize::small));
-    WrappedText(name, painter.font(), where.width(), Qt::AlignLeft).draw(painter, where);
+    const QString shown = withWordsElided(name, painter.fontMetrics(), where.width());
+    WrappedText(shown, painter.font(), where.width(), Qt::AlignLeft).draw(painter, where);
+}
+
+int longestWord(const QModelIndex &index, const QFontMetrics &metrics)
+{
+    int longest = 0;
+    for (const QString &word : index.data().toString().split(u' '))
+        longest = std::max(longest, metrics.horizontalAdvance(word));
+    return longest;
 }
 
 // Small rather than broken within a word: "33.554." and "432" on two lines are misread.
@@ -149,17 +171,14 @@ int ParameterDelegate::leastWidth(const QModelIndex &index)
 {
     const QFontMetrics small(textFont(TextSize::small));
     const bool isMarked = index.data(ParameterModel::detailMarkRole).isValid();
-    return small.horizontalAdvance(index.data(ParameterModel::shortDetailRole).toString()) +
-           (isMarked ? warningMarkSize + grid::unit : 0) + 3 * grid::unit;
+    const int detail = small.horizontalAdvance(index.data(ParameterModel::shortDetailRole).toString()) +
+                       (isMarked ? warningMarkSize + grid::unit : 0) + 3 * grid::unit;
+    return std::max(detail, longestWord(index, small) + 2 * grid::unit);
 }
 
 int ParameterDelegate::wordWidth(const QModelIndex &index)
 {
-    const QFontMetrics metrics(qvariant_cast<QFont>(index.data(Qt::FontRole)));
-    int longest = 0;
-    for (const QString &word : index.data().toString().split(u' '))
-        longest = std::max(longest, metrics.horizontalAdvance(word));
-    return longest + 2 * grid::unit;
+    return longestWord(index, QFontMetrics(qvariant_cast<QFont>(index.data(Qt::FontRole)))) + 2 * grid::unit;
 }
 
 int ParameterDelegate::lineWidth(const QModelIndex &index)

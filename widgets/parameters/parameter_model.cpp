@@ -338,6 +338,8 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
     QString how = howKnown(row.known, *m_encoder.session());
     if (isKnownOfBefore(row))
         how += u'\n' + ageSentence(*m_encoder.session());
+    if (!row.known)
+        how = (how + u'\n' + whyNotToldByWord(row.parameter.parameter, *m_encoder.session())).trimmed();
     return row.known ? QStringLiteral("%1\n%2").arg(valueWithUnit(m_encoder.device(),
                                                                   {row.parameter.parameter, row.known->value},
                                                                   valueOptionsOf(m_encoder.session())),

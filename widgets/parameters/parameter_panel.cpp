@@ -17,6 +17,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/role_label.h"
+#include "widgets/models/age_text.h"
 #include "widgets/models/device_traits.h"
 #include "widgets/monitor/copy_menu.h"
 #include "widgets/parameters/parameter_model.h"
@@ -45,6 +46,11 @@ namespace {
 
 constexpr int questionLines = 10; // with its buttons
 constexpr int tableLines = 5;     // that are worth having beside it: its head and some values
+
+bool isStateSeen(EncoderState state)
+{
+    return state != EncoderState::unknown && state != EncoderState::notSeen && state != EncoderState::silent;
+}
 
 } // namespace
 
@@ -286,6 +292,7 @@ void ParameterPanel::connectSession(EncoderSession &session)
     });
     connect(&session, &EncoderSession::finished, this, &ParameterPanel::finished);
     connect(&session, &EncoderSession::latestChanged, this, &ParameterPanel::followState);
+    connect(&session, &EncoderSession::freshnessChanged, this, &ParameterPanel::followSight);
     connect(&session, &EncoderSession::knownBeforeChanged, this, [this, &session] {
         if (session.knownBefore()) // whoever is there now need not be the one that this was said of
             withdraw(Cause::outcome);
@@ -552,10 +559,24 @@ void ParameterPanel::finished(const Outcome &outcome)
 
 void ParameterPanel::showEnd(const Outcome &outcome)
 {
-    const JobEnd end = endOf(*session(), outcome, doneBefore(outcome.job), m_functions->isReset(outcome.job));
     m_end = outcome;
     m_endedAt = session()->latest().at;
-    showMessage(Cause::outcome, end.role, end.text, end.wayBack);
+    tellEnd();
+}
+
+void ParameterPanel::tellEnd()
+{
+    const QString why = outOfSightReason(*session());
+    Outcome outcome = *m_end;
+    const bool isLost = !why.isEmpty() && isStateSeen(outcome.leftIn);
+    if (isLost)
+        outcome.leftIn = EncoderState::unknown;
+    const JobEnd end = endOf(*session(), outcome, doneBefore(outcome.job), m_functions->isReset(outcome.job));
+    if (isLost)
+        showMessage(Cause::outcome, Role::attention,
+                    tr("%1 Done before that: %2", "a sentence, sentences").arg(why, end.text));
+    else
+        showMessage(Cause::outcome, end.role, end.text, end.wayBack);
 }
 
 DoneJobs ParameterPanel::doneBefore(JobId job) const
@@ -571,11 +592,22 @@ void ParameterPanel::followCount()
         withdraw(Cause::outcome);
 }
 
+bool ParameterPanel::tellsEnd() const
+{
+    return m_end && m_cause == Cause::outcome && !m_message->isHidden() && !session()->runningJob();
+}
+
+// In which state it was left holds only as long as it is seen.
+void ParameterPanel::followSight()
+{
+    if (tellsEnd())
+        tellEnd();
+}
+
 // Somebody, or a loss of power, has brought an encoder back that was left in another state.
 void ParameterPanel::followState()
 {
-    const bool isTold = m_end && m_cause == Cause::outcome && !m_message->isHidden();
-    if (!isTold || session()->runningJob() || !isSeenSince(*session(), m_endedAt))
+    if (!tellsEnd() || !isSeenSince(*session(), m_endedAt))
         return;
     const bool isBack =
         m_end->leftIn != EncoderState::operation && session()->latest().state == EncoderState::operation;

@@ -74,6 +74,9 @@ private:
     void connectSession(EncoderSession &session);
     void showEnd(const Outcome &outcome);
     DoneJobs doneBefore(JobId job) const;
+    void tellEnd();
+    bool tellsEnd() const;
+    void followSight();
     void followState();
     void followCount();
     void showWhyEmpty();

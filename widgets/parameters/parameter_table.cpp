@@ -3,6 +3,7 @@
 
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/may_elide.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/parameters/parameter_delegate.h"
 #include "widgets/parameters/parameter_model.h"
@@ -34,6 +35,7 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
     setSelectionMode(ExtendedSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    allowEliding(*this, ParameterModel::nameColumn);
     horizontalHeader()->setMinimumSectionSize(smallestColumn);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(ParameterModel::wantedColumn, QHeaderView::Stretch);

@@ -137,6 +137,11 @@ void BusList::add(const BusKind &kind)
     Project after = m_document.project();
     const QString name = planBus(after, bus, kind).name;
     m_document.edit(std::move(after), tr("Add %1").arg(name));
+    if (plansTraining(m_document.project(), bus))
+        m_message->showMessage(
+            Role::running, tr("Until its connection leads to a real bus, \"%1\" is simulated: it is that of "
+                              "the training bus, and what is connected there stays connected.")
+                               .arg(name));
     m_table->selectRow(m_model->rowOf(bus).value_or(0));
     m_table->setFocus();
 }

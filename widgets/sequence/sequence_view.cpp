@@ -210,7 +210,7 @@ void SequenceView::showWhyEmpty(const EncoderSession *encoder, std::optional<Pla
                           tr("It takes requests instead of words. Type them in the terminal."));
     else if (offline)
         m_empty->setTexts(tr("%1 is not connected").arg(offline->shown()),
-                          tr("Words can be sent to it once its bus is connected."));
+                          tr("Words can be sent to it once it is."));
     else
         m_empty->setTexts(tr("No encoder is selected"),
                           tr("A sequence is a list of words that are sent to an encoder one after the other. "

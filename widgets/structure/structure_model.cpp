@@ -34,7 +34,12 @@ bool isFlat(const std::vector<BusNode> &nodes)
 
 QString titleOf(const BusBranch &branch)
 {
-    return calledText(nameAmongOthers(branch.bus), branch.outline().title());
+    const BusOutline &outline = branch.outline();
+    const QString name = Place{branch.bus, {}}.shown();
+    const std::optional<QString> behind = outline.behindName();
+    if (name.isEmpty() || !behind)
+        return calledText(nameAmongOthers(branch.bus), outline.title());
+    return behind->isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, *behind);
 }
 
 } // namespace

@@ -161,6 +161,7 @@ void InsertPanel::showKind()
     m_codes->setVisible(hasCodes);
     m_codesLabel->setVisible(hasCodes);
     m_byCode = false;
+    m_search->clear(); // it was about the catalog of another bus
     m_search->setPlaceholderText(hasCodes ? tr("Search the catalog: maker, name, profile or ID code")
                                           : tr("Search the catalog: maker or name"));
     fillCatalog();

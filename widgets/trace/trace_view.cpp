@@ -135,10 +135,14 @@ void TraceView::setMostRows(int rows)
 void TraceView::collect(const EncoderSession &encoder)
 {
     Collected &collected = m_collected[encoder.place()];
-    if (collected.rows && collected.device == encoder.device())
-        return;
-    const auto columns = m_buses.open(encoder.place().bus)->trafficColumns();
-    keep(encoder.place(), {encoder.device(), std::make_unique<TrafficModel>(columns, m_mostRows)});
+    EncoderBus *bus = m_buses.open(encoder.place().bus);
+    if (!collected.rows || collected.device != encoder.device()) {
+        auto rows = std::make_unique<TrafficModel>(bus->trafficColumns(), m_mostRows);
+        keep(encoder.place(), {encoder.device(), std::move(rows), bus});
+    } else if (collected.bus != bus) {
+        collected.bus = bus;
+        collected.rows->beginConnection(bus->dateTime(bus->now()));
+    }
 }
 
 // In place of what was collected there.
@@ -217,7 +221,7 @@ void TraceView::showWhyEmpty(const EncoderSession *encoder, std::optional<Place>
                           tr("It has no words. The traffic of its line is in the terminal."));
     else if (offline)
         m_empty->setTexts(tr("%1 is not connected").arg(offline->shown()),
-                          tr("What passes is shown once its bus is connected."));
+                          tr("What passes is shown once it is."));
     else
         m_empty->setTexts(
             tr("No encoder is selected"),
@@ -244,9 +248,16 @@ std::vector<Word> TraceView::outWords(Place place) const
 {
     std::vector<Word> words;
     const TrafficModel *rows = model(place);
-    for (int row = 1; rows != nullptr && row < rows->rowCount(); ++row)
-        if (const Word out = rows->rowAt(row).what.out; out != rows->rowAt(row - 1).what.out)
+    if (rows == nullptr)
+        return words;
+    std::optional<Word> before; // empty: what stands there at first
+    for (int row = 0; row < rows->rowCount(); ++row) {
+        const ShownTraffic &shown = rows->rowAt(row);
+        const Word out = shown.what.out;
+        if (!shown.beginsConnection && before && out != *before)
             words.push_back(out);
+        before = shown.beginsConnection ? std::nullopt : std::optional(out);
+    }
     return words;
 }
 
@@ -331,6 +342,8 @@ void TraceView::copyWords(WordNotation notation)
     const int bits = device.inWords > 1 ? 32 : 16;
     QString text;
     for (const int row : chosenRows()) {
+        if (m_shown->rowAt(row).beginsConnection)
+            continue;
         const TrafficRow &words = m_shown->rowAt(row).what;
         if (device.outWords > 0)
             text += copiedText(words.out, bits, notation) + u'\t';

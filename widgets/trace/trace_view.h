@@ -6,6 +6,7 @@
 #include "vocabulary/place.h"
 #include "widgets/monitor/word_format.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <map>
@@ -48,6 +49,7 @@ public:
     {
         DeviceDescription device;
         std::unique_ptr<TrafficModel> rows{};
+        QPointer<EncoderBus> bus{}; // null: its connection has ended
     };
     using Traces = std::map<Place, Collected>;
     Traces takeTraces();

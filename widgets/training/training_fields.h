@@ -3,7 +3,9 @@
 
 #include "widgets/input/number_fields.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/wrapped_label.h"
 
+#include <QLineEdit>
 #include <QString>
 
 class QAbstractSpinBox;
@@ -28,5 +30,19 @@ void addSpeed(QGridLayout *grid, int row, const QString &caption, DecimalField *
               const QString &stopName);
 void addCaption(QGridLayout *grid, int row, const QString &text, QWidget *field);
 void addNumber(QGridLayout *grid, int row, const QString &text, QLabel *number);
+
+// What is wrong with what was typed, for the place below the field: no button of the panel would tell it.
+template <typename Field>
+QLabel *wrongInput(const Field *field, QWidget *parent)
+{
+    QLabel *label = wrappedLabel(parent, "wrongInput");
+    label->hide();
+    const auto *text = field->template findChild<QLineEdit *>();
+    QObject::connect(text, &QLineEdit::textChanged, label, [label, field] {
+        label->setText(field->complaint());
+        label->setVisible(!label->text().isEmpty());
+    });
+    return label;
+}
 
 } // namespace codewheel::training_fields

@@ -258,7 +258,7 @@ void TrendPage::connectParts()
     m_seldom.setInterval(oftenEnough);
     m_seldom.start();
     connect(&m_seldom, &QTimer::timeout, this, [this] {
-        if (!isVisible() || m_pause->isChecked())
+        if (!isVisible())
             return;
         m_values->showNow(m_view->scene());
         showMemory();

@@ -108,11 +108,13 @@ void WhyPage::showOutcome(const DataChecks &checks)
 {
     const DataCheck *first = firstDifference(checks);
     const DataCheck *remark = firstRemark(checks);
+    const DataCheck *position = findCheck(checks, DataCheck::Id::position);
+    const bool isDoubtful = position != nullptr && position->outcome == DataCheck::Outcome::remark;
     if (first != nullptr)
         m_outcome->setState(Role::fault, sentence(tr("What differs first: %1"), {first->what}));
     else
         m_outcome->setState(
-            Role::running,
+            isDoubtful ? Role::attention : Role::running,
             withPosition(remark != nullptr ? tr("Data comes") : tr("Everything is as expected"), checks));
     showHelp(first != nullptr ? first : remark);
 }

@@ -2,6 +2,7 @@
 #include "widgets/wizard/handshake_page.h"
 
 #include "catalog/explain_word.h"
+#include "jobs/job_report.h"
 #include "jobs/value_notes.h"
 #include "jobs/write_plan.h"
 #include "journal/eeprom_cost.h"
@@ -380,8 +381,8 @@ QString HandshakePage::verifiedText(const Outcome &last) const
     const DeviceDescription &device = m_setup.encoder->device();
     const QString verified =
         tr("Verified: %1. %2").arg(verificationText(m_setup.record, device), endText(last));
-    const QString unscaled = unscaledText(m_setup.record, device);
-    return unscaled.isEmpty() ? verified : verified + u' ' + unscaled;
+    const auto unscaled = unscaledNote(m_setup.record, device);
+    return unscaled ? verified + u' ' + noteText(*unscaled) : verified;
 }
 
 bool HandshakePage::waitsForFirstStep() const
@@ -424,6 +425,16 @@ QString HandshakePage::positionThenText() const
         .arg(position->exact ? QString() : tr("about "), numberText(position->position));
 }
 
+// As long as the encoder has taken no more than by this handshake.
+QString HandshakePage::positionAfterRun() const
+{
+    const EncoderSession &encoder = *m_setup.encoder;
+    const QString taken = doubtText({.values = m_setup.record.taken()}, encoder.device());
+    const bool isAsLeft =
+        m_shownState == EncoderState::parameterization && encoder.takenWithoutRun() == taken;
+    return isAsLeft ? positionThenText() : QString();
+}
+
 void HandshakePage::leaveEncoder(OnCancel how)
 {
     if (m_work.job)
@@ -441,7 +452,7 @@ void HandshakePage::bringBack(bool restore)
     if (restore)
         job.restore = valuesToRestore(m_setup.record);
     const bool runs = !restore && wayBack(m_setup.encoder->device(), m_shownState) == WayBack::run;
-    if (runs && !askToSendRun(window(), *m_setup.encoder))
+    if (runs && !askToSendRun(window(), *m_setup.encoder, positionAfterRun()))
         return;
     if (restore && !askToRestore(window(), *m_setup.encoder, job.restore))
         return;

@@ -79,6 +79,7 @@ private:
     void noteBefore();
     QStringList validTexts(const Outcome &last) const;
     QString positionThenText() const;
+    QString positionAfterRun() const;
     CancelSituation situation(const EncoderSession &encoder, const Progress &progress) const;
     void leaveEncoder(OnCancel how);
     void goOn();

@@ -131,7 +131,10 @@ void KnownPage::showTable()
                                                         valueOptionsOf(&encoder))
                                         : QString(QChar(0x2013)),
                                   evidenceText(known)},
-                        .tip = evidenceExplanation(known, encoder.can().reads)});
+                        .tip = known ? evidenceExplanation(known, encoder.can().reads)
+                                     : (evidenceExplanation(known, encoder.can().reads) + u'\n' +
+                                        whyNotToldByWord(parameter, encoder))
+                                           .trimmed()});
     }
     if (std::exchange(m_parameters, parameters) != parameters)
         m_table.setRows({}); // for an encoder of another kind, no row is selected any more

@@ -107,6 +107,7 @@ void ParameterWizard::makePages()
     }
     connect(m_devicePage, &DevicePage::encoderChosen, this, &ParameterWizard::choose);
     connect(m_handshakePage, &HandshakePage::goesOn, this, &ParameterWizard::goesOn);
+    connect(m_handshakePage, &WizardPage::changed, this, &ParameterWizard::headChanged);
 }
 
 EncoderSession *ParameterWizard::encoder() const
@@ -290,7 +291,8 @@ QString ParameterWizard::effect() const
     if (page() == report)
         return tr("Nothing is sent here.");
     return m_handshakePage->waitsForFirstStep() ? tr("Nothing is sent before the first step.")
-                                                : tr("Writes to the encoder.");
+           : isBusy()                           ? tr("Writes to the encoder.")
+                                                : tr("Nothing is being sent.");
 }
 
 QString ParameterWizard::lostByClosing() const

@@ -3,6 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/write_plan.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
@@ -107,10 +108,12 @@ void ReviewPage::plan()
     const WritePlan plan = planWrite(encoder, m_setup.wish);
     std::vector<ReviewRow> rows;
     for (const WriteRow &row : plan.rows)
-        if (!row.goesAlong)
+        if (!row.goesAlong || row.isInStepOfOthers())
             rows.push_back({{parameterName(row.wanted.parameter), knownText(encoder.device(), row.known),
                              valueWithUnit(encoder.device(), row.wanted),
                              row.isThere                ? tr("already there, not written")
+                             : row.isRearmed            ? tr("already there, written if used up")
+                             : row.isInStepOfOthers()   ? tr("not wanted, goes along")
                              : plan.job.onlyWhatDiffers ? tr("read, written if it differs")
                                                         : tr("written")}});
     showPicture();
@@ -129,11 +132,7 @@ void ReviewPage::plan()
         m_problem->withdraw();
     } else {
         m_steps.begin();
-        m_problem->showMessage(
-            Role::attention,
-            plan.refusal ? refusalText(*plan.refusal)
-                         : tr("The encoder has all of these values already: there is nothing to write. "
-                              "Go back and change a value, or write all."));
+        m_problem->showMessage(Role::attention, plan.refusal ? refusalText(*plan.refusal) : nothingToWrite());
     }
     const bool setsPosition = m_setup.wish.initialisePreset || m_setup.wish.setPositionTo;
     if (m_mayGoOn && setsPosition && encoder.latest().state == EncoderState::error)
@@ -158,6 +157,18 @@ void ReviewPage::plan()
     }
     m_note->setText(notes(plan).join(u'\n'));
     Q_EMIT changed();
+}
+
+QString ReviewPage::nothingToWrite() const
+{
+    const QString why = outOfSightReason(*m_setup.encoder);
+    return why.isEmpty()
+               ? tr("The encoder has all of these values already: there is nothing to write. Go back and "
+                    "change a value, or write all.")
+               : tr("The encoder had all of these values when it was seen last. Whether it has them now is "
+                    "not known: %1",
+                    "a sentence")
+                     .arg(why);
 }
 
 // Only where the position is set.
@@ -188,9 +199,12 @@ QStringList ReviewPage::notes(const WritePlan &plan) const
 
 QString ReviewPage::verificationNote() const
 {
-    return m_setup.encoder->can().reads ? tr("Afterwards each written value is read back.")
-                                        : tr("This encoder cannot be read: its confirmation, and operation "
-                                             "after run, are the evidence.");
+    if (m_setup.encoder->can().reads)
+        return tr("Afterwards each written value is read back.");
+    return activatesByRun(m_setup.encoder->device())
+               ? tr("This encoder cannot be read: its confirmation, and operation after run, are the "
+                    "evidence.")
+               : tr("This encoder cannot be read: its confirmation is the evidence.");
 }
 
 } // namespace codewheel

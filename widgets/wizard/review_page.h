@@ -32,6 +32,7 @@ public:
 
 private:
     void plan();
+    QString nothingToWrite() const;
     void showPicture();
     QStringList notes(const WritePlan &plan) const;
     QString verificationNote() const;

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "catalog/explain_word.h"
+#include "catalog/protocol_rules.h"
 #include "jobs/job_report.h"
 #include "jobs/step_text.h"
 #include "jobs/value_notes.h"
@@ -129,8 +130,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
     fact(WizardReport::tr("Ended"), locale.toString(record.ended, QLocale::LongFormat));
     fact(WizardReport::tr("Result"), resultText(record));
     fact(WizardReport::tr("Verified"), verificationText(record, device));
-    if (const QString unscaled = unscaledText(record, device); !unscaled.isEmpty())
-        fact(WizardReport::tr("Not in force"), unscaled);
+    if (const auto unscaled = unscaledNote(record, device))
+        fact(forceLabel(*unscaled), noteText(*unscaled));
     const std::optional<Outcome> &last = record.last();
     if (last && last->restored)
         fact(WizardReport::tr("Restored"), restoredText(last->restored));
@@ -172,15 +173,16 @@ QString verificationText(const HandshakeRecord &record, const DeviceDescription 
         return WizardReport::tr("the encoder shows the position that was set");
     if (device.capabilities.reads)
         return WizardReport::tr("read back from the encoder, and equal");
+    if (!activatesByRun(device))
+        return WizardReport::tr("confirmed by the encoder, which cannot be read");
     return WizardReport::tr(
         "confirmed in the handshake, and run was answered by operation; this encoder cannot be read");
 }
 
-QString unscaledText(const HandshakeRecord &record, const DeviceDescription &device)
+std::optional<ValueNote> unscaledNote(const HandshakeRecord &record, const DeviceDescription &device)
 {
     const bool isDone = record.outcome && record.outcome->result;
-    const auto note = isDone ? scalingNote(device, record.job.values, valuesOf(record.after)) : std::nullopt;
-    return note ? noteText(*note) : QString();
+    return isDone ? scalingNote(device, record.job.values, valuesOf(record.after)) : std::nullopt;
 }
 
 } // namespace codewheel

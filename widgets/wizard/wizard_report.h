@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "jobs/value_notes.h"
 #include "report/report.h"
 #include "widgets/wizard/handshake_record.h"
 
@@ -14,6 +15,6 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
 // How the new values were verified: read back, or echoed and run.
 QString verificationText(const HandshakeRecord &record, const DeviceDescription &device);
 // That the values of the scaling do not act, or may not; empty: they do.
-QString unscaledText(const HandshakeRecord &record, const DeviceDescription &device);
+std::optional<ValueNote> unscaledNote(const HandshakeRecord &record, const DeviceDescription &device);
 
 } // namespace codewheel

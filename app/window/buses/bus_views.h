@@ -71,17 +71,18 @@ public:
     virtual void setChosen(std::optional<Place>) {}
     // What is chosen in the window is of a recording: nothing is sent from the panels of other buses.
     virtual void setRecordingChosen(bool) {}
-    virtual void open() = 0;                       // its row was opened
-    virtual void connectBus() { open(); }          // or shows where to do that; sends nothing
-    virtual void connectTraining() {}              // to a simulated link
-    virtual void connectFound(const KindData &) {} // with a link that a search has found
+    virtual void open() = 0;              // its row was opened
+    virtual void connectBus() { open(); } // or shows where to do that; sends nothing
+    virtual void connectTraining() {}     // to a simulated link
+    // With a link that a search has found, and what it has found there, as their kind knows them.
+    virtual void connectFound(const KindData &, const std::vector<KindData> &) {}
     // A device was opened. False: show its words, as for any device.
     virtual bool open(Place) { return false; }
     // Whether a fault plan can be loaded now; loads it, and shows it or what is wrong with it.
     virtual bool takesFaultPlans() const { return false; }
     virtual void loadFaultPlan(const QString &) {}
     // Calls `then` once it may go to Operate; not at all if the user stays in Watch.
-    virtual void askToOperate(std::function<void()> then) { then(); }
+    virtual void askToOperate(const std::function<void()> &then) { then(); }
     // What its pages have collected, for those in another language; its own are about to go.
     virtual std::any takeWork() { return {}; }
     virtual void goOn(const std::any &) {}

@@ -47,7 +47,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     , m_writes(
           makeLabel(bar, tr("EEPROM writes"),
                     tr("Writes to the memory of the chosen encoder by this program since it was started")))
-    , m_always{m_state, m_mode, m_writes}
+    , m_always{m_state, m_mode}
 {
     m_state->setToolTip(tr("State of the bus"));
     m_mode->setToolTip(tr("Watch: nothing is written. Operate: writing is allowed."));
@@ -66,6 +66,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     bar.addPermanentWidget(m_hint, 1);
     bar.addPermanentWidget(m_writes);
     allowEliding(*m_hint);
+    allowEliding(*m_writes);
     connect(&bar, &QStatusBar::messageChanged, this, &StatusLine::showHint);
     setState(Role::inactive, tr("not connected"));
 }
@@ -165,6 +166,9 @@ void StatusLine::fit()
     for (const QWidget *always : m_always)
         if (always != nullptr && !always->isHidden())
             needed += always->sizeHint().width() + spacing;
+    fitWrites(m_bar.width() - needed - spacing);
+    if (!m_writes->text().isEmpty())
+        needed += m_writes->width() + spacing;
     bool fits = true;
     for (const Figure &figure : m_figures) {
         if (figure.label == nullptr || figure.label->text().isEmpty()) {
@@ -178,16 +182,22 @@ void StatusLine::fit()
     }
 }
 
+// Its tooltip has all of it.
+void StatusLine::fitWrites(int room)
+{
+    setTextOf(m_writes, m_writes->fontMetrics().elidedText(m_writesText, Qt::ElideRight, std::max(room, 0)));
+}
+
 void StatusLine::showFrame()
 {
     const auto make = [](const DeviceDescription &device) {
         return device.vendor.isEmpty() ? profileName(device.profile) : device.vendor;
     };
-    setTextOf(m_writes, m_encoder == nullptr || !m_encoder->can().writes
-                            ? QString()
-                            : tr("%1 %2: %3", "place, make: writes")
-                                  .arg(m_encoder->place().shown(), make(m_encoder->device()),
-                                       eepromCountBrief(m_encoder->eepromCount())));
+    m_writesText = m_encoder == nullptr || !m_encoder->can().writes
+                       ? QString()
+                       : tr("%1 %2: %3", "place, make: writes")
+                             .arg(m_encoder->place().shown(), make(m_encoder->device()),
+                                  eepromCountBrief(m_encoder->eepromCount()));
     const QString toolTip = m_encoder == nullptr ? QString() : eepromCountText(*m_encoder);
     if (m_writes->toolTip() != toolTip)
         m_writes->setToolTip(toolTip);

@@ -18,7 +18,7 @@ class RoleLabel;
 
 // The line at the bottom of the window: state of the bus, figures from the views of each bus, and the EEPROM
 // writes made from here to the chosen encoder. Changing numbers are in the fixed font. It never widens the
-// window: in a narrow one it leaves out what the panels also show.
+// window: in a narrow one it leaves out or shortens what the panels also show.
 class StatusLine : public QObject
 {
     Q_OBJECT
@@ -54,6 +54,7 @@ private:
     };
 
     void add(QWidget *widget);
+    void fitWrites(int room);
 
     QStatusBar &m_bar;
     QPointer<EncoderSession> m_encoder;
@@ -63,6 +64,7 @@ private:
     QStringList m_faultsTold;
     QLabel *m_hint; // status tip for the mouse or the focus
     QLabel *m_writes;
+    QString m_writesText;                    // in full
     int m_added = 0;                         // between mode and hint
     std::vector<Figure> m_figures;           // by rank
     std::vector<QPointer<QWidget>> m_always; // never left out

@@ -193,6 +193,21 @@ TEST_F(DialPanelTest, ASpeedThatIsSetIsReadToTheTenth)
     EXPECT_NEAR(shown().rpm.value_or(0), 6000, 0.05) << "three turns in each frame";
 }
 
+TEST_F(DialPanelTest, OneThatIsCutOffShowsWhereItWas)
+{
+    ring.controls->setSpeed(test::multiTurn.node, 0);
+    panel.setEncoder(&ring.encoder(test::multiTurn));
+    advance(100);
+    const auto before = shown().position;
+    ASSERT_TRUE(before);
+    ring.controls->setFault(TrainingFault::wireBreak, test::multiTurn.node, 1);
+    advance(500);
+    EXPECT_EQ(shown().position, before);
+    EXPECT_TRUE(shown().isLastKnown);
+    EXPECT_FALSE(shown().age.isEmpty());
+    EXPECT_EQ(shown().note, QStringLiteral("Not up to date: The device is not on the bus."));
+}
+
 TEST_F(DialPanelTest, WhatIsOldHasNoSpeed)
 {
     ring.controls->setSpeed(test::multiTurn.node, 60);

@@ -106,6 +106,16 @@ TEST_F(DialPinTest, WhileItsBusIsClosedItSaysSoAndComesBackWithIt)
     EXPECT_EQ(shownPlace(), QStringLiteral("Dial of 2.0"));
 }
 
+TEST_F(DialPinTest, OneThatIsOnlyPlannedOnAConnectedBusIsNotThere)
+{
+    const Place planned = "9.0"_ring;
+    dial.follow({planned, ring.encoder(fraba).device()});
+    EXPECT_TRUE(says(QStringLiteral("There is no encoder at 9.0")));
+    EXPECT_FALSE(says(QStringLiteral("9.0 is not connected")));
+    ring.bus.close();
+    EXPECT_TRUE(says(QStringLiteral("9.0 is not connected")));
+}
+
 TEST_F(DialPinTest, WhereAnotherDeviceStandsItSaysSo)
 {
     dial.restore(test::busTerminal);

@@ -177,6 +177,26 @@ TEST_F(FindPageTest, ConnectsWithWhatWasFoundOnceTheSearchHasEnded)
     EXPECT_EQ(wanted[0].settings, QStringLiteral("9600 Bd, 8N2"));
 }
 
+TEST_F(FindPageTest, HandsOverAllThatWereFoundByTheSameLink)
+{
+    const auto foundAt = [](const char *link, int who) {
+        FinderNews news = found(false);
+        news.found->link = QString::fromLatin1(link);
+        news.found->device = KindData(who);
+        return news;
+    };
+    std::vector<KindData> handed;
+    QObject::connect(&page, &FindPage::connectWanted, &page,
+                     [&](const Found &, const std::vector<KindData> &devices) { handed = devices; });
+    page.begin();
+    page.add(foundAt("esc:/dev/ttyUSB0,baud=9600", 3));
+    page.add(foundAt("esc:/dev/ttyUSB1,baud=9600", 7));
+    page.add(foundAt("esc:/dev/ttyUSB0,baud=9600", 5));
+    page.end();
+    QTest::mouseClick(&button(QStringLiteral("Connect")), Qt::LeftButton);
+    EXPECT_EQ(handed, (std::vector{KindData(3), KindData(5)}));
+}
+
 TEST_F(FindPageTest, ANameStaysInItsLineWhateverIsInIt)
 {
     page.begin();

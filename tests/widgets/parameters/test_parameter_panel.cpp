@@ -726,5 +726,82 @@ TEST(ValueInput, AnAddressOfTwoDigitsSaysWhichNumberItIs)
         << refusalText(input.value().error()).toStdString();
 }
 
+// 20210007h tells whether the encoder counts steps minus 1.
+TEST_F(Parameters, WhyStepsWrittenByHandStayUnknownIsSaid)
+{
+    ASSERT_TRUE(
+        bus.encoder(fraba)->start(SendWords{.words = {0x0200'00FF, 0x0400'0001, 0x8000'0000, 0x0000'0000}}));
+    bus.advance(100);
+    ASSERT_FALSE(bus.encoder(fraba)->known(Parameter::steps));
+    const auto tip = [this](Parameter parameter) {
+        return indexOf(parameter, ParameterModel::knownColumn).data(Qt::ToolTipRole).toString();
+    };
+    EXPECT_TRUE(tip(Parameter::steps).contains(QStringLiteral("whether the encoder counts steps minus 1")))
+        << tip(Parameter::steps).toStdString();
+    EXPECT_FALSE(tip(Parameter::direction).contains(QStringLiteral("minus 1")));
+    bus.encoder(fraba)->tell(Parameter::multiTurnAndStepsMinusOne, 2);
+    EXPECT_FALSE(tip(Parameter::steps).contains(QStringLiteral("minus 1")));
+}
+
+TEST_F(Parameters, TheStateItWasLeftInIsToldOnlyAsLongAsItIsSeen)
+{
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    const QString inOperation = QStringLiteral("The encoder is in operation.");
+    ASSERT_TRUE(message().contains(inOperation)) << message().toStdString();
+    bus.setRunning(false);
+    bus.advance(10);
+    EXPECT_FALSE(message().contains(inOperation)) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("Done before that: Values read")))
+        << message().toStdString();
+    bus.setRunning(true);
+    bus.advance(50);
+    EXPECT_TRUE(message().contains(inOperation)) << message().toStdString();
+}
+
+TEST_F(Parameters, WhatAnEncoderHasThatIsNotSeenIsNotKnown)
+{
+    click(QStringLiteral("Read from encoder"));
+    finishJob();
+    want(Parameter::steps, QStringLiteral("8192"));
+    const auto notes = [this] {
+        QString all;
+        for (const QLabel *label : panel.findChild<WriteReview *>()->findChildren<QLabel *>())
+            all += label->text();
+        return all;
+    };
+    const QString isKnown = QStringLiteral("The encoder is known to have all wanted values.");
+    click(QStringLiteral("Write…"));
+    EXPECT_TRUE(notes().contains(isKnown)) << notes().toStdString();
+    click(QStringLiteral("Cancel"));
+    bus.setRunning(false);
+    bus.advance(10);
+    click(QStringLiteral("Write…"));
+    EXPECT_FALSE(notes().contains(isKnown)) << notes().toStdString();
+    EXPECT_TRUE(notes().contains(QStringLiteral("Whether it has them now is not known")))
+        << notes().toStdString();
+}
+
+TEST_F(Parameters, NumbersAndNamesAreNotBrokenWithinAWordInTheNarrowDock)
+{
+    bus.encoder(fraba)->tell(Parameter::zeroOffset, 33'554'431);
+    panel.resize(panel.minimumSizeHint().width(), 480);
+    settle();
+    const QFontMetrics small(textFont(TextSize::small));
+    const auto expectWholeWords = [&](const QTableView &view, const QModelIndex &cell) {
+        for (const QString &word : cell.data().toString().split(u' '))
+            EXPECT_GE(view.columnWidth(cell.column()) - 2 * grid::unit, small.horizontalAdvance(word))
+                << word.toStdString();
+    };
+    expectWholeWords(table(), indexOf(Parameter::zeroOffset, ParameterModel::knownColumn));
+    want(Parameter::revolutions, QStringLiteral("2"));
+    click(QStringLiteral("Write…"));
+    settle();
+    const auto &review = *panel.findChild<WriteReview *>()->findChild<QTableView *>();
+    for (int column = 0; column < review.model()->columnCount(); ++column)
+        expectWholeWords(review, review.model()->index(0, column));
+    EXPECT_EQ(review.horizontalHeader()->length(), review.viewport()->width());
+}
+
 } // namespace
 } // namespace codewheel

@@ -117,6 +117,15 @@ TEST_F(BusListTest, ShowsNameKindAndDevices)
     EXPECT_EQ(cell(1, BusModel::devices), QStringLiteral("0"));
 }
 
+TEST_F(BusListTest, SaysThatANewBusIsSimulatedAtFirst)
+{
+    addLine();
+    ASSERT_TRUE(message().isVisible());
+    EXPECT_TRUE(message().sentence().contains(QStringLiteral("\"Line\" is simulated")))
+        << message().sentence().toStdString();
+    EXPECT_EQ(answer(), nullptr);
+}
+
 TEST_F(BusListTest, AddedBusesGetTheNumbersThatAreFree)
 {
     addLine();

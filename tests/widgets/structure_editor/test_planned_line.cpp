@@ -115,6 +115,22 @@ TEST_F(PlannedLine, EncodersAreInsertedAtTheNextFreeAddress)
     EXPECT_EQ(places(), QString());
 }
 
+TEST_F(PlannedLine, WhatWasSearchedInTheCatalogOfAnotherBusIsForgotten)
+{
+    Project project = document.project();
+    planBus(project, firstRing, *busKind(u"interbus"));
+    document.setProject(project, {});
+    editor.setBus(firstRing);
+    editor.openInsertPanel();
+    auto &search = child<QLineEdit>("catalogSearch");
+    QTest::keyClicks(&search, QStringLiteral("OCD-IB K2"));
+    const auto &devices = child<QListWidget>("catalogDevices");
+    ASSERT_GT(devices.count(), 0);
+    editor.setBus(line);
+    EXPECT_EQ(search.text(), QString());
+    EXPECT_GT(devices.count(), 0);
+}
+
 TEST_F(PlannedLine, AnAddressThatIsTakenOrNoneIsToldOnTheSpot)
 {
     insert();

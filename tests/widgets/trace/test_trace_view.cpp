@@ -307,6 +307,32 @@ TEST_F(TraceViewTest, WhatWasCollectedOutlivesTheConnection)
     EXPECT_GT(model().rowCount(), before);
 }
 
+TEST_F(TraceViewTest, ARowSaysWhereAnotherConnectionBegins)
+{
+    write(fraba, 0x020000FF);
+    const int rows = model().rowCount();
+    const std::vector<Word> words = view.outWords(fraba);
+    ring.buses.remove(&ring.bus);
+    TrainingBus training = makeTrainingBus(ring.catalog);
+    RingSession other(std::move(training.link), ring.catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 3)));
+    ASSERT_TRUE(other.open(RingSession::Start::operating));
+    ring.buses.add(other);
+    ASSERT_EQ(model().rowCount(), rows + 1);
+    EXPECT_EQ(cell(rows, TrafficColumn::meaning), QStringLiteral("Another connection begins here."));
+    EXPECT_EQ(cell(rows, TrafficColumn::time), QStringLiteral("14:03:00.000"));
+    for (const TrafficColumn column : {TrafficColumn::sinceLast, TrafficColumn::cycle, TrafficColumn::out})
+        EXPECT_EQ(cell(rows, column), QString());
+    other.advance(10);
+    ASSERT_GT(model().rowCount(), rows + 1);
+    EXPECT_EQ(cell(rows + 1, TrafficColumn::sinceLast), QString())
+        << "the time between them is no answer time";
+    EXPECT_EQ(view.outWords(fraba), words);
+    const QByteArray line = model().csv(fraba).split('\n').at(rows + 1);
+    EXPECT_EQ(line.count(','), 8) << line.toStdString();
+    EXPECT_TRUE(line.contains(",,,,,\"Another connection begins here.\"")) << line.toStdString();
+    ring.buses.remove(&other);
+}
+
 TEST_F(TraceViewTest, WhatWasClearedIsBroughtBackBeforeWhatCameSince)
 {
     model().bringBack(); // the initial rows

@@ -88,6 +88,16 @@ TEST_F(TrendPageTest, APauseLosesNothing)
     EXPECT_EQ(histories.of(baumer)->of(Channel::position).gaps().size(), 0U);
 }
 
+TEST_F(TrendPageTest, NowIsNowInAPauseToo)
+{
+    page.showTrack({baumer, Channel::position, {}});
+    advance(1s);
+    QTest::keyClick(&chart(), Qt::Key_H, Qt::ControlModifier);
+    const QString before = cell(0, TrendValuesModel::now);
+    advance(330ms);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return cell(0, TrendValuesModel::now) != before; }));
+}
+
 TEST_F(TrendPageTest, TheWheelZoomsWhereItPoints)
 {
     page.showTrack({baumer, Channel::position, {}});

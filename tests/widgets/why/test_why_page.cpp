@@ -99,6 +99,18 @@ TEST_F(WhyPageTest, SaysThatAllIsAsExpectedWithThePosition)
     EXPECT_EQ(spoken(2), QStringLiteral("Writing: worth knowing"));
 }
 
+TEST_F(WhyPageTest, AnUncertainPositionIsNoGoodNews)
+{
+    const auto role = [this] { return page.findChild<RoleLabel *>()->role(); };
+    DataCheck position = positionStep(QStringLiteral("0, or no supply"));
+    page.showChecks(QStringLiteral("3.0"), {linkStep(), position, watchingStep()});
+    EXPECT_EQ(role(), Role::running);
+    position.outcome = DataCheck::Outcome::remark;
+    page.showChecks(QStringLiteral("3.0"), {linkStep(), position, watchingStep()});
+    EXPECT_EQ(role(), Role::attention);
+    EXPECT_EQ(outcome(), QStringLiteral("Data comes. Position: 0, or no supply"));
+}
+
 TEST_F(WhyPageTest, ItsButtonAsksForTheActionAndIsThereOnlyWhileThatIsPossible)
 {
     QSignalSpy wanted(&page, &WhyPage::actionWanted);

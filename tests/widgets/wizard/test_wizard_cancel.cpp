@@ -439,5 +439,86 @@ TEST_F(WizardHandshake, TheLongestQuestionIsSeenAsAWhole)
     QApplication::setFont(usual);
 }
 
+// Written all the same because a preset acts once, so there is nothing to give back.
+TEST_F(WizardHandshake, WhatWasWrittenAsItHadBeenIsReadBackTooWhenTheRestIsRestored)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(2000);
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    type("steps", "255");
+    type("preset", "0");
+    leaveField();
+    next();
+    next();
+    bus.advance(60);
+    step(4); // steps, preset, run, normal running
+    ASSERT_EQ(fraba().known(Parameter::preset)->evidence, Evidence::echoed);
+    const auto question = test::Question::answeredBy(QStringLiteral("Restore"));
+    click("wizardCancel");
+    settle();
+    EXPECT_TRUE(text("leftIn").contains(QStringLiteral("read back and match")))
+        << text("leftIn").toStdString();
+    EXPECT_EQ(fraba().known(Parameter::preset)->evidence, Evidence::read);
+    EXPECT_EQ(fraba().known(Parameter::steps)->evidence, Evidence::read);
+}
+
+TEST_F(WizardHandshake, TheTitleSaysThatItWritesOnlyAsLongAsItDoes)
+{
+    const QSignalSpy headChanged(&wizard, &Page::headChanged);
+    begin();
+    step(2);
+    ASSERT_EQ(wizard.effect(), QStringLiteral("Writes to the encoder."));
+    const auto before = headChanged.count();
+    bus.alarmStop();
+    bus.advance(10);
+    ASSERT_FALSE(wizard.isBusy());
+    EXPECT_EQ(wizard.effect(), QStringLiteral("Nothing is being sent."));
+    EXPECT_GT(headChanged.count(), before);
+}
+
+TEST_F(WizardHandshake, TheQuestionBeforeRunKnowsThePositionThatTheOneOfCancelKnew)
+{
+    fraba().tell(Parameter::startUpMode, 1);
+    begin();
+    step(1);
+    QString foretold;
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Leave"));
+        click("wizardCancel");
+        settle();
+        const QRegularExpression position(QStringLiteral("it will then read [^\n]*"));
+        foretold = position.match(question.text()).captured(0).section(u'\n', 0, 0).trimmed();
+    }
+    ASSERT_FALSE(foretold.isEmpty());
+    const auto question = test::Question::answeredBy(QStringLiteral("Cancel"));
+    click("recoverRun");
+    EXPECT_TRUE(question.text().contains(foretold)) << question.text().toStdString();
+    EXPECT_FALSE(question.text().contains(QStringLiteral("is not known"))) << question.text().toStdString();
+}
+
+TEST_F(WizardHandshake, TheQuestionBeforeRunKnowsNoPositionIfTheEncoderHasTakenMoreSince)
+{
+    fraba().tell(Parameter::startUpMode, 1);
+    begin();
+    step(1);
+    {
+        const auto question = test::Question::answeredBy(QStringLiteral("Leave"));
+        click("wizardCancel");
+        settle();
+    }
+    ASSERT_TRUE(fraba().start(SendWords{.words = {0x0400'0004, 0x0000'0000}}));
+    bus.advance(200);
+    ASSERT_EQ(fraba().latest().state, EncoderState::parameterization);
+    const auto question = test::Question::answeredBy(QStringLiteral("Cancel"));
+    click("recoverRun");
+    EXPECT_TRUE(question.text().contains(QStringLiteral("Which position it will read is not known.")))
+        << question.text().toStdString();
+}
+
 } // namespace
 } // namespace codewheel

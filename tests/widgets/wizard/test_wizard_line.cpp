@@ -151,7 +151,7 @@ TEST_F(WizardLine, ThePositionIsSetWithinTheRangeOfTheEncoder)
     EXPECT_EQ(encoder().latest().position, 1000);
     next();
     const QString report = find<QPlainTextEdit>("account")->toPlainText();
-    EXPECT_TRUE(report.contains(QStringLiteral("0012D5A4"))) << report.toStdString();
+    EXPECT_TRUE(report.contains(QStringLiteral("1234340 (12D5A4h)"))) << report.toStdString();
     EXPECT_TRUE(report.contains(
         QRegularExpression(QStringLiteral("Position set to: +%1\n").arg(QLocale().toString(1000)))));
 }

@@ -758,5 +758,31 @@ TEST_F(WizardPages, TheReportDoesNotTakeThePresetForThePosition)
     EXPECT_FALSE(report.contains(QStringLiteral("Position set to")));
 }
 
+// It acts once, and the simulated encoder has used its preset up.
+TEST_F(WizardPages, APresetThatIsThereAndWrittenAgainHasItsReason)
+{
+    wizard.setEncoder(&fraba());
+    next();
+    click("readAll");
+    bus.advance(3000);
+    click("isPositionMode");
+    bus.advance(5);
+    next();
+    next();
+    ASSERT_EQ(fraba().known(Parameter::presetFlag)->value, 0);
+    type("steps", "255");
+    type("preset", "0");
+    leaveField();
+    next();
+    const QAbstractItemModel &changes = *find<QTableView>("changes")->model();
+    EXPECT_EQ(changes.index(1, 0).data(), QStringLiteral("Preset"));
+    EXPECT_EQ(changes.index(1, 3).data(), QStringLiteral("already there, written if used up"));
+    EXPECT_TRUE(text("reviewNotes").contains(QStringLiteral("the one in the encoder is used up")))
+        << text("reviewNotes").toStdString();
+    click("writeAll");
+    EXPECT_EQ(changes.index(changes.rowCount() - 1, 3).data(), QStringLiteral("written"));
+    EXPECT_FALSE(text("reviewNotes").contains(QStringLiteral("used up")));
+}
+
 } // namespace
 } // namespace codewheel

@@ -7,8 +7,8 @@
 #include "cli/kinds/esc/esc_line_access.h"
 #include "cli/kinds/esc/scan_line.h"
 #include "kinds/esc/driver/esc_values.h"
-#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
 
 #include <algorithm>
 
@@ -48,7 +48,7 @@ Checked<void> checkAddressIsFree(const Call &call, EscLineAccess &line, const En
                 {RefusalKind::badInput,
                  RefusalId::lineAddressTaken,
                  {reading.shown(), sentence(CommandLine::tr("an encoder with the serial number %1"),
-                                            {hexWord((*there)->serialNumber.value_or(0))})}}));
+                                            {serialNumberText((*there)->serialNumber.value_or(0))})}}));
     }
     return {};
 }

@@ -10,6 +10,7 @@
 #include "cli/kinds/esc/esc_line_access.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
 
 namespace codewheel {
 namespace {
@@ -91,7 +92,7 @@ QString tableOf(const std::vector<FoundEncoder> &found)
         table.add({one.address.onWire(),
                    one.address.isMaster() ? CommandLine::tr("master") : QString::number(one.address.value),
                    QString::number(one.baudRate),
-                   orDash(one.serialNumber ? hexWord(*one.serialNumber) : QString()),
+                   orDash(one.serialNumber ? serialNumberText(*one.serialNumber) : QString()),
                    orDash(one.deviceCode ? hexCode(*one.deviceCode, 4) : QString()), orDash(one.version)});
     return table.toString();
 }

@@ -52,6 +52,11 @@ void EscLineActions::tellBus(const QString &bus)
         codewheel::tellBus(action, bus);
 }
 
+void EscLineActions::tellWhyNotDisconnected(const QString &why)
+{
+    described(disconnectLine, disconnectLine->shortcut(), why);
+}
+
 void EscLineActions::showChosen(Chosen chosen)
 {
     const QString others = tr("For encoders on the serial line");

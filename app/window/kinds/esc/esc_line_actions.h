@@ -27,7 +27,8 @@ public:
         bool isSwapped = false;
     };
     void showChosen(Chosen chosen);
-    void tellBus(const QString &bus); // which line they apply to; empty: the chosen one
+    void tellBus(const QString &bus);                // which line they apply to; empty: the chosen one
+    void tellWhyNotDisconnected(const QString &why); // while it is disabled
 
     QMenu *menu;
     QAction *settings;

@@ -2,6 +2,7 @@
 #include "app/window/kinds/esc/esc_line_views.h"
 
 #include "app/window/buses/leaving.h"
+#include "app/window/buses/operate_question.h"
 #include "app/window/connect/link_test.h"
 #include "app/window/connect/port_rows.h"
 #include "app/window/connect/trouble_of.h"
@@ -15,6 +16,7 @@
 #include "catalog/catalog.h"
 #include "kinds/esc/line/esc_line_check.h"
 #include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/esc/protocol/esc_profile.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/comparison/comparison_page.h"
@@ -59,6 +61,29 @@ Place firstThatAnswers(const EscLineSession &line)
     return answering == numbers.end() ? numbers.front() : *answering;
 }
 
+std::vector<FoundEncoder> foundEncoders(const std::vector<KindData> &devices)
+{
+    std::vector<FoundEncoder> found;
+    for (const KindData &device : devices)
+        if (const auto *encoder = device.as<FoundEncoder>())
+            found.push_back(*encoder);
+    return found;
+}
+
+OperateWarning lineOperateWarning(const EncoderBus &line)
+{
+    const QString name = nameAmongOthers(line.id());
+    return {
+        .question =
+            name.isEmpty()
+                ? OperateQuestion::tr("This serial line is real. Shall the program write to it?")
+                : OperateQuestion::tr("%1 is a real serial line. Shall the program write to it?").arg(name),
+        .explanation = OperateQuestion::tr(
+            "In Operate, what you write goes to the encoders on the line. A preset or a parameter changes "
+            "the position that the controller sees. Switching over sends nothing."),
+        .helpTopic = "serial-line.md#watch-and-operate"};
+}
+
 } // namespace
 
 KeyGroup keysOfLines()
@@ -74,6 +99,7 @@ EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &parts, QObjec
     , m_status(parts.status)
     , m_notice(own(new InlineMessage(&parts.pages)))
     , m_keeper(new EscLineKeeper(line, line.project(), this))
+    , m_operateQuestion(new OperateQuestion(line, lineOperateWarning, *parts.pages.window(), this))
     , m_terminal(own(new EscLineTerminal(&parts.pages)))
     , m_panel(own(new EscLinePanel(&parts.pages)))
     , m_connection(own(new ConnectPage(&parts.pages)))
@@ -178,7 +204,10 @@ void EscLineViews::tellActions()
 {
     if (isCurrent())
         m_actions.tellBus(nameAmongOthers(m_line.id())); // their menu already says that it is the line
-    m_actions.disconnectLine->setEnabled(isMeant() && (m_line.session() != nullptr || m_line.isOpening()));
+    const bool isConnected = m_line.session() != nullptr || m_line.isOpening();
+    m_actions.disconnectLine->setEnabled(isMeant() && isConnected);
+    if (!isConnected)
+        m_actions.tellWhyNotDisconnected(tr("The line is not connected."));
     m_actions.training->setEnabled(isMeant() && m_line.training() == nullptr);
     showAfresh(*m_training, m_actions.afresh, Afresh::whyNot(m_session));
     showChosen();
@@ -192,10 +221,11 @@ void EscLineViews::showChosen()
     const EncoderSession *encoder = m_session && m_chosen ? m_session->encoder(*m_chosen) : nullptr;
     const ProjectDevice *planned = m_chosen ? findDevice(m_line.project().project(), *m_chosen) : nullptr;
     const auto options = valueOptionsOf(encoder);
-    m_actions.showChosen({.isOnLine = encoder != nullptr || planned != nullptr,
-                          .isConnected = encoder != nullptr,
-                          .isSwapped = options ? options->swapsWarningBytes
-                                               : planned != nullptr && planned->swapsWarningBytes});
+    m_actions.showChosen(
+        {.isOnLine = encoder != nullptr || planned != nullptr,
+         .isConnected = encoder != nullptr,
+         .isSwapped = options ? options->swapsWarningBytes
+                              : planned != nullptr && planned->its<EscEncoderSettings>().swapsWarningBytes});
 }
 
 void EscLineViews::setChosen(std::optional<Place> place)
@@ -215,6 +245,11 @@ void EscLineViews::showFrame()
     m_training->refresh();
     showAfresh(*m_training, m_actions.afresh, Afresh::whyNot(m_session));
     showStatus();
+}
+
+void EscLineViews::askToOperate(const std::function<void()> &then)
+{
+    m_operateQuestion->ask(then);
 }
 
 // Nothing on a line can be switched off or confirmed.
@@ -356,6 +391,12 @@ void EscLineViews::showSearch()
     m_search->setFocus();
 }
 
+void EscLineViews::showFound()
+{
+    m_search->showFoundBefore(std::exchange(m_foundThere, {}));
+    showSearch();
+}
+
 void EscLineViews::listPorts()
 {
     const PortRows ports = portRows(m_line.ports());
@@ -422,7 +463,7 @@ void EscLineViews::showOpened()
     if (!isCurrent())
         return;
     if (std::exchange(m_isFound, false)) // its encoders are taken over there
-        showSearch();
+        showFound();
     else
         open();
 }
@@ -512,10 +553,11 @@ void EscLineViews::explainTerminal()
 }
 
 // Its page says how that went.
-void EscLineViews::connectFound(const KindData &plan)
+void EscLineViews::connectFound(const KindData &plan, const std::vector<KindData> &devices)
 {
     showSettings();
     m_isFound = true;
+    m_foundThere = foundEncoders(devices);
     m_connection->connectBy(plan);
 }
 

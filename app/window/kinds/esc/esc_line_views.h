@@ -25,6 +25,7 @@ class EscLineSession;
 class EscLineSettingsForm;
 class EscLineTerminal;
 class EscLineTrainingPanel;
+class OperateQuestion;
 class EscLineAtWork;
 struct EscLineSettings;
 
@@ -55,8 +56,9 @@ public:
     bool open(Place place) override; // its terminal, since it has no words
     void connectBus() override { showSettings(); }
     void connectTraining() override;
-    void connectFound(const KindData &plan) override;
+    void connectFound(const KindData &plan, const std::vector<KindData> &devices) override;
     void showFrame() override;
+    void askToOperate(const std::function<void()> &then) override;
     void useSettings(const ProgramSettings &settings) override;
     std::any takeWork() override;
     void goOn(const std::any &work) override;
@@ -77,6 +79,7 @@ private:
     // From now on its warnings are read with their two bytes swapped, or as they come.
     void swapWarningBytes(bool on);
     void setLine(EscLineSession *line); // null: it is about to go
+    void showFound();
     void listPorts();
     EscLinePlan wanted(const EscLineSettings &wish) const;
     void connectAs(const KindData &plan);
@@ -108,6 +111,7 @@ private:
     EscLineStatus m_status;
     InlineMessage *m_notice; // asks about an adapter
     EscLineKeeper *m_keeper;
+    OperateQuestion *m_operateQuestion;
     QPointer<EscLineSession> m_session;
     std::optional<Place> m_chosen;
     bool m_takesOther = false; // keep another adapter once it is open
@@ -120,7 +124,8 @@ private:
     BackgroundSteps m_test;
     bool m_isPlanned = false; // in the project
     bool m_isFound = false;   // its port, by the finder
-    EscLinePlan m_opened;     // when a port was last to be opened
+    std::vector<FoundEncoder> m_foundThere;
+    EscLinePlan m_opened; // when a port was last to be opened
     ComparisonPage *m_comparison;
 };
 

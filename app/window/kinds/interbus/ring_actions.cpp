@@ -71,6 +71,11 @@ void RingActions::tellBus(const QString &bus)
         codewheel::tellBus(action, bus);
 }
 
+void RingActions::tellWhyNotDisconnected(const QString &why)
+{
+    described(disconnectBus, disconnectBus->shortcut(), why);
+}
+
 void RingActions::showSegment(bool hasMaster, bool isChosen)
 {
     described(switchSegment, Qt::SHIFT | Qt::Key_F9,

@@ -17,8 +17,9 @@ class RingActions : public QObject
 public:
     explicit RingActions(WindowActions &window);
 
-    void disable();                   // there is no ring for them
-    void tellBus(const QString &bus); // which ring they apply to; empty: the chosen one
+    void disable();                                  // there is no ring for them
+    void tellBus(const QString &bus);                // which ring they apply to; empty: the chosen one
+    void tellWhyNotDisconnected(const QString &why); // while it is disabled
     // Whether the master can be asked, and the chosen device has a segment.
     void showSegment(bool hasMaster, bool isChosen);
 

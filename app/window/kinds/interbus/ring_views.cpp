@@ -2,13 +2,14 @@
 #include "app/window/kinds/interbus/ring_views.h"
 
 #include "app/window/buses/leaving.h"
+#include "app/window/buses/operate_question.h"
 #include "app/window/connect/trouble_of.h"
 #include "app/window/kinds/interbus/offer_views.h"
-#include "app/window/kinds/interbus/operate_question.h"
 #include "app/window/kinds/interbus/ring_actions.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/kinds/interbus/ring_connection.h"
 #include "app/window/kinds/interbus/ring_links.h"
+#include "app/window/kinds/interbus/ring_operate_warning.h"
 #include "app/window/look/afresh.h"
 #include "app/window/window_actions.h"
 #include "kinds/interbus/words/device_number.h"
@@ -67,10 +68,15 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     , m_status(parts.status)
     , m_connection(new RingConnection(ring, ring.project(), parts.leaving, parts.notice, this))
     , m_operateQuestion(new OperateQuestion(
-          *ring.bus(),
-          [&project = ring.project()](Place place, const QString &name) {
-              return QStringLiteral("%1  %2").arg(place.shown(),
-                                                  calledText(project.device(place).station, name));
+          ring,
+          [&project = ring.project()](const EncoderBus &bus) {
+              return RingOperateWarning(bus,
+                                        [&project](Place place, const QString &name) {
+                                            return QStringLiteral("%1  %2").arg(
+                                                place.shown(),
+                                                calledText(project.device(place).station, name));
+                                        })
+                  .warning();
           },
           *parts.pages.window(), this))
     , m_master(new MasterPanel(*ring.bus(), &parts.pages))
@@ -155,7 +161,7 @@ void RingViews::showConnection()
 }
 
 // Its page says how that went.
-void RingViews::connectFound(const KindData &plan)
+void RingViews::connectFound(const KindData &plan, const std::vector<KindData> &)
 {
     showConnection();
     m_links->connectFound(plan);
@@ -254,9 +260,9 @@ void RingViews::showFrame()
     showStatus();
 }
 
-void RingViews::askToOperate(std::function<void()> then)
+void RingViews::askToOperate(const std::function<void()> &then)
 {
-    m_operateQuestion->ask(std::move(then));
+    m_operateQuestion->ask(then);
 }
 
 void RingViews::compare()
@@ -409,6 +415,8 @@ void RingViews::showState()
     m_actions.offer->setEnabled(isMeant() && m_actions.offer->isEnabled());
     m_actions.connectBus->setEnabled(isMeant() && isClosed);
     m_actions.disconnectBus->setEnabled(isMeant() && !isClosed);
+    if (isClosed)
+        m_actions.tellWhyNotDisconnected(tr("The ring is not connected."));
     m_actions.readIn->setEnabled(isMeant() && hasMaster && !bus.isReadingIn());
     m_actions.confirmDiagnostics->setEnabled(isMeant() && hasMaster);
     m_actions.showSegment(hasMaster, chosenSegment().has_value());

@@ -43,11 +43,11 @@ public:
     void setChosen(std::optional<Place> place) override;
     void open() override;
     void connectBus() override;
-    void connectFound(const KindData &plan) override;
+    void connectFound(const KindData &plan, const std::vector<KindData> &devices) override;
     void connectTraining() override { connectBus(); } // offered only for one that is planned as such
     bool takesFaultPlans() const override;
     void loadFaultPlan(const QString &path) override;
-    void askToOperate(std::function<void()> then) override;
+    void askToOperate(const std::function<void()> &then) override;
     void showFrame() override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;

@@ -7,8 +7,8 @@
 #include "kinds/esc/line/esc_line_scan.h"
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/esc/protocol/esc_frame.h"
-#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
 
 #include <algorithm>
 #include <deque>
@@ -35,9 +35,9 @@ QString encoderText(const FoundEncoder &encoder)
     const QString where = encoder.address.isMaster()
                               ? FinderTexts::tr("at the master address")
                               : sentence(FinderTexts::tr("at address %1"), {encoder.address.shown()});
-    const QString number =
-        encoder.serialNumber ? sentence(FinderTexts::tr("serial number %1"), {hexWord(*encoder.serialNumber)})
-                             : FinderTexts::tr("no serial number");
+    const QString number = encoder.serialNumber ? sentence(FinderTexts::tr("serial number %1"),
+                                                           {serialNumberText(*encoder.serialNumber)})
+                                                : FinderTexts::tr("no serial number");
     return QStringLiteral("%1, %2, %3").arg(who, where, number);
 }
 
@@ -130,7 +130,9 @@ private:
         if (after.size() == before.size())
             return std::nullopt;
         const FoundEncoder &encoder = *std::ranges::mismatch(before, after).in2; // they are in their order
-        return escLineAt(m_port, escSettings(encoder.baudRate), encoderText(encoder));
+        Found found = escLineAt(m_port, escSettings(encoder.baudRate), encoderText(encoder));
+        found.device = KindData(encoder);
+        return found;
     }
     // Who answered once and never again was not asked: that was an answer to somebody else.
     bool hasVanished(EscLineAddress address, const esc::ExchangeResult &result, bool isFound)

@@ -60,6 +60,11 @@ QString EscLineOutline::title() const
     return titleOf(m_line.linkName());
 }
 
+std::optional<QString> EscLineOutline::behindName() const
+{
+    return m_line.linkName();
+}
+
 QString EscLineOutline::toolTip() const
 {
     return sentence(tr("%1, %2 Bd\nState: %3\nAnswers: %4, time-outs: %5"),

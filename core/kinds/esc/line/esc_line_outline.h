@@ -18,6 +18,7 @@ public:
     {}
 
     QString title() const override;
+    std::optional<QString> behindName() const override;
     QString toolTip() const override;
     QString alarmStop() const override;
     StateWord state() const override;
@@ -48,6 +49,7 @@ public:
     {}
 
     QString title() const override;
+    std::optional<QString> behindName() const override { return m_port; }
     QString toolTip() const override { return title(); }
     StateWord state() const override { return offline(); }
     std::vector<BusNode> nodes() const override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/line/esc_line_permission.h"
 #include "kinds/esc/line/esc_line_runner_private.h"
+#include "kinds/esc/line/port_argument.h"
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ void EscLineRunner::Private::carryOutCommands()
 Result<void> EscLineRunner::Private::mayStart(std::size_t device, const Job &job) const
 {
     const QString place = driver(device)->address().node().toString();
-    if (auto allowed = codewheel::mayStart(state, job, place, link.name()); !allowed)
+    if (auto allowed = codewheel::mayStart(state, job, place, portArgument(link)); !allowed)
         return allowed;
     if (driver(device)->busy())
         return refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
@@ -114,7 +115,7 @@ void EscLineRunner::Private::carryOut(line_command::AlarmStop &)
 
 void EscLineRunner::Private::carryOut(line_command::Send &c)
 {
-    if (const auto allowed = maySend(state, c.request, link.name()); allowed) {
+    if (const auto allowed = maySend(state, c.request, portArgument(link)); allowed) {
         typed.push_back(c.request);
     } else {
         tell({.severity = Severity::attention, .refusal = allowed.error()});

@@ -13,8 +13,8 @@
 #include "kinds/esc/line/port_argument.h"
 #include "kinds/esc/line/row_text.h"
 #include "kinds/esc/protocol/esc_profile.h"
-#include "vocabulary/hex.h"
 #include "vocabulary/message_items.h"
+#include "vocabulary/serial_number_text.h"
 
 #include <algorithm>
 #include <iterator>
@@ -353,7 +353,7 @@ std::optional<Refusal> EscLineSession::isOther(Place place, const QString &devic
         return std::nullopt;
     return Refusal{RefusalKind::link,
                    RefusalId::serialDiffers,
-                   {place.shown(), serialNumber, hexWord(static_cast<Word>(told->value.number()))}};
+                   {place.shown(), serialNumber, serialNumberText(told->value.number())}};
 }
 
 std::vector<Place> EscLineSession::places() const

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "serial/byte_link.h"
-#include "vocabulary/refusal.h"
+#include "vocabulary/port_text.h"
 
 namespace codewheel {
 
-// The port as messages store it: only the simulated line has a name that depends on the language.
-inline RefusalArgument portArgument(const ByteLink &link)
+// The port as messages and refusals store it.
+inline QString portArgument(const ByteLink &link)
 {
-    return link.isSimulated() ? QStringLiteral("training") : link.name();
+    return link.isSimulated() ? QString(trainingPort) : link.name();
 }
 
 } // namespace codewheel

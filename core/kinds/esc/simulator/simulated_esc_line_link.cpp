@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
 
+#include "vocabulary/port_text.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ SimulatedEscLineLink::SimulatedEscLineLink(std::shared_ptr<SimulatedEscLine> lin
 Result<void> SimulatedEscLineLink::open(const SerialSettings &settings)
 {
     if (m_line->isUnplugged())
-        return refuse(RefusalKind::link, RefusalId::portNotFound, {name()});
+        return refuse(RefusalKind::link, RefusalId::portNotFound, {QString(trainingPort)});
     m_line->begin(settings, now());
     m_open = true;
     return {};
@@ -67,7 +69,7 @@ Result<void> SimulatedEscLineLink::usable()
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     if (m_line->isUnplugged()) {
         m_open = false;
-        return refuse(RefusalKind::link, RefusalId::portLost, {name()});
+        return refuse(RefusalKind::link, RefusalId::portLost, {QString(trainingPort)});
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include "kinds/interbus/ring/ring_faults.h"
 #include "kinds/interbus/ring/ring_outline.h"
 #include "kinds/interbus/ring/ring_session.h"
+#include "kinds/interbus/ring/word_doubts.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -85,6 +86,9 @@ QString stoppedText(StoppedBy stopped)
         return RingCheckText::tr("ALARM STOP has stopped the ring. Start it once it may run again.");
     case StoppedBy::program:
         return RingCheckText::tr("The ring was stopped from here. Start it.");
+    case StoppedBy::fault:
+        return RingCheckText::tr(
+            "A fault has stopped the ring. It is not told any more: start the ring again.");
     case StoppedBy::other:
         break;
     }
@@ -211,6 +215,20 @@ DataCheck ringStateCheck(const RingSession &bus, NodeId node)
     return check;
 }
 
+// An encoder without supply shows 00000000, too.
+DataCheck ringPositionCheck(const RingSession &bus, NodeId node)
+{
+    DataCheck check = positionCheck(bus, node);
+    const std::size_t index = indexIn(bus, node);
+    const auto fault = encoderFault(bus, index);
+    if (!fault || !bus.doubts().mayBeOff(index) || check.outcome != DataCheck::Outcome::asExpected)
+        return check;
+    check.outcome = DataCheck::Outcome::remark;
+    check.came = sentence(RingCheckText::tr("%1, or no supply", "a position"), {check.came});
+    check.remedy = fault->text;
+    return check;
+}
+
 bool takesWords(const RingSession &bus, NodeId node)
 {
     const std::size_t index = indexIn(bus, node);
@@ -231,7 +249,7 @@ void addOfDevice(DataChecks &checks, const RingSession &bus, NodeId node,
     if (auto order = bus.checkWord(index))
         checks.push_back(*std::move(order));
     checks.push_back(ringStateCheck(bus, node));
-    checks.push_back(positionCheck(bus, node));
+    checks.push_back(ringPositionCheck(bus, node));
 }
 
 } // namespace

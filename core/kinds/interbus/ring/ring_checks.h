@@ -7,8 +7,8 @@ namespace codewheel {
 
 class RingSession;
 
-// Who stopped the ring, as far as this program did.
-enum class StoppedBy : std::uint8_t { other, program, alarmStop };
+// What stopped the ring, as far as this program knows.
+enum class StoppedBy : std::uint8_t { other, program, alarmStop, fault };
 
 // Why there is no data of a device of the ring, or, without a node, of the ring itself.
 DataChecks ringChecks(const RingSession &bus, StoppedBy stopped, NodeId node,

@@ -96,6 +96,11 @@ QString RingOutline::title() const
     return isBehindGateway() ? tr("Gateway") : masterTitle();
 }
 
+std::optional<QString> RingOutline::behindName() const
+{
+    return isBehindGateway() ? tr("gateway", "behind the name of a ring") : QString();
+}
+
 QString RingOutline::toolTip() const
 {
     if (isBehindGateway())

@@ -20,6 +20,7 @@ public:
     {}
 
     QString title() const override;
+    std::optional<QString> behindName() const override;
     QString toolTip() const override;
     QString alarmStop() const override;
     StateWord state() const override;
@@ -51,6 +52,7 @@ public:
     {}
 
     QString title() const override;
+    std::optional<QString> behindName() const override { return QString(); }
     QString toolTip() const override;
     StateWord state() const override { return offline(); }
     std::vector<BusNode> nodes() const override;

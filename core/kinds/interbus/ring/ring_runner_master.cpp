@@ -218,7 +218,8 @@ void RingRunner::Private::showWhoIsInRing(const MasterStatus &status)
     }
 }
 
-// What it showed last is no longer a reading, and what was in OUT is not sent again automatically.
+// What it showed last is no longer a reading, but where it stood then; what was in OUT is not sent again
+// automatically.
 void RingRunner::Private::leaveRing(std::size_t i)
 {
     if (drivers[i] && drivers[i]->busy())
@@ -228,9 +229,10 @@ void RingRunner::Private::leaveRing(std::size_t i)
     Snapshot::Device &device = ring.devices[i];
     const Word in = device.in; // and when that was: a monitor tells it, with its age
     const Word outEdges = device.out;
-    const Instant seen = device.reading.at;
+    const Reading last = device.reading;
     device = {.in = in, .outEdges = outEdges, .reading = {}};
-    device.reading.at = seen;
+    device.reading.at = last.at;
+    device.reading.position = last.position;
 }
 
 } // namespace codewheel

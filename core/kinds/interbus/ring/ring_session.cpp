@@ -318,7 +318,10 @@ void RingSession::showLatest()
     for (std::size_t i = 0; i < shown->devices.size(); ++i)
         showDevice(i);
     goOnBringingBack();
-    tellState(std::exchange(d->toldState, shown->state) != shown->state);
+    const MasterState before = std::exchange(d->toldState, shown->state);
+    if (before == MasterState::run && shown->state == MasterState::busFail)
+        d->stoppedBy = StoppedBy::fault;
+    tellState(before != shown->state);
 }
 
 void RingSession::showDevice(std::size_t place)

@@ -14,6 +14,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QTest>
@@ -85,6 +86,17 @@ protected:
                 return;
             }
         ADD_FAILURE() << text.toStdString();
+    }
+    QMessageBox *operateQuestion()
+    {
+        return window().findChild<QMessageBox *>(QStringLiteral("operateQuestion"));
+    }
+    // Of the chosen bus; agrees that it is real.
+    void operate()
+    {
+        actions().operate->trigger();
+        if (operateQuestion() != nullptr)
+            click(*operateQuestion(), QStringLiteral("Operate"));
     }
     // As the user types it.
     void typePort(const QString &port)

@@ -95,7 +95,7 @@ TEST_F(EscLineInWindow, StandsBesideTheRingInTheTree)
     ASSERT_EQ(model().rowCount(), 2);
     const QModelIndex line = model().indexOf(firstLine);
     EXPECT_EQ(line.row(), 1);
-    EXPECT_TRUE(line.data().toString().startsWith(QStringLiteral("Serial line")));
+    EXPECT_TRUE(line.data().toString().startsWith(QStringLiteral("Line")));
     EXPECT_EQ(line.siblingAtColumn(StructureModel::stateColumn).data().toString(), QStringLiteral("open"));
     EXPECT_EQ(model().rowCount(line), 3);
     EXPECT_TRUE(tree().isExpanded(line));
@@ -212,7 +212,8 @@ TEST_F(EscLineInWindow, ThePanelTellsBitsAndWhatIsHexadecimal)
     EXPECT_EQ(known(Parameter::alarms), QStringLiteral("0000h (none)"));
     EXPECT_TRUE(known(Parameter::operatingParameters).contains(QStringLiteral("h (")));
     EXPECT_EQ(known(Parameter::scalingFactor), QStringLiteral("20000000h (1)"));
-    EXPECT_EQ(known(Parameter::serialNumber).size(), 8);
+    EXPECT_TRUE(known(Parameter::serialNumber).endsWith(QStringLiteral("h)")))
+        << known(Parameter::serialNumber).toStdString();
 }
 
 TEST_F(EscLineInWindow, WarningBytesAreSwappedForOneEncoderAndTheRawDigitsStay)

@@ -145,7 +145,7 @@ TEST_F(GatewayInWindowTest, IsCalledAGatewayInTheBusStructure)
 {
     connectGateway();
     const auto &tree = *window().findChild<QTreeView *>(QStringLiteral("structure"));
-    EXPECT_EQ(tree.model()->index(0, 0).data().toString(), QStringLiteral("Gateway"));
+    EXPECT_EQ(tree.model()->index(0, 0).data().toString(), QStringLiteral("Ring (gateway)"));
 }
 
 TEST_F(GatewayInWindowTest, TheFrabaPresetIsShownWithTheReasonWhyItCannotBeSent)
@@ -645,7 +645,7 @@ TEST_F(GatewayInWindowTest, ATrainingRingThatRunsIsReplacedOnlyAfterAsking)
     click(button(connection(), QStringLiteral("Connect")));
     advance(50);
     EXPECT_TRUE(bus().isSimulated() && bus().isOperating());
-    EXPECT_TRUE(told(connection()).startsWith(QStringLiteral("The training bus is connected.")))
+    EXPECT_TRUE(told(connection()).startsWith(QStringLiteral("This bus is connected to simulated encoders.")))
         << told(connection()).toStdString();
     EXPECT_EQ(ringPlan(shown->project().project(), firstRing).link.kind, QStringLiteral("training"));
     click(button(connection(), QStringLiteral("Disconnect and connect")));

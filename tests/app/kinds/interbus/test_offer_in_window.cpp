@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The training ring of the window offered to others: clients of libmodbus use it while the trainer looks on.
 #include "app/window/files/project_files.h"
+#include "language.h"
 #include "tests/app/kinds/interbus/offer_test.h"
 #include "tests/app/question.h"
 #include "tests/support/register_bank.h"
 #include "widgets/kinds/interbus/offer/offer_form.h"
 
 #include <QDockWidget>
+#include <QLocale>
 #include <QMessageBox>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTest>
 
+#include <algorithm>
 #include <atomic>
 #include <gtest/gtest.h>
 #include <thread>
@@ -66,6 +70,29 @@ TEST_F(OfferInWindow, WhatAClientWritesIsOnTheRingAndIsSeen)
     actions().monitors->trigger();
     EXPECT_TRUE(status().startsWith(QStringLiteral("Offered at 127.0.0.1:%1, 1").arg(port())))
         << status().toStdString();
+}
+
+TEST_F(OfferInWindow, TheStatusLineIsWholeInASmallWindowWhileAllOfItIsRecorded)
+{
+    Language language;
+    language.use(QStringLiteral("de"));
+    open(); // in this language
+    bus().startThread(std::chrono::milliseconds(1));
+    resizeTo({1024, 640});
+    offer();
+    RecordingPlan plan;
+    plan.settings.file = folder.filePath(QStringLiteral("night.cwrec"));
+    ASSERT_TRUE(shown->plant().recording().begin(plan));
+    EXPECT_TRUE(waitFor([&] { return status().endsWith(QStringLiteral("0 Clients")); }))
+        << status().toStdString();
+    const QStatusBar &bar = *window().statusBar();
+    const auto isWhole = [&bar](const QWidget *part) {
+        return !part->isVisible() || part->objectName() == QStringLiteral("hint") ||
+               (bar.rect().contains(part->geometry()) && part->width() >= part->minimumSizeHint().width());
+    };
+    const auto parts = bar.findChildren<QWidget *>(Qt::FindDirectChildrenOnly);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::ranges::all_of(parts, isWhole); }));
+    QLocale::setDefault(QLocale::c());
 }
 
 TEST_F(OfferInWindow, TheTrainersFaultsAreTheClients)

@@ -111,9 +111,10 @@ CliRun call(const char *line, const Port &port)
 TEST(CliLineProgram, ScansReadsWritesAndPresetsAtAServedLine)
 {
     const Port port = served();
-    EXPECT_THAT(call("scan --first 02 --last 06", port).out, HasSubstr("05           5  19200  0012D5A4"));
+    EXPECT_THAT(call("scan --first 02 --last 06", port).out,
+                HasSubstr("05           5  19200  1234340 (12D5A4h)"));
     EXPECT_EQ(call("read 05 serial-number steps", port).out,
-              "serial-number  = 0012D5A4\nsteps          = 8192\n");
+              "serial-number  = 1234340 (12D5A4h)\nsteps          = 8192\n");
     const CliRun written = call("write 05 steps=864 --yes", port);
     EXPECT_EQ(written.exit, 0) << written.err;
     EXPECT_THAT(written.out, HasSubstr("steps  = 864  written, and read back"));
@@ -144,7 +145,8 @@ TEST(CliLineProgram, AProjectLeadsToAllItsLines)
                     QStringLiteral("project"))
             .end();
     };
-    EXPECT_EQ(call("read 03 serial-number").out, "serial-number  = 0012D591\n") << "planned on one of them";
+    EXPECT_EQ(call("read 03 serial-number").out, "serial-number  = 1234321 (12D591h)\n")
+        << "planned on one of them";
     EXPECT_THAT(call("read 05 serial-number").err,
                 HasSubstr("Give one of these: Line/esc:05, Right/esc:05."));
     EXPECT_EQ(call("write Right/05 steps=864 --yes").exit, 0);
@@ -255,7 +257,7 @@ TEST(CliLineProgram, UnderstandsAPeerThatSharesNoCodeWithIt)
 {
     const Port port = peer(QStringLiteral("--garbage 3 --echo"));
     EXPECT_THAT(call("read 05 serial-number warnings", port).out,
-                HasSubstr("serial-number  = 0012D505\nwarnings       = 8000h (standstill)\n"));
+                HasSubstr("serial-number  = 1234181 (12D505h)\nwarnings       = 8000h (standstill)\n"));
     EXPECT_THAT(call("preset 05 5200h", port).out,
                 HasSubstr("Position before: 4661\nPosition after:  20992\n"));
     EXPECT_THAT(call("terminal 05P 03V --json", port).out,

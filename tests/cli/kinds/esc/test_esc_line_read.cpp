@@ -20,7 +20,7 @@ TEST(CliLineRead, ReadsAllAndTellsHexadecimalWhatIsNoNumber)
     EXPECT_EQ(run.err, "");
     EXPECT_THAT(run.out, HasSubstr("steps                 = 8192\n"));
     EXPECT_THAT(run.out, HasSubstr("scaling-factor        = 20000000h (1)\n"));
-    EXPECT_THAT(run.out, HasSubstr("serial-number         = 0012D5A4\n"));
+    EXPECT_THAT(run.out, HasSubstr("serial-number         = 1234340 (12D5A4h)\n"));
     EXPECT_THAT(run.out, HasSubstr("operating-time        = 1287.6 h\n"));
     EXPECT_THAT(run.out, HasSubstr("warnings              = 8000h (standstill)\n"));
     EXPECT_THAT(run.out, HasSubstr("version               = 5882 RS485 V1.2 SIMULATED\n"));

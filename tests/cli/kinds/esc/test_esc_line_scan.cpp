@@ -30,10 +30,10 @@ TEST(CliLineScan, FindsTheEncodersOfTheTrainingLine)
     const CliRun run = line.runLine(QStringLiteral("scan"));
     EXPECT_EQ(run.exit, 0);
     EXPECT_EQ(run.err, "");
-    EXPECT_EQ(run.out, "place  address     Bd  serial number  device code  version\n"
-                       "03           3  19200  0012D591       8000h        5882 RS485 V1.2 SIMULATED\n"
-                       "05           5  19200  0012D5A4       8000h        5882 RS485 V1.2 SIMULATED\n"
-                       "12          18  19200  00130008       8000h        5882 RS485 V1.2 SIMULATED\n");
+    EXPECT_EQ(run.out, "place  address     Bd  serial number      device code  version\n"
+                       "03           3  19200  1234321 (12D591h)  8000h        5882 RS485 V1.2 SIMULATED\n"
+                       "05           5  19200  1234340 (12D5A4h)  8000h        5882 RS485 V1.2 SIMULATED\n"
+                       "12          18  19200  1245192 (130008h)  8000h        5882 RS485 V1.2 SIMULATED\n");
 }
 
 TEST(CliLineScan, TellsProgramsTheSame)
@@ -86,7 +86,7 @@ TEST(CliLineScan, TheMasterAddressFindsTheOneThatIsAlone)
     line.mute(0x03);
     line.mute(0x12);
     const CliRun run = line.runLine(QStringLiteral("scan --master --first 10 --last 11"));
-    EXPECT_THAT(run.out, HasSubstr("00      master  19200  0012D5A4"));
+    EXPECT_THAT(run.out, HasSubstr("00      master  19200  1234340 (12D5A4h)"));
 }
 
 TEST(CliLineScan, NobodyThereIsSaid)

@@ -181,10 +181,8 @@ TEST_F(CliLineTransfer, AnotherSerialNumberThanThatOnTheLabelIsAnotherEncoder)
     save();
     const CliRun run = this->run("transfer @ --yes --json");
     EXPECT_EQ(errorKey(run), "serialDiffers");
-    EXPECT_THAT(
-        run.err,
-        HasSubstr(
-            "esc:12: the label in the project has the serial number 4711, the encoder reports 00130008."));
+    EXPECT_THAT(run.err, HasSubstr("esc:12: the label in the project has the serial number 4711, the encoder "
+                                   "reports 1245192 (130008h)."));
     EXPECT_TRUE(line.registers(0x05).countsCcw);
     EXPECT_FALSE(line.registers(0x12).countsCcw);
     EXPECT_EQ(errorKey(this->run("store @ 12 --json")), "serialDiffers");

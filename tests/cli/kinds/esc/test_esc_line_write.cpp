@@ -193,7 +193,8 @@ TEST(CliLineWrite, AnotherAddressIsToldWithThePlace)
     EXPECT_EQ(run.exit, 0);
     EXPECT_THAT(run.out, HasSubstr("  address    05h (5)  15h (21)  05X15\n"));
     EXPECT_THAT(run.out, HasSubstr("The encoder is at 15h (21) now: PLACE 15.\n"));
-    EXPECT_EQ(line.runLine(QStringLiteral("read 15 serial-number")).out, "serial-number  = 0012D5A4\n");
+    EXPECT_EQ(line.runLine(QStringLiteral("read 15 serial-number")).out,
+              "serial-number  = 1234340 (12D5A4h)\n");
 }
 
 // 12h = 18 is there; so is 03, which is what the digits "03" stand for.
@@ -202,7 +203,8 @@ TEST(CliLineWrite, AnAddressThatIsTakenIsRefused)
     SharedLine line;
     const CliRun run = line.runLine(QStringLiteral("write 05 address=18 --yes"));
     EXPECT_EQ(run.exit, 2);
-    EXPECT_THAT(run.err, HasSubstr("Address 12h (18) is taken: an encoder with the serial number 00130008"));
+    EXPECT_THAT(run.err,
+                HasSubstr("Address 12h (18) is taken: an encoder with the serial number 1245192 (130008h)"));
     EXPECT_EQ(errorKey(line.runLine(QStringLiteral("write 05 address=3 --yes --json"))), "lineAddressTaken");
     EXPECT_EQ(line.runLine(QStringLiteral("read 05 steps")).exit, 0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/kinds/esc/driver/esc_bench.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gtest/gtest.h>
 #include <memory>
@@ -69,6 +70,9 @@ TEST(EscPreset, WhatCouldNotBeSentIsNotSentWhenTheEncoderIsBack)
     ASSERT_FALSE(bench.outcome->result);
     EXPECT_EQ(bench.outcome->result.error(),
               (Refusal{RefusalKind::device, RefusalId::escNotSentInTime, {std::int64_t{2}}}));
+    EXPECT_TRUE(
+        refusalText(bench.outcome->result.error()).contains(QStringLiteral("so nothing was written.")))
+        << "what reads was sent";
     EXPECT_EQ(bench.outcome->eepromWrites, 0);
     bench.run(std::chrono::seconds(5));
     EXPECT_EQ(bench.count("GP"), 0);

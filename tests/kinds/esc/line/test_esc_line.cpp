@@ -5,6 +5,7 @@
 #include "kinds/esc/driver/esc_driver.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
+#include "vocabulary/refusal_text.h"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +111,11 @@ TEST_F(EscLine, AReadCutOffByUnpluggingIsNoWrite)
     simulated->setUnplugged(true);
     line.advance(100ms);
     ASSERT_TRUE(outcome);
-    EXPECT_EQ(outcome->result.error(), (Refusal{RefusalKind::link, RefusalId::portLost, {line.linkName()}}));
+    EXPECT_EQ(outcome->result.error(),
+              (Refusal{RefusalKind::link, RefusalId::portLost, {QStringLiteral("training")}}))
+        << "in the language of whoever reads it";
+    EXPECT_TRUE(refusalText(outcome->result.error())
+                    .startsWith(QStringLiteral("The serial port training line is gone")));
     EXPECT_EQ(encoder().eepromWrites(), 0);
     EXPECT_EQ(encoder().start(ReadParameters{}, Pace::byItself).error().id, RefusalId::portLost);
 }

@@ -155,6 +155,22 @@ TEST_F(RingChecks, AWireBreakIsToldWithItsPlaceAndWhatIsBehindItIsNotKnown)
     EXPECT_TRUE(findCheck(checks, DataCheck::Id::position)->came.isEmpty());
 }
 
+TEST_F(RingChecks, AFaultThatIsMendedIsWhatStoppedTheRing)
+{
+    frames();
+    befall(TrainingFault::wireBreak, "4.0"_ring);
+    training.controls->setFault(TrainingFault::wireBreak, "4.0"_ring.node, 0);
+    frames();
+    expectFirst("2.0"_ring, DataCheck::Id::running, "A fault has stopped the ring.",
+                DataCheck::Action::start);
+    bus.setRunning(true);
+    frames();
+    bus.setRunning(false);
+    frames();
+    expectFirst("2.0"_ring, DataCheck::Id::running, "The ring was stopped from here.",
+                DataCheck::Action::start);
+}
+
 TEST_F(RingChecks, AFaultThatAStartHasMetIsToldUntilItChanges)
 {
     befall(TrainingFault::wireBreak, "1.0"_ring);
@@ -209,6 +225,8 @@ TEST_F(RingChecks, AnEncoderWithoutSupplyIsARemarkSinceItMayBeAtZero)
     EXPECT_EQ(findCheck(checks, DataCheck::Id::state)->outcome, DataCheck::Outcome::remark);
     EXPECT_TRUE(findCheck(checks, DataCheck::Id::state)
                     ->remedy.startsWith(QStringLiteral("IN of 2.0 fell to 00000000")));
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::position)->outcome, DataCheck::Outcome::remark);
+    EXPECT_EQ(findCheck(checks, DataCheck::Id::position)->came, QStringLiteral("0, or no supply"));
 }
 
 // From near zero as well, and whatever is sent to it then.

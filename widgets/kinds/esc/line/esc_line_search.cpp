@@ -320,6 +320,17 @@ void EscLineSearch::showFound(const std::vector<FoundEncoder> &found)
     m_table->resizeColumnToContents(FoundEncoderModel::address);
 }
 
+void EscLineSearch::showFoundBefore(const std::vector<FoundEncoder> &found)
+{
+    if (found.empty() || m_isSearching)
+        return;
+    m_found->clear();
+    showFound(found);
+    m_content->setCurrentWidget(m_table);
+    m_message->showMessage(Role::running, tr("Encoders found: %n.", nullptr, static_cast<int>(found.size())));
+    showWhatIsPossible();
+}
+
 void EscLineSearch::showLeft(const std::vector<FoundEncoder> &left)
 {
     if (left.empty() || !m_line)

@@ -52,6 +52,8 @@ public:
     void setDevices(const std::vector<Device> &devices);
     ScanWish wish() const;
     void setSettings(const ScanWish &wish);
+    // By another search, before the line was connected; empty: nothing.
+    void showFoundBefore(const std::vector<FoundEncoder> &found);
     // Says which of the wanted encoders could not be taken over because they answer at a baud rate other than
     // the line's.
     void showLeft(const std::vector<FoundEncoder> &left);

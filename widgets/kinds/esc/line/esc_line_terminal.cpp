@@ -8,6 +8,7 @@
 #include "project/file_access.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "widgets/job/known_text.h"
 #include "widgets/kinds/esc/line/esc_line_record_view.h"
 #include "widgets/kinds/esc/line/esc_line_row_table.h"
 #include "widgets/kinds/esc/line/request_field.h"
@@ -49,8 +50,8 @@ std::vector<EscLineRecord::Row> recordRows(const TrafficModel &model)
 {
     std::vector<EscLineRecord::Row> kept;
     for (const auto *part : {&model.rows(), &model.waitingRows()})
-        for (const auto &[row, sinceLast, remark] : *part)
-            kept.push_back({{row.at, *row.kind, row.bytes}, row.isTyped});
+        for (const ShownTraffic &row : *part)
+            kept.push_back({{row.what.at, *row.what.kind, row.what.bytes}, row.what.isTyped});
     if (kept.size() > EscLineRecord::mostRows)
         kept.erase(kept.begin(), kept.end() - static_cast<std::ptrdiff_t>(EscLineRecord::mostRows));
     return kept;
@@ -97,6 +98,7 @@ void EscLineTerminal::setLine(EscLineSession *line)
         if (m_rows->isEmpty() && !m_rows->hasCleared())
             m_begin = line->dateTime({});
         connect(line, &EscLineSession::trafficPassed, this, &EscLineTerminal::add);
+        connect(line, &EscLineSession::updated, this, &EscLineTerminal::followPosition);
         connect(line, &EscLineSession::updated, this, [this] {
             if (!visibleRegion().isEmpty())
                 m_rows->showWaiting();
@@ -199,9 +201,14 @@ void EscLineTerminal::askBeforeWrite(const esc::Request &request)
                                   "it has ended, or cancel it."));
     else {
         m_asked = request;
-        m_question->showMessage(Role::attention, whoIsAt(request) + writeQuestion(request, m_options),
-                                tr("Send and &write"), tr("Do &not send"));
+        m_question->showMessage(Role::attention, questionText(request), tr("Send and &write"),
+                                tr("Do &not send"));
     }
+}
+
+QString EscLineTerminal::questionText(const esc::Request &request) const
+{
+    return whoIsAt(request) + writeQuestion(request, m_options) + whatItShows(request);
 }
 
 // If it gives an encoder the address of another one. Empty: it does not.
@@ -211,6 +218,25 @@ QString EscLineTerminal::whoIsAt(const esc::Request &request) const
         return {};
     const auto taken = m_line->addressTaken({static_cast<std::uint8_t>(request.data)}, request.to);
     return taken ? refusalText(*taken) + u' ' : QString();
+}
+
+// Before its position is set. Empty for anything else, and where no encoder is known.
+QString EscLineTerminal::whatItShows(const esc::Request &request) const
+{
+    const EncoderSession *encoder =
+        request.command == esc::Command::writePreset ? m_line->encoder(request.to.node()) : nullptr;
+    return encoder != nullptr ? u' ' + positionNowTexts(*encoder).join(u' ') : QString();
+}
+
+void EscLineTerminal::followPosition()
+{
+    if (m_question->isHidden() || !m_asked)
+        return;
+    const QString text = questionText(*m_asked);
+    if (text == m_question->sentence())
+        return;
+    m_question->rephrase(text);
+    keepQuestionWhole();
 }
 
 void EscLineTerminal::sendNow(const esc::Request &request)

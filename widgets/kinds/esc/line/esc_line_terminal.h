@@ -74,7 +74,10 @@ private:
     void send();
     void sendNow(const esc::Request &request);
     void askBeforeWrite(const esc::Request &request);
+    QString questionText(const esc::Request &request) const;
     QString whoIsAt(const esc::Request &request) const;
+    QString whatItShows(const esc::Request &request) const;
+    void followPosition();
     void takeAnswer(const TypedAnswered &answer);
     void showAnswer(const TypedAnswered &answer);
     void askSave();

@@ -2,6 +2,7 @@
 #include "widgets/kinds/esc/line/found_encoder_model.h"
 
 #include "vocabulary/hex.h"
+#include "vocabulary/serial_number_text.h"
 #include "widgets/look/fonts.h"
 
 namespace codewheel {
@@ -76,7 +77,7 @@ QString FoundEncoderModel::text(const FoundEncoder &row, int column) const
     case baudRate:
         return QString::number(row.baudRate);
     case serialNumber:
-        return row.serialNumber ? hexWord(*row.serialNumber) : unknown;
+        return row.serialNumber ? serialNumberText(*row.serialNumber) : unknown;
     case deviceCode:
         return row.deviceCode ? hexWord(*row.deviceCode).right(deviceCodeDigits) + u'h' : unknown;
     default:

@@ -71,6 +71,7 @@ void EscLineFaultsBox::makeRates(QGridLayout &grid)
         describe(rate.field, tr("%1, of 1000").arg(rate.name), rate.toolTip);
         addCaption(&grid, row, tr("%1, of 1000").arg(rate.name), rate.field);
         grid.addWidget(rate.field, row++, 1);
+        grid.addWidget(wrongInput(rate.field, this), row++, 0, 1, 2);
         connect(rate.field, &QSpinBox::valueChanged, this,
                 [this, &rate](int count) { setRate(rate, count); });
     }
@@ -79,6 +80,7 @@ void EscLineFaultsBox::makeRates(QGridLayout &grid)
     describe(m_delay, tr("Delay in ms"), tr("How much later a delayed byte comes, in ms"));
     addCaption(&grid, row, tr("Delay, ms"), m_delay);
     grid.addWidget(m_delay, row, 1);
+    grid.addWidget(wrongInput(m_delay, this), row + 1, 0, 1, 2);
     connect(m_delay, &QSpinBox::valueChanged, this, &EscLineFaultsBox::setDelay);
 }
 

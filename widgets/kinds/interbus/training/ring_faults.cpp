@@ -65,6 +65,7 @@ void RingFaults::addRate(QVBoxLayout *column)
     caption->setBuddy(m_rate);
     row->addWidget(caption);
     row->addWidget(m_rate);
+    row->addWidget(wrongInput(m_rate, m_rateRow));
     column->addWidget(m_rateRow);
     connect(m_rate, &QSpinBox::valueChanged, this, [this](int value) {
         if (m_shown && valueOf(*m_shown, TrainingFault::crcErrors) != value)

@@ -84,7 +84,7 @@ TEST_F(EscLineSearchTest, ShowsWhatAnEncoderTellsOfItself)
     ASSERT_EQ(model.rowCount(), 1);
     EXPECT_EQ(cell(0, FoundEncoderModel::address), QStringLiteral("05h (5)"));
     EXPECT_EQ(cell(0, FoundEncoderModel::baudRate).remove(u','), QStringLiteral("19200"));
-    EXPECT_EQ(cell(0, FoundEncoderModel::serialNumber), QStringLiteral("0BADCAFE"));
+    EXPECT_EQ(cell(0, FoundEncoderModel::serialNumber), QStringLiteral("195939070 (BADCAFEh)"));
     EXPECT_EQ(cell(0, FoundEncoderModel::deviceCode), QStringLiteral("9000h"));
     EXPECT_EQ(cell(0, FoundEncoderModel::version), QStringLiteral("ENCODER V1.23"));
     EXPECT_FALSE(search.findChild<QProgressBar *>()->isVisible());

@@ -3,6 +3,7 @@
 #include "tests/support/events_seen.h"
 #include "tests/support/old_file.h"
 #include "tests/widgets/kinds/esc/line/esc_line_bench.h"
+#include "vocabulary/sentence.h"
 #include "widgets/kinds/esc/line/esc_line_row_table.h"
 #include "widgets/kinds/esc/line/esc_line_terminal.h"
 #include "widgets/kinds/esc/line/request_field.h"
@@ -196,6 +197,23 @@ TEST_F(EscLineTerminalTest, AWriteIsAskedForWithItsBytes)
     bench.pass(300);
     EXPECT_EQ(bench.link->sentTexts(), std::vector<QByteArray>{"05GP00005200"});
     EXPECT_EQ(cell(1, TrafficColumn::meaning), QStringLiteral("accepted"));
+}
+
+TEST_F(EscLineTerminalTest, TheQuestionBeforeAPositionIsSetSaysWhichIsShownNow)
+{
+    bench.open(EscLineSession::Start::operating);
+    bench.addEncoder();
+    bench.pass(200);
+    type("05GP5200");
+    EXPECT_TRUE(said().endsWith(QStringLiteral("It shows %1 now.").arg(numberText(0x1235))))
+        << said().toStdString();
+    bench.link->answers[test::wire("05P")] = "\r\n00001300\r\n";
+    bench.pass(200);
+    EXPECT_TRUE(said().contains(QStringLiteral("It shows %1 now.").arg(numberText(0x1300))))
+        << "while the question stands: " << said().toStdString();
+    button("Do not send")->click();
+    type("05GD1");
+    EXPECT_FALSE(said().contains(QLatin1String("It shows"))) << said().toStdString();
 }
 
 TEST_F(EscLineTerminalTest, TheQuestionGoesWithOperateAndWithAlarmStop)

@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -73,6 +74,27 @@ protected:
     QStringList acts;
     QStringList steps;
 };
+
+TEST_F(RingFaultsTest, ARateAboveTheMostIsRefusedWithASentence)
+{
+    panel.setDevice("4.0"_ring);
+    const auto wrong = [this] {
+        const auto labels = panel.findChildren<QLabel *>(QStringLiteral("wrongInput"));
+        const auto told = std::ranges::find_if(labels, [](const QLabel *each) { return each->isVisible(); });
+        return told == labels.end() ? QString() : (*told)->text();
+    };
+    EXPECT_EQ(wrong(), QString());
+    rate().setFocus();
+    rate().selectAll();
+    QTest::keyClicks(&rate(), QStringLiteral("150"));
+    QTest::keyClick(&rate(), Qt::Key_Tab);
+    EXPECT_FALSE(rate().hasFocus());
+    EXPECT_TRUE(wrong().contains(QStringLiteral("100"))) << wrong().toStdString();
+    rate().setFocus();
+    rate().selectAll();
+    QTest::keyClicks(&rate(), QStringLiteral("15"));
+    EXPECT_EQ(wrong(), QString());
+}
 
 TEST_F(RingFaultsTest, ABrokenWireStopsTheBusUntilItIsMended)
 {
