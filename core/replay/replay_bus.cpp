@@ -10,7 +10,7 @@ namespace codewheel {
 namespace {
 
 constexpr Instant longestPassed = std::chrono::seconds(2); // of which the traffic is told at once
-constexpr int mostRead = 20'000;                           // rows
+constexpr int mostRowsRead = 20'000;                           // rows
 constexpr int mostMessages = 100;                          // at once
 
 // What a device is, whatever its values.
@@ -221,7 +221,7 @@ void ReplayBus::show(const Device &device, Instant from)
 
 void ReplayBus::tellTrafficOf(const TimeSpan &span, std::size_t most)
 {
-    auto rows = m_playback->reader().traffic(span, mostRead);
+    auto rows = m_playback->reader().traffic(span, mostRowsRead);
     if (!rows)
         return;
     std::erase_if(*rows, [this](const RecordedTraffic &row) { return row.bus != m_recorded; });
