@@ -10,7 +10,7 @@ namespace codewheel {
 namespace {
 
 constexpr Instant longestPassed = std::chrono::seconds(2); // of which the traffic is told at once
-constexpr int mostRowsRead = 20'000;                           // rows
+constexpr int mostRowsRead = 20'000;                       // rows
 constexpr int mostMessages = 100;                          // at once
 
 // What a device is, whatever its values.
