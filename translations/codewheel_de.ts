@@ -3857,6 +3857,10 @@
         <source>confirmed by the encoder, which cannot be read</source>
         <translation>vom Geber quittiert, der sich nicht auslesen lässt</translation>
     </message>
+    <message>
+        <source>no: the handshake was cancelled</source>
+        <translation>nein: Der Handshake wurde abgebrochen</translation>
+    </message>
 </context>
 <context>
     <name>WordFormat</name>
@@ -13869,11 +13873,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>The window is made anew once the transfer has ended.</source>
         <translation>Das Fenster wird neu aufgebaut, sobald die Übertragung zu Ende ist.</translation>
     </message>
-    <message>
-        <source>still %1</source>
-        <comment>place of a device</comment>
-        <translation>noch %1</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -23406,8 +23405,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>Noch nicht gesendet: %1</translation>
     </message>
     <message>
-        <source>Not known what is there. Operate replaces it.</source>
-        <translation>Nicht bekannt, was dort steht. Bedienen ersetzt es.</translation>
+        <source>Not known what is there.</source>
+        <translation>Nicht bekannt, was dort steht.</translation>
     </message>
 </context>
 <context>

@@ -187,8 +187,7 @@ void MainWindow::tellDeviceThatStays()
 {
     const auto place = m_structure->currentBus() ? m_choice->place() : std::nullopt;
     const auto tell = [this](const Panel &panel, std::optional<Place> shown) {
-        m_panels.tellWhose(panel,
-                           shown ? tr("still %1", "place of a device").arg(shown->shown()) : QString());
+        m_panels.tellWhose(panel, shown ? shown->shown() : QString());
     };
     tell(panel::parameters, place);
     tell(panel::device, place);

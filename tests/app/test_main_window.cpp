@@ -216,7 +216,7 @@ TEST_F(MainWindowTest, PanelsThatStayAtADeviceWhileABusIsChosenSayAtWhich)
     tree.choose(firstRing);
     advance(50);
     for (const char *name : {"parametersDock", "dialDock", "deviceDock"})
-        EXPECT_TRUE(dock(name)->windowTitle().endsWith(QStringLiteral("(still 2.0)")))
+        EXPECT_TRUE(dock(name)->windowTitle().endsWith(QStringLiteral("(2.0)")))
             << dock(name)->windowTitle().toStdString();
     tree.choose(fraba);
     EXPECT_EQ(dock("parametersDock")->windowTitle(), QStringLiteral("Parameters"));

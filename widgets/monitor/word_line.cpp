@@ -146,8 +146,7 @@ QString WordLine::explain() const
     if (!isKnown() && m_channel->freshness().isOfRecording())
         return freshnessText(Freshness::Reason::notRecorded);
     if (!isKnown())
-        return isOut() ? tr("Not known what is there. Operate replaces it.")
-                       : freshnessText(Freshness::Reason::unsettled);
+        return isOut() ? tr("Not known what is there.") : freshnessText(Freshness::Reason::unsettled);
     if (m_description == nullptr)
         return tr("Not explained: there is no description of this device.");
     WordContext context;

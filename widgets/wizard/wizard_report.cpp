@@ -167,6 +167,8 @@ Report reportOf(const HandshakeRecord &record, const DeviceDescription &device, 
 
 QString verificationText(const HandshakeRecord &record, const DeviceDescription &device)
 {
+    if (record.outcome && isCancelled(*record.outcome))
+        return WizardReport::tr("no: the handshake was cancelled");
     if (!record.outcome || !record.outcome->result)
         return WizardReport::tr("no: the handshake did not end well");
     if (record.job.values.empty())

@@ -14,7 +14,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::milliseconds readingTime{8'000};
+constexpr std::chrono::milliseconds timeToRead{8'000};
 
 } // namespace
 
@@ -40,7 +40,7 @@ void DisabledKey::tell(const QKeyEvent &key)
         if (!action->isEnabled() && action->shortcuts().contains(pressed)) {
             const QString text = sentence(tr("Not possible now: %1. %2", "action, why or what it does"),
                                           {plainLabel(action->text()), action->statusTip()});
-            m_window.statusBar()->showMessage(text, static_cast<int>(readingTime.count()));
+            m_window.statusBar()->showMessage(text, static_cast<int>(timeToRead.count()));
             return;
         }
 }
