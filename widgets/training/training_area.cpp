@@ -39,6 +39,13 @@ TrainingArea::TrainingArea(const QString &toolTip, QWidget *parent)
     connect(m_afresh, &QPushButton::clicked, this, &TrainingArea::afreshWanted);
 }
 
+// A field that loses the focus by being destroyed would take what is still being typed.
+TrainingArea::~TrainingArea()
+{
+    for (QWidget *child : findChildren<QWidget *>())
+        child->blockSignals(true);
+}
+
 void TrainingArea::endColumn()
 {
     m_column->addWidget(m_afresh);

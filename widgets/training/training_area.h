@@ -21,6 +21,8 @@ class TrainingArea : public ScrolledPanel
     Q_OBJECT
 
 public:
+    ~TrainingArea() override;
+
     // Chooses this device, if it has anything to train with.
     void setDevice(Place place);
     // Shows the present state, and lists the devices that are there now; called by the window with each
