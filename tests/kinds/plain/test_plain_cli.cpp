@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A kind of bus that the command line does not know.
-#include "project/bus_plans.h"
 #include "project/project_file.h"
 #include "tests/kinds/plain/plain_calls.h"
 
 #include <QFile>
 #include <QJsonArray>
-#include <QTemporaryDir>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,28 +14,8 @@ namespace {
 
 using testing::HasSubstr;
 
-class CliPlainBus : public testing::Test
-{
-protected:
-    static void SetUpTestSuite() { addBusKind(std::make_unique<test::PlainKind>()); }
-    CliPlainBus() { bus.setOperate(true); }
-
-    CliRun run(const QString &line) { return test::callOn(bus, line); }
-
-    // In the file.
-    void want(Place place, const ParameterValues &values)
-    {
-        EXPECT_EQ(run(QStringLiteral("scan --save ") + file).exit, 0);
-        Project project = *loadProject(file);
-        std::ranges::find(project.devices, place, &ProjectDevice::place)->wanted = values;
-        EXPECT_TRUE(saveProject(project, file));
-    }
-
-    const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("plain.codewheel"));
-    const Catalog catalog = Catalog::builtIn();
-    test::PlainBus bus{catalog};
-};
+class CliPlainBus : public test::PlainCalls
+{};
 
 TEST_F(CliPlainBus, MonitorShowsItsPositions)
 {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line and encoders that are given all their values at once and keep none.
 #include "cli/kinds/link_kind.h"
-#include "project/bus_plans.h"
 #include "project/project_file.h"
 #include "tests/kinds/plain/plain_calls.h"
 #include "tests/kinds/plain/plain_link_kind.h"
 
 #include <QFile>
 #include <QJsonArray>
-#include <QTemporaryDir>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,25 +22,12 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-class TelegramCli : public testing::Test
+class TelegramCli : public test::PlainCalls
 {
 protected:
-    static void SetUpTestSuite() { addBusKind(std::make_unique<test::PlainKind>()); }
-    TelegramCli() { bus.setOperate(true); }
-
-    CliRun run(const QString &line) { return test::callOn(bus, line); }
-    void want(Place place, const ParameterValues &values)
-    {
-        EXPECT_EQ(run(QStringLiteral("scan --save ") + file).exit, 0);
-        Project project = *loadProject(file);
-        std::ranges::find(project.devices, place, &ProjectDevice::place)->wanted = values;
-        EXPECT_TRUE(saveProject(project, file));
-    }
-
-    const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("telegram.codewheel"));
-    const Catalog catalog = Catalog::builtIn();
-    test::PlainBus bus{catalog, test::telegramStations()};
+    TelegramCli()
+        : PlainCalls(test::telegramStations())
+    {}
 };
 
 TEST_F(TelegramCli, AWriteShowsWhatGoesAlongAndCostsNothing)

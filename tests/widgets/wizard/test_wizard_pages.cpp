@@ -29,6 +29,17 @@ protected:
         const auto discs = wizard.findChild<NowAndThen *>()->findChildren<CodeDisc *>();
         return discs.front()->state();
     }
+    void beginHandshakeOfBaumer()
+    {
+        wizard.setEncoder(&baumer());
+        next();
+        next();
+        next();
+        type("steps", "4096");
+        type("revolutions", "1");
+        next();
+        next();
+    }
 };
 
 TEST_F(WizardPages, UnknownIsShownAsUnknownAndToldIsToldApart)
@@ -589,14 +600,7 @@ TEST_F(WizardPages, ThePositionIsSetOnlyIfTheBoxShowsIt)
 
 TEST_F(WizardPages, EachHandshakeBeginsByHand)
 {
-    wizard.setEncoder(&baumer());
-    next();
-    next();
-    next();
-    type("steps", "4096");
-    type("revolutions", "1");
-    next();
-    next();
+    beginHandshakeOfBaumer();
     bus.advance(600);
     click("runByItself");
     for (int i = 0; i < 100 && wizard.isBusy(); ++i)
@@ -610,14 +614,7 @@ TEST_F(WizardPages, EachHandshakeBeginsByHand)
 // IN is 00000000 then, which is also what an encoder in operation at position 0 shows.
 TEST_F(WizardPages, AnEncoderWithoutPowerIsNotSaidToBeAtZero)
 {
-    wizard.setEncoder(&baumer());
-    next();
-    next();
-    next();
-    type("steps", "4096");
-    type("revolutions", "1");
-    next();
-    next();
+    beginHandshakeOfBaumer();
     stepByHand(1);
     bus.advance(600);
     const auto answerOfFirst = [this] {
@@ -698,14 +695,7 @@ TEST_F(WizardPages, NobodyAsksForTheModeOfAnEncoderThatHasNone)
 
 TEST_F(WizardPages, TheReportIsSavedAsTextAndAsHtml)
 {
-    wizard.setEncoder(&baumer());
-    next();
-    next();
-    next();
-    type("steps", "4096");
-    type("revolutions", "1");
-    next();
-    next();
+    beginHandshakeOfBaumer();
     stepByHand();
     next();
     const QTemporaryDir folder;

@@ -221,33 +221,44 @@ INSTANTIATE_TEST_SUITE_P(Flags, UsedUpPreset,
                          testing::Values(std::pair(Word{0xA000'0000}, RefusalId::presetUsedUp),
                                          std::pair(Word{0xA000'0001}, RefusalId::presetNotTaken)));
 
-// An armed preset that shows nothing, and its flag afterwards.
-Outcome presetThatShowsNothing(DriverTable table, Word flag)
-{
-    EXPECT_TRUE(table.begin(SetPreset{100}));
-    table.play({{0x0000'0000, pos},
-                {0x2021'0006, pos},
-                {0x2021'0006, 0xA000'0001},
-                {0x0000'0000, pos},
-                {0x2021'0004, pos},
-                {0x2021'0004, 0xA000'0064},
-                {0x0000'0000, pos}});
-    playUntilJudged(table, pos);
-    table.play({{0x0000'0000, pos},
-                {0x2021'0006, flag},
-                {0x0000'0000, pos},
-                {0x0000'0000, pos},
-                {0x0000'0000, pos}});
-    return table.outcome().value_or(Outcome{});
-}
-
 constexpr Word usedUp = 0xA000'0000;
 constexpr Word stillArmed = 0xA000'0001;
+
+// What is read of an armed preset before it is initialised.
+void playReadOfArmed(DriverTable &table, Word shown, Word preset)
+{
+    table.play({{0x0000'0000, shown},
+                {0x2021'0006, shown},
+                {0x2021'0006, stillArmed},
+                {0x0000'0000, shown},
+                {0x2021'0004, shown},
+                {0x2021'0004, 0xA000'0000 | preset},
+                {0x0000'0000, shown}});
+}
+
+void playFlag(DriverTable &table, Word shown, Word flag)
+{
+    table.play({{0x0000'0000, shown},
+                {0x2021'0006, flag},
+                {0x0000'0000, shown},
+                {0x0000'0000, shown},
+                {0x0000'0000, shown}});
+}
+
+// An armed preset of 100 that shows nothing, and its flag afterwards.
+Outcome presetThatShowsNothing(DriverTable table, Word shown, Word flag)
+{
+    EXPECT_TRUE(table.begin(SetPreset{100}));
+    playReadOfArmed(table, shown, 100);
+    playUntilJudged(table, shown);
+    playFlag(table, shown, flag);
+    return table.outcome().value_or(Outcome{});
+}
 
 // In velocity mode a preset acts, and IN goes on showing the speed.
 TEST(K3Preset, WhereTheModeWasOnlyToldWhatIsShownMayBeASpeed)
 {
-    const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), usedUp);
+    const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), pos, usedUp);
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error(),
               (Refusal{RefusalKind::device, RefusalId::presetNotKnown, {std::int64_t{100}, pos}}));
@@ -261,13 +272,7 @@ TEST(K3Preset, WhereTheModeWasOnlyToldNoSpeedIsGivenAsThePosition)
 {
     DriverTable table = frabaInPositionMode();
     ASSERT_TRUE(table.begin(SetPreset{}));
-    table.play({{0x0000'0000, pos},
-                {0x2021'0006, pos},
-                {0x2021'0006, stillArmed},
-                {0x0000'0000, pos},
-                {0x2021'0004, pos},
-                {0x2021'0004, 0xA000'0000 | pos},
-                {0x0000'0000, pos}});
+    playReadOfArmed(table, pos, pos);
     table.repeat(200, {0x4000'0000, pos});
     table.play({{0x0000'0000, pos}, {0x0000'0000, pos}});
     ASSERT_TRUE(table.outcome());
@@ -279,29 +284,15 @@ TEST(K3Preset, WhereTheModeWasOnlyToldNoSpeedIsGivenAsThePosition)
 TEST(K3Preset, WhatNoShaftReachesIsNoSpeed)
 {
     constexpr Word far = 0x0010'0000; // 1 048 576
-    DriverTable table = frabaInPositionMode();
-    ASSERT_TRUE(table.begin(SetPreset{}));
-    table.play({{0x0000'0000, far},
-                {0x2021'0006, far},
-                {0x2021'0006, stillArmed},
-                {0x0000'0000, far},
-                {0x2021'0004, far},
-                {0x2021'0004, 0xA000'0064},
-                {0x0000'0000, far}});
-    playUntilJudged(table, far);
-    table.play({{0x0000'0000, far},
-                {0x2021'0006, stillArmed},
-                {0x0000'0000, far},
-                {0x0000'0000, far},
-                {0x0000'0000, far}});
-    ASSERT_TRUE(table.outcome());
-    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::presetNotTaken);
-    EXPECT_EQ(table.outcome()->positionBefore, far);
+    const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), far, stillArmed);
+    ASSERT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.result.error().id, RefusalId::presetNotTaken);
+    EXPECT_EQ(outcome.positionBefore, far);
 }
 
 TEST(K3Preset, AFlagThatIsStillSetProvesInAnyModeThatItWasNotTaken)
 {
-    const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), stillArmed);
+    const Outcome outcome = presetThatShowsNothing(frabaInPositionMode(), pos, stillArmed);
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(
         outcome.result.error(),
@@ -313,7 +304,7 @@ TEST(K3Preset, AFlagThatIsStillSetProvesInAnyModeThatItWasNotTaken)
 
 TEST(K3Preset, AnArmedOneThatIsUsedUpWasPerhapsCarriedOut)
 {
-    const Outcome outcome = presetThatShowsNothing(frabaSwitchedToPositionMode(), usedUp);
+    const Outcome outcome = presetThatShowsNothing(frabaSwitchedToPositionMode(), pos, usedUp);
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error(),
               (Refusal{RefusalKind::device, RefusalId::presetNotKnown, {std::int64_t{pos}}}));
