@@ -103,7 +103,7 @@ Checked<void> openForZeros(GatewayAccess &access, ZerosSayer &sayer, Patience &p
 {
     auto opened = [&] {
         const LateZeros late(sayer);
-        return sendUnheardAndOpen(access);
+        return access.sentZeros().sentAt ? access.open() : sendUnheardAndOpen(access); // of several rings
     }();
     const auto isWorthTrying = [&] { return !opened && opened.error().exit != ExitCode::badInput; };
     while (isWorthTrying() && patience.goesOn()) {

@@ -165,7 +165,8 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
     return there;
 }
 
-// Each block once: a write needs no answer to be carried out. A refusal is one.
+// Each block once: a write needs no answer to be carried out. A refusal is one; of what an OUT area that ends
+// too early refuses, each device gets its own.
 bool GatewayLink::sendZerosUnheard()
 {
     close();
@@ -174,27 +175,35 @@ bool GatewayLink::sendZerosUnheard()
         return false;
     m_counter.connected();
     m_zeros.send(m_port->now());
-    bool mayHaveArrived = false;
-    bool isRefused = false;
-    bool isAcknowledged = true;
-    for (const RegisterBlock &block : map->outBlocks()) {
-        const std::vector<Register> zeros(static_cast<std::size_t>(block.count));
-        const auto done = transact([&] { return m_port->write(block.first, zeros); }, false);
-        const bool isThisRefused = !done && isNotCarriedOut(done.error());
-        isAcknowledged = isAcknowledged && done;
-        isRefused = isRefused || isThisRefused;
-        mayHaveArrived = mayHaveArrived || done || (!isThisRefused && done.error().isSent);
-    }
-    if (isAcknowledged)
+    std::vector<RegisterPort::Done> ends;
+    for (const RegisterBlock &block : map->outBlocks())
+        ends.push_back(writeZerosOnce(block));
+    const auto isRefused = [](const RegisterPort::Done &done) {
+        return !done && isNotCarriedOut(done.error());
+    };
+    if (std::ranges::any_of(ends, isRefused))
+        for (std::size_t i = 0; i < map->devices(); ++i)
+            if (map->out(i).count > 0)
+                ends.push_back(writeZerosOnce(map->out(i)));
+    const bool mayHaveArrived = std::ranges::any_of(ends, [&](const RegisterPort::Done &done) {
+        return done || (!isRefused(done) && done.error().isSent);
+    });
+    if (std::ranges::all_of(ends, &RegisterPort::Done::has_value))
         m_zeros.acknowledged(m_port->now());
     else if (mayHaveArrived)
         m_zeros.unanswered();
-    else if (isRefused)
+    else if (std::ranges::any_of(ends, isRefused))
         m_zeros.refused();
     else
         m_zeros.notSent();
     m_port->close();
     return mayHaveArrived;
+}
+
+RegisterPort::Done GatewayLink::writeZerosOnce(const RegisterBlock &block)
+{
+    const std::vector<Register> zeros(static_cast<std::size_t>(block.count));
+    return transact([&] { return m_port->write(block.first, zeros); }, false);
 }
 
 std::vector<QString> GatewayLink::outPlaces() const

@@ -120,6 +120,7 @@ private:
     void claimAll();
     Result<void> writeZeros();
     void writeZerosOneByOne();
+    RegisterPort::Done writeZerosOnce(const RegisterBlock &block);
     Result<ZerosSent> areZerosThere();
 
     // Transactions (gateway_link_words.cpp).

@@ -216,14 +216,19 @@ TEST(CliAlarmStop, AMuteRingDoesNotKeepTheOthersWaiting)
 {
     std::atomic<int> heardByMute = 0;
     std::atomic<int> heardBefore = -1;
+    std::atomic<int> writesToOther = 0;
+    std::atomic<int> writesBeforeItWasRead = -1;
     const CrookedPeer mute([&](const SeenRequest &) {
         ++heardByMute;
         return Reaction();
     });
     const CrookedPeer other([&](const SeenRequest &request) {
         int none = -1;
+        writesToOther += request.message[0] == writeFunction ? 1 : 0;
         if (request.message[0] == writeFunction)
             heardBefore.compare_exchange_strong(none, heardByMute.load());
+        else
+            writesBeforeItWasRead.compare_exchange_strong(none, writesToOther.load());
         return Reaction{
             CrookedPeer::tcpFrame(request.transaction, request.unit, rightAnswer(request.message))};
     });
@@ -245,6 +250,7 @@ TEST(CliAlarmStop, AMuteRingDoesNotKeepTheOthersWaiting)
         runLine(QStringLiteral("master alarm-stop --patience 2 --link project --project ") + file.fileName());
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(heardBefore, 1) << run.err;
+    EXPECT_EQ(writesBeforeItWasRead, 1);
 }
 
 } // namespace

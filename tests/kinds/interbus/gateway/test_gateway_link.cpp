@@ -176,6 +176,17 @@ TEST_F(GatewayLinkTest, ZerosReachTheDevicesOfAnOutAreaThatEndsTooEarly)
         EXPECT_EQ(bank->holding[i], 0) << "register " << i;
 }
 
+TEST_F(GatewayLinkTest, ZerosOverALostLinkReachTheDevicesOfAnOutAreaThatEndsTooEarly)
+{
+    bank->holdingEnd = 4;
+    makeOpen(3);
+    setOut(0, 0x0200'00FF);
+    setOut(1, 0x8000'0000);
+    EXPECT_TRUE(link->sendZerosUnheard());
+    for (int i = 0; i < bank->holdingEnd; ++i)
+        EXPECT_EQ(bank->holding[i], 0) << "register " << i;
+}
+
 TEST_F(GatewayLinkTest, ABusyGatewayIsWaitedForUntilThePatienceEnds)
 {
     for (const int code : {5, 6, 10, 11}) {
