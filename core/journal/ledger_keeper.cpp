@@ -449,23 +449,24 @@ void LedgerKeeper::settle(Place place, const Outcome &outcome)
                 read.push_back(
                     {value.parameter, value.value, Evidence::read, m_bus.dateTime(m_bus.now()).toUTC()});
     m_book->settle(*job, outcome.written, read, outcome.inDoubt.eepromWrites);
-    if (outcome.inDoubt.eepromWrites > 0 && !outcome.inDoubt.values.empty())
+    if (outcome.inDoubt.eepromWrites > 0 && !outcome.inDoubt.uncounted.empty())
         watched.doubtful = {*job, outcome, m_bus.now()};
     settleDoubtful(place);
     showCount(place);
 }
 
 // Once all that was in doubt has been read. An encoder that is not in operation may have confirmed and stored
-// a value that reads as before until it runs.
+// a value that reads as before until it runs. Of other writes in doubt no value tells.
 void LedgerKeeper::settleDoubtful(Place place)
 {
     Watched &watched = m_watched[place];
     if (!watched.doubtful || !watched.encoder || watched.encoder->knownBefore())
         return;
     const Doubtful &job = *watched.doubtful;
+    const InDoubt &doubt = job.outcome.inDoubt;
     ParameterValues written = job.outcome.written;
     int writes = 0;
-    for (const ParameterValue &value : job.outcome.inDoubt.values) {
+    for (const ParameterValue &value : doubt.values) {
         const auto known = watched.encoder->known(value.parameter);
         if (!known || known->evidence != Evidence::read || known->at <= job.at)
             return;
@@ -474,10 +475,11 @@ void LedgerKeeper::settleDoubtful(Place place)
         if (known->value != value.value)
             continue;
         replaceValue(written, value);
-        ++writes;
+        writes += std::ranges::count(doubt.uncounted, value.parameter) > 0 ? 1 : 0;
     }
-    m_book->count(job.id, std::min(writes, job.outcome.inDoubt.eepromWrites));
-    m_book->settle(job.id, written);
+    const int ofOthers = std::max(doubt.eepromWrites - static_cast<int>(doubt.uncounted.size()), 0);
+    m_book->count(job.id, std::min(writes, doubt.eepromWrites));
+    m_book->settle(job.id, written, {}, ofOthers);
     watched.doubtful.reset();
     showCount(place);
 }

@@ -36,8 +36,9 @@ struct InDoubt
     bool reset = false;       // to default
     bool position = false;    // perhaps set
     std::vector<unsigned> camPrograms{};
-    int eepromWrites = 0;    // that this may have cost, besides those counted
-    std::vector<Word> out{}; // that OUT may still hold, besides 0: the likeliest first
+    int eepromWrites = 0;               // that this may have cost, besides those counted
+    std::vector<Parameter> uncounted{}; // of the values: one of these writes each, if the encoder has it
+    std::vector<Word> out{};            // that OUT may still hold, besides 0: the likeliest first
 
     friend bool operator==(const InDoubt &, const InDoubt &) = default;
     bool hasSomething() const { return *this != InDoubt(); }

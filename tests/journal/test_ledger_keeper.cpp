@@ -89,6 +89,29 @@ TEST_F(LedgerKeeperTest, WhatIsInDoubtAfterAJobThatWritesNothingIsCounted)
     EXPECT_EQ(countAt(fraba).perhaps, 1);
 }
 
+// What a read value settles is its own write: that of a cam program, say, stays in doubt.
+TEST_F(LedgerKeeperTest, AWriteInDoubtIsSettledOnlyByTheValueThatItIsOf)
+{
+    struct
+    {
+        std::vector<Parameter> uncounted;
+        int writes;
+        int perhaps;
+    } const rows[] = {{{Parameter::steps}, 2, 0}, {{}, 1, 1}};
+    for (const auto &row : rows) {
+        keep(DatabasePlace::memory());
+        write(fraba, 255);
+        Outcome cut;
+        cut.inDoubt = {.values = {{Parameter::steps, 255}}, .eepromWrites = 1, .uncounted = row.uncounted};
+        Q_EMIT bus.encoder(fraba)->finished(cut);
+        EXPECT_EQ(countAt(fraba).perhaps, 1);
+        run(fraba, ReadParameters{{Parameter::steps}});
+        EXPECT_EQ(countAt(fraba).writes, row.writes);
+        EXPECT_EQ(countAt(fraba).perhaps, row.perhaps);
+        write(fraba, 256);
+    }
+}
+
 // In another run, it may have been this encoder.
 TEST_F(LedgerKeeperTest, WhatWasCountedByThePlaceIsNotLostWithTheSerialNumber)
 {

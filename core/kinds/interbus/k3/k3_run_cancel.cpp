@@ -76,9 +76,10 @@ void K3Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 
 void K3Run::doubtStep(InDoubt &doubt, const K3Step &step)
 {
-    if (const auto value = valueGivenBy(step))
+    if (const auto value = valueGivenBy(step)) {
         replaceValue(doubt.values, *value);
-    else
+        doubt.uncounted.push_back(value->parameter);
+    } else
         doubt.reset = doubt.reset || (step.kind == StepKind::parameter && !step.parameter());
     doubt.position = doubt.position || setsPosition(step);
     if (step.kind == StepKind::camParameter)

@@ -218,6 +218,7 @@ void La66Run::doubt(InDoubt &doubt, bool nextMayBeSent)
     if (!step.parameter())
         return;
     doubt.values = {{*step.parameter(), step.value}};
+    doubt.uncounted = {*step.parameter()};
     m_encoder.forget(*step.parameter());
 }
 
