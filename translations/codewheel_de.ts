@@ -8005,16 +8005,8 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <translation>So viele hat das Lesen vielleicht schon gekostet: %1.</translation>
     </message>
     <message>
-        <source>The cam programs are read first, in cam mode.</source>
-        <translation>Zuerst werden die Nockenprogramme gelesen, im Nockenbetrieb.</translation>
-    </message>
-    <message>
         <source>Read the cam programs of %1?</source>
         <translation>Nockenprogramme von %1 lesen?</translation>
-    </message>
-    <message>
-        <source>Nothing was sent: there is nobody to ask. Add --yes to read and write.</source>
-        <translation>Nichts gesendet: Es ist niemand da, der gefragt werden kann. Zum Lesen und Schreiben --yes angeben.</translation>
     </message>
     <message>
         <source>The reset itself, 0E000000, was not sent.</source>
@@ -8099,6 +8091,18 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>Zeros:          %1</source>
         <translation>Nullen:         %1</translation>
+    </message>
+    <message>
+        <source>The cam programs are read in cam mode.</source>
+        <translation>Die Nockenprogramme werden im Nockenbetrieb gelesen.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: there is nobody to ask. Add --yes to read them.</source>
+        <translation>Nichts gesendet: Es ist niemand da, der gefragt werden kann. Zum Lesen --yes angeben.</translation>
+    </message>
+    <message>
+        <source>Where you are sure of it, add --in-position-mode.</source>
+        <translation>Wo Sie sicher sind, --in-position-mode angeben.</translation>
     </message>
 </context>
 <context>

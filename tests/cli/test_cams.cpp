@@ -213,8 +213,8 @@ TEST_F(CliCams, InWhichModeTheEncoderIsAfterwardsIsTold)
     };
     SharedBus shared;
     for (const auto &row : rows) {
-        const CliRun run =
-            shared.runLine(QStringLiteral("cams 1.0 read --program 4 ") + QString::fromLatin1(row.options));
+        const CliRun run = shared.runLine(QStringLiteral("cams 1.0 read --program 4 --yes ") +
+                                          QString::fromLatin1(row.options));
         EXPECT_EQ(run.exit, 0) << run.err;
         EXPECT_THAT(run.out, testing::EndsWith(row.says));
         EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().mode, row.mode) << row.says;

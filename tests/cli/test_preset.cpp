@@ -194,6 +194,7 @@ TEST(CliPreset, OfAnEncoderInCamModeThatWasToldToBeInPositionModeSaysWhatItMayBe
     EXPECT_THAT(run.err,
                 HasSubstr("Error 2: the encoder refused 080003E8, the word for Preset (IN 84000000). "
                           "Perhaps it is in cam mode, where it takes no parameters"));
+    EXPECT_THAT(run.err, HasSubstr("The encoder was left in error"));
     connectAgain(shared);
     EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 off")).exit, 0) << "the way out";
 }
@@ -204,6 +205,7 @@ TEST(CliPreset, AnUnnamedK3IsSetOnlyWhereTheUserSaysItsMode)
     const CliRun refused = runLine(QStringLiteral("preset 2.0 100 --device generic-k3"));
     EXPECT_EQ(refused.exit, 1);
     EXPECT_THAT(refused.err, HasSubstr("In cam mode the word 40000000 sets the start of cam 0 to 0"));
+    EXPECT_THAT(refused.err, HasSubstr("Where you are sure of it, add --in-position-mode."));
     EXPECT_EQ(errorKey(runLine(QStringLiteral("preset 2.0 --device generic-k3 --json"))), "modeNotKnown");
     const CliRun set =
         runLine(QStringLiteral("preset 2.0 100 --device generic-k3 --in-position-mode --trace --json"));

@@ -135,9 +135,32 @@ struct CamCall
     {
         return totalRange(encoder.device(), valuesOf(allKnown(encoder)));
     }
+    void show()
+    {
+        if (!call.arguments.has("--json"))
+            call.terminal.print(std::exchange(answer.text, {}));
+    }
+    // To what reading may cost, in the mode it is in or may be in.
+    Checked<void> agreesToRead()
+    {
+        const QString leaving = costOfLeaving(encoder);
+        if (leaving.isEmpty())
+            return {};
+        answer.text += CommandLine::tr("The cam programs are read in cam mode.") + u'\n' +
+                       sentence(CommandLine::tr("EEPROM writes:   %1"), {QStringLiteral("0")}) + leaving +
+                       u'\n';
+        show();
+        return consent(call,
+                       sentence(CommandLine::tr("Read the cam programs of %1?"), {encoder.place().shown()}),
+                       CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to read them."));
+    }
     // Costs EEPROM writes if a program was changed before. Empty: the answer says why.
     std::optional<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
     {
+        if (const auto agreed = agreesToRead(); !agreed) {
+            answer.complaint = agreed.error();
+            return std::nullopt;
+        }
         const auto allowed =
             eepromConsent(call, encoder, ReadCams{programs, afterwards(programs)}, AsksAnyway::no);
         if (!allowed) {
@@ -296,33 +319,8 @@ QString costText(const std::vector<CamDifference> &differences, int perhapsByRea
     return text + u'\n';
 }
 
-void showCams(CamCall &cams)
-{
-    if (!cams.call.arguments.has("--json"))
-        cams.call.terminal.print(std::exchange(cams.answer.text, {}));
-}
-
-// What differs is known only once the programs were read, which may cost a write by itself.
-Checked<void> agreesToRead(CamCall &cams)
-{
-    const QString leaving = costOfLeaving(cams.encoder);
-    if (leaving.isEmpty())
-        return {};
-    cams.answer.text += CommandLine::tr("The cam programs are read first, in cam mode.") + u'\n' +
-                        sentence(CommandLine::tr("EEPROM writes:   %1"), {QStringLiteral("0")}) + leaving +
-                        u'\n';
-    showCams(cams);
-    return consent(cams.call,
-                   sentence(CommandLine::tr("Read the cam programs of %1?"), {cams.encoder.place().shown()}),
-                   CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to read and write."));
-}
-
 void write(CamCall &cams, const std::vector<CamProgram> &wanted)
 {
-    if (const auto agreed = agreesToRead(cams); !agreed) {
-        cams.answer.complaint = agreed.error();
-        return;
-    }
     const auto differences = compareWith(cams, wanted);
     if (!differences || differences->empty())
         return;
@@ -333,7 +331,7 @@ void write(CamCall &cams, const std::vector<CamProgram> &wanted)
         return;
     }
     cams.answer.text += *review + costText(*differences, cams.perhapsWrites);
-    showCams(cams);
+    cams.show();
     const auto allowed = eepromConsent(cams.call, cams.encoder, job, AsksAnyway::yes);
     if (!allowed) {
         cams.answer.complaint = allowed.error();

@@ -120,7 +120,7 @@ Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
     addTrace(call, encoder.place(), *job.trace, answer);
     answer.text += whatIsKnown(job, before, encoder);
     if (!job.outcome.result) {
-        answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
+        answer.complaint = withHowToTellMode(complaintAboutEnd(call, encoder, job.outcome));
         return answer;
     }
     if (job.outcome.leftIn == EncoderState::error)

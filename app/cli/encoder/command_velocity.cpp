@@ -67,7 +67,7 @@ Checked<Answer> runVelocity(const Call &call, EncoderSession &encoder)
         answer.text += eepromWritesLine(job.outcome);
     answer.text += doubtLines(encoder, job.outcome.inDoubt);
     if (!job.outcome.result)
-        answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
+        answer.complaint = withHowToTellMode(complaintAboutEnd(call, encoder, job.outcome));
     return answer;
 }
 

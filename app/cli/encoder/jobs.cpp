@@ -264,7 +264,8 @@ Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)
 Complaint complaintAboutEnd(const Call &call, const EncoderSession &encoder, const Outcome &outcome)
 {
     Complaint complaint = complaintAboutJob(call, encoder.place(), outcome.result.error());
-    if (endedOutOfSight(outcome) && outcome.leftIn == EncoderState::unknown)
+    const bool isUnseen = endedOutOfSight(outcome) && outcome.leftIn == EncoderState::unknown;
+    if (isUnseen || outcome.leftIn == EncoderState::error)
         complaint.text += u' ' + whereItWasLeft(outcome, encoder.latest());
     if (const auto left = leftModeReport(outcome))
         complaint.text += u' ' + messageText(*left);

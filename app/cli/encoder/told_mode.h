@@ -2,7 +2,9 @@
 #pragma once
 
 #include "cli/call/arguments.h"
+#include "cli/call/texts.h"
 #include "vocabulary/position_mode.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QtGlobal>
 
@@ -18,6 +20,14 @@ inline void tellMode(EncoderSession &encoder, const Arguments &arguments)
 {
     if (arguments.has(inPositionModeOption.name) && !encoder.latest().mode)
         tellPositionMode(encoder);
+}
+
+// With how to say so, where a mode that is not known was refused.
+inline Complaint withHowToTellMode(Complaint complaint)
+{
+    if (complaint.key == refusalKey(RefusalId::modeNotKnown))
+        complaint.text += u' ' + CommandLine::tr("Where you are sure of it, add --in-position-mode.");
+    return complaint;
 }
 
 } // namespace codewheel

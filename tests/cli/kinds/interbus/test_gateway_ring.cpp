@@ -372,7 +372,7 @@ TEST(CliGatewayRing, LeavingAModeThatIsNotKnownPerhapsCostAWrite)
     } const rows[] = {
         {"velocity 1.0 off", "Position mode: 1000\nEEPROM writes:   0, perhaps 1 more\n", 0},
         {"reset 1.0 --yes", "EEPROM writes:   1, perhaps 1 more\n", 1},
-        {"cams 1.0 read --program 2 --to-position", "EEPROM writes:   0, perhaps 1 more\n", 0},
+        {"cams 1.0 read --program 2 --to-position --yes", "EEPROM writes:   0, perhaps 1 more\n", 0},
     };
     for (const auto &row : rows) {
         GatewayPeer peer;
@@ -418,13 +418,16 @@ TEST(CliGatewayRing, CamsInAModeThatIsNotKnownAreReadOnlyByConsent)
     GatewayPeer peer;
     const RingProject project;
     const QString write = QStringLiteral("cams 1.0 write %1").arg(camsOfTest(project));
-    const char *announced = "The cam programs are read first, in cam mode.\n"
+    const char *announced = "The cam programs are read in cam mode.\n"
                             "EEPROM writes:   0, and 1 more where it is in a cam program that was changed\n";
-    const CliRun nobody = project.run(write, peer.link());
-    EXPECT_EQ(nobody.exit, 2);
-    EXPECT_THAT(nobody.out, HasSubstr(announced));
-    EXPECT_THAT(nobody.err,
-                HasSubstr("Nothing was sent: there is nobody to ask. Add --yes to read and write."));
+    for (const QString &call :
+         {write, QString(write).replace(line(" write "), line(" compare ")), line("cams 1.0 read")}) {
+        const CliRun nobody = project.run(call, peer.link());
+        EXPECT_EQ(nobody.exit, 2) << call.toStdString();
+        EXPECT_THAT(nobody.out, HasSubstr(announced));
+        EXPECT_THAT(nobody.err,
+                    HasSubstr("Nothing was sent: there is nobody to ask. Add --yes to read them."));
+    }
     const CliRun declined = project.run(write, peer.link(), {.isThere = true, .types = "n\n"});
     EXPECT_EQ(declined.exit, 2);
     EXPECT_THAT(declined.err, HasSubstr("Nothing was sent."));
@@ -462,7 +465,7 @@ TEST(CliGatewayRing, WhatEndsWithRunNamesTheCommandThatSendsIt)
         " --link " + peer.link().toStdString() + " --project " + project.file().toStdString();
     const std::string command = "\n    codewheel-cli words 1.0 80000000 00000000" + way;
     EXPECT_THAT(project.run(line("reset 1.0 --yes"), peer.link()).err, HasSubstr("with run." + command));
-    EXPECT_THAT(project.run(line("cams 1.0 read"), peer.link()).err, HasSubstr(command));
+    EXPECT_THAT(project.run(line("cams 1.0 read --yes"), peer.link()).err, HasSubstr(command));
     EXPECT_THAT(project.run(line("read 1.0 steps"), peer.link()).err, HasSubstr(command));
     EXPECT_THAT(storeOf(project, peer, line("--cams")).err, HasSubstr(command));
     EXPECT_EQ(project.run(line("words 1.0 80000000 00000000"), peer.link()).exit, 0);
@@ -512,7 +515,7 @@ TEST(CliGatewayRing, CamsThatAreCutSayWhatTheyLeaveInOut)
         QString line;
         const char *word;
     } const rows[] = {
-        {line("cams 1.0 read --program 1"), "20200011"},
+        {line("cams 1.0 read --program 1 --yes"), "20200011"},
         {write, "20800001"},
         {write, "20400001"},
         {write, "80000000"},
@@ -556,19 +559,19 @@ TEST(CliGatewayRing, AfterCamsItIsToldInWhichModeTheEncoderIs)
 {
     GatewayPeer peer;
     const RingProject project;
-    const CliRun stays = project.run(line("cams 1.0 read --program 2"), peer.link());
+    const CliRun stays = project.run(line("cams 1.0 read --program 2 --yes"), peer.link());
     EXPECT_EQ(stays.exit, 0) << stays.err;
     EXPECT_THAT(stays.out, HasSubstr("The encoder is now in cam mode, program 2; in which mode it was before "
                                      "is not known. With --to-position it is in position mode afterwards."));
-    EXPECT_THAT(project.run(line("cams 1.0 read --program 2 --stay"), peer.link()).out,
+    EXPECT_THAT(project.run(line("cams 1.0 read --program 2 --yes --stay"), peer.link()).out,
                 HasSubstr("program 2; in which mode it was before is not known.\n"))
         << "who says where to is given no hint";
-    const CliRun goes = project.run(line("cams 1.0 read --program 2 --to-position"), peer.link());
+    const CliRun goes = project.run(line("cams 1.0 read --program 2 --yes --to-position"), peer.link());
     EXPECT_EQ(goes.exit, 0) << goes.err;
     EXPECT_THAT(goes.out, HasSubstr("The encoder is now in position mode; in which mode it was before is not "
                                     "known.\n"));
     EXPECT_THAT(project.run(line("monitor 1.0 --for 1"), peer.link()).out, HasSubstr("000003E8"));
-    const CliRun json = project.run(line("cams 1.0 read --program 2 --json"), peer.link());
+    const CliRun json = project.run(line("cams 1.0 read --program 2 --yes --json"), peer.link());
     EXPECT_EQ(json.json()[u"mode"], line("cam"));
     EXPECT_EQ(json.json()[u"camProgram"], 2);
 }
