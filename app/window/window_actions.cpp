@@ -228,7 +228,7 @@ void WindowActions::makeDeviceMenu()
 
 void WindowActions::showChosen(const ShownEncoder &encoder)
 {
-    const auto why = [&](RefusalId id) {
+    const auto why = [&](RefusalCode id) {
         return refusalText({RefusalKind::notSupported, id, {encoder.device().fullName()}});
     };
     const bool isThere = encoder.isThere();

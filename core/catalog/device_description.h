@@ -86,7 +86,7 @@ struct ParameterDescription
 struct DeviceError
 {
     unsigned number = 0;
-    RefusalId meaning = RefusalId::otherDeviceError;
+    RefusalCode meaning = RefusalId::otherDeviceError;
     bool warning = false; // run is answered although the cause remains (Baumer 14)
     LocalText text{};     // as the manual puts it; may be empty
 

@@ -56,7 +56,10 @@ QString hostOf(const QString &address)
 std::optional<Hindrance> hindranceOf(const Refusal &why, const Computer &computer)
 {
     const QString place = firstText(why);
-    switch (why.id) {
+    const auto id = why.id.as<RefusalId>();
+    if (!id)
+        return std::nullopt;
+    switch (*id) {
     case RefusalId::portNoRights:
         return rightsHindrance(place, computer);
     case RefusalId::portInUse:

@@ -30,7 +30,7 @@ void addValues(MessageItems &items, const ParameterValues &values, const DeviceD
 }
 
 // How many there are, the EEPROM writes, and what it is.
-Message listing(MessageId id, const MessageItems &items, int eepromWrites)
+Message listing(MessageCode id, const MessageItems &items, int eepromWrites)
 {
     Message message{.id = id, .arguments = {countOf(items), std::int64_t{eepromWrites}}};
     message.arguments.insert(message.arguments.end(), items.begin(), items.end());
@@ -183,7 +183,7 @@ MessageItems itemsInDoubt(const InDoubt &doubt, const DeviceDescription &device)
     return items;
 }
 
-std::optional<MessageId> leftInParameterization(const Outcome &outcome)
+std::optional<MessageCode> leftInParameterization(const Outcome &outcome)
 {
     const bool isSaid = !outcome.result && outcome.result.error().id == RefusalId::inParameterization;
     if (outcome.leftIn != EncoderState::parameterization || isSaid)
@@ -221,7 +221,7 @@ QString doubtText(const InDoubt &doubt, const DeviceDescription &device)
 std::vector<Message> doubtReport(const InDoubt &doubt, const DeviceDescription &device)
 {
     std::vector<Message> messages;
-    const auto add = [&](MessageId id, const InDoubt &part) {
+    const auto add = [&](MessageCode id, const InDoubt &part) {
         const MessageItems items = itemsInDoubt(part, device);
         if (items.empty())
             return;

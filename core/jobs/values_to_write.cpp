@@ -56,7 +56,7 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
     return known && known->evidence == Evidence::read;
 }
 
-std::optional<RefusalId> errorOf(const EncoderSession &encoder)
+std::optional<RefusalCode> errorOf(const EncoderSession &encoder)
 {
     const Reading &reading = encoder.latest();
     return reading.state == EncoderState::error ? std::optional(shownError(encoder.device(), reading).id)

@@ -564,7 +564,7 @@ void LedgerKeeper::warn(Place place, int before)
         return;
     const int now = encoder.eepromCount().atMost();
     const auto passed = [&](int mark) { return before < mark && now >= mark; };
-    const auto tell = [&](MessageId id) {
+    const auto tell = [&](MessageCode id) {
         Q_EMIT messaged({.at = m_bus.now(),
                          .place = place,
                          .severity = Severity::attention,

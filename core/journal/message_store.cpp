@@ -179,7 +179,7 @@ void MessageStore::failed(const DatabaseError &error)
     tell(MessageId::notKept, Severity::attention, {m_settings.file, error.reason});
 }
 
-void MessageStore::tell(MessageId id, Severity severity, std::vector<RefusalArgument> arguments)
+void MessageStore::tell(MessageCode id, Severity severity, std::vector<RefusalArgument> arguments)
 {
     if (m_table)
         (void)m_table->append(

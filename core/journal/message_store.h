@@ -53,7 +53,7 @@ private:
     void write(const Batch &batch);
     void failed(const DatabaseError &error);
     void dropOldest();
-    void tell(MessageId id, Severity severity, std::vector<RefusalArgument> arguments);
+    void tell(MessageCode id, Severity severity, std::vector<RefusalArgument> arguments);
 
     const Settings m_settings;
 

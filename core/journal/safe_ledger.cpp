@@ -56,7 +56,7 @@ void SafeLedger::goOnInMemory(const DatabaseError &why)
         tell(MessageId::notKept, {m_place.name, why.reason});
 }
 
-void SafeLedger::tell(MessageId id, std::vector<RefusalArgument> arguments)
+void SafeLedger::tell(MessageCode id, std::vector<RefusalArgument> arguments)
 {
     m_problem = Message{.severity = Severity::attention, .id = id, .arguments = std::move(arguments)};
     if (m_told)

@@ -50,7 +50,7 @@ private:
     void goOnInMemory(const DatabaseError &why);
     void remember(qint64 id);
     void keepBeside(const Ledger::Record &record);
-    void tell(MessageId id, std::vector<RefusalArgument> arguments);
+    void tell(MessageCode id, std::vector<RefusalArgument> arguments);
 
     DatabasePlace m_place;
     std::optional<Ledger> m_ledger;

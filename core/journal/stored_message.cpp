@@ -3,6 +3,7 @@
 
 #include "journal/argument_json.h"
 #include "journal/journal_texts.h"
+#include "vocabulary/families.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -23,27 +24,35 @@ constexpr std::array refusalKinds{
     std::pair{RefusalKind::link, "link"},         std::pair{RefusalKind::stopped, "stopped"},
 };
 
-template <typename Id>
-QHash<QString, Id> idsByKey(std::size_t count, QString (*keyOf)(Id))
+template <typename Said>
+using CodesByKey = QHash<QString, SentenceCode<Said>>;
+
+template <typename Said>
+CodesByKey<Said> codesByKey(std::span<const SentenceFamily<Said> *const> families)
 {
-    QHash<QString, Id> ids;
-    for (std::size_t i = 0; i < count; ++i)
-        ids.insert(keyOf(static_cast<Id>(i)), static_cast<Id>(i));
-    return ids;
+    CodesByKey<Said> codes;
+    for (const SentenceCode<Said> &code : codesOf(families))
+        codes.insert(QString::fromLatin1(code.row().key), code);
+    return codes;
 }
 
-std::optional<MessageId> messageId(const QString &key)
+template <typename Said>
+std::optional<SentenceCode<Said>> codeOfKey(const CodesByKey<Said> &codes, const QString &key)
 {
-    static const QHash<QString, MessageId> ids = idsByKey<MessageId>(messageCount, &messageKey);
-    const auto found = ids.find(key);
-    return found == ids.end() ? std::nullopt : std::optional(found.value());
+    const auto found = codes.find(key);
+    return found == codes.end() ? std::nullopt : std::optional(found.value());
 }
 
-std::optional<RefusalId> refusalId(const QString &key)
+std::optional<MessageCode> messageCode(const QString &key)
 {
-    static const QHash<QString, RefusalId> ids = idsByKey<RefusalId>(refusalCount, &refusalKey);
-    const auto found = ids.find(key);
-    return found == ids.end() ? std::nullopt : std::optional(found.value());
+    static const CodesByKey<Message> codes = codesByKey(messageFamilies());
+    return codeOfKey<Message>(codes, key);
+}
+
+std::optional<RefusalCode> refusalCode(const QString &key)
+{
+    static const CodesByKey<Refusal> codes = codesByKey(refusalFamilies());
+    return codeOfKey<Refusal>(codes, key);
 }
 
 QJsonObject parsed(const QString &json)
@@ -69,7 +78,7 @@ QString refusalJson(const Refusal &refusal)
 
 std::optional<Refusal> refusalOf(const QJsonObject &json)
 {
-    const auto id = refusalId(json.value(codeKey).toString());
+    const auto id = refusalCode(json.value(codeKey).toString());
     if (!id)
         return std::nullopt;
     Refusal refusal{.id = *id, .arguments = argumentsFromJson(json.value(argumentsKey).toArray())};
@@ -100,7 +109,7 @@ StoredMessage storedMessage(const Message &message, const QDateTime &at)
 
 std::optional<Message> messageOf(const StoredMessage &stored)
 {
-    const auto id = messageId(stored.code);
+    const auto id = messageCode(stored.code);
     if (!id)
         return std::nullopt;
     Message message{.place = stored.place,

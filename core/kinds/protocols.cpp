@@ -20,6 +20,7 @@
 #include "kinds/interbus/words/k3_cam_effect.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
+#include "vocabulary/families.h"
 #include "vocabulary/place.h"
 #include "vocabulary/texts_of_kinds.h"
 
@@ -70,6 +71,42 @@ std::vector<Profile> allProfiles()
     for (const ProtocolKind &kind : protocolKinds())
         profiles.push_back(kind.profile);
     return profiles;
+}
+
+namespace {
+
+std::vector<const RefusalFamily *> &familiesOfRefusals()
+{
+    static std::vector<const RefusalFamily *> families{&commonRefusals};
+    return families;
+}
+
+std::vector<const MessageFamily *> &familiesOfMessages()
+{
+    static std::vector<const MessageFamily *> families{&commonMessages};
+    return families;
+}
+
+} // namespace
+
+std::span<const RefusalFamily *const> refusalFamilies()
+{
+    return familiesOfRefusals();
+}
+
+std::span<const MessageFamily *const> messageFamilies()
+{
+    return familiesOfMessages();
+}
+
+void addRefusals(const RefusalFamily &family)
+{
+    familiesOfRefusals().push_back(&family);
+}
+
+void addMessages(const MessageFamily &family)
+{
+    familiesOfMessages().push_back(&family);
 }
 
 void addProtocol(const ProtocolKind &kind)

@@ -84,7 +84,7 @@ bool isSamePort(const QString &one, const QString &other)
            (!path.isEmpty() && path == QFileInfo(portPath(other)).canonicalFilePath());
 }
 
-RefusalId portRefusalOf(int errorNumber)
+RefusalCode portRefusalOf(int errorNumber)
 {
     switch (errorNumber) {
     case ENOENT:
@@ -103,7 +103,7 @@ RefusalId portRefusalOf(int errorNumber)
     }
 }
 
-Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText)
+Refusal portRefusal(RefusalCode id, const QString &path, const QString &errorText)
 {
     if ((id == RefusalId::linkFailed || id == RefusalId::portNoRights) && isNoPort(path))
         return {RefusalKind::link,

@@ -27,10 +27,10 @@ QString rightsCommand(const QString &path);
 
 // What the system's error number (errno) means for a serial port: not there, no rights, in use; linkFailed
 // for all others.
-RefusalId portRefusalOf(int errorNumber);
+RefusalCode portRefusalOf(int errorNumber);
 
 // The refusal with everything its sentence needs. `errorText` is the system's.
-Refusal portRefusal(RefusalId id, const QString &path, const QString &errorText);
+Refusal portRefusal(RefusalCode id, const QString &path, const QString &errorText);
 
 // Why the user cannot open this port, as far as can be told without opening it; empty: no reason is known.
 std::optional<Refusal> portHindrance(const QString &path);

@@ -5,9 +5,9 @@
 
 namespace codewheel {
 
-QString deviceErrorName(RefusalId meaning)
+QString deviceErrorName(RefusalCode meaning)
 {
-    switch (meaning) {
+    switch (meaning.as<RefusalId>().value_or(RefusalId::otherDeviceError)) {
     case RefusalId::wrongParameterData:
         return QCoreApplication::translate("DeviceError", "wrong parameter data");
     case RefusalId::unknownParameterNumber:

@@ -6,6 +6,6 @@
 namespace codewheel {
 
 // What the manuals call an error of the encoder, for the middle of a sentence: "wrong parameter data".
-QString deviceErrorName(RefusalId meaning);
+QString deviceErrorName(RefusalCode meaning);
 
 } // namespace codewheel

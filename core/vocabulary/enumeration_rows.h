@@ -16,4 +16,11 @@ constexpr bool areInOrder(const Rows &rows, Id Row::*id)
     return true;
 }
 
+// And whether there is one for each value up to the last.
+template <typename Rows, typename Row, typename Id, typename Last>
+constexpr bool areInOrder(const Rows &rows, Id Row::*id, Last last)
+{
+    return areInOrder(rows, id) && rows.size() == static_cast<std::size_t>(last) + 1;
+}
+
 } // namespace codewheel

@@ -11,8 +11,13 @@ namespace codewheel {
 
 enum class Severity : std::uint8_t { information, attention, fault };
 
-// What the user is told as it happens. Kept as a code and arguments, so that the language can change; the
-// sentence is made by vocabulary/refusal_text.h. The comment beside each lists its arguments.
+struct Message;
+using MessageFamily = SentenceFamily<Message>;
+using MessageCode = SentenceCode<Message>;
+
+// What the user is told as it happens, as far as several kinds of bus have it or none. Kept as a code and
+// arguments, so that the language can change; the sentence is made by vocabulary/refusal_text.h. The comment
+// beside each lists its arguments.
 enum class MessageId : std::uint8_t {
     refused,           // see Message::refusal
     busStarted,        //
@@ -128,14 +133,18 @@ enum class MessageId : std::uint8_t {
     clientsPassed,            // of many in a short time: how many came, left, were refused
     seatRestarted,            // unit
 };
-inline constexpr std::size_t messageCount = static_cast<std::size_t>(MessageId::seatRestarted) + 1;
+extern const MessageFamily commonMessages;
+constexpr const MessageFamily &familyOf(MessageId)
+{
+    return commonMessages;
+}
 
 struct Message
 {
     Instant at{};
     std::optional<Place> place{}; // whom it concerns, a device or the bus itself; empty: the program
     Severity severity = Severity::information;
-    MessageId id = MessageId::refused;
+    MessageCode id = MessageId::refused;
     std::vector<RefusalArgument> arguments{};
     std::optional<Refusal> refusal{}; // with MessageId::refused and deviceFault
 

@@ -20,326 +20,316 @@
 namespace codewheel {
 namespace {
 
-// %1, %2, ... are the arguments in the order given in encoder/message.h.
-struct MessageRow
-{
-    MessageId id;
-    const char *key;
-    const char *text;
-};
-
 constexpr std::array messageRows{
-    MessageRow{MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
-    MessageRow{MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
-    MessageRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
-    MessageRow{MessageId::alarmStop, "alarmStop",
-               QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
-    MessageRow{MessageId::zerosAsked, "zerosAsked",
-               QT_TRANSLATE_NOOP("Message", "ALARM STOP: 00000000 is sent to all devices of the ring.")},
-    MessageRow{MessageId::zerosReadBack, "zerosReadBack",
-               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
-                                            "read back as 00000000.")},
-    MessageRow{MessageId::zerosOverwritten, "zerosOverwritten",
-               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent, but OUT was read back as "
-                                            "something else: %1. Somebody else may write to it: stop the "
-                                            "machine by its own means.")},
-    MessageRow{MessageId::zerosSent, "zerosSent",
-               QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
-                                            "cannot be read back on this link.")},
-    MessageRow{MessageId::zerosWait, "zerosWait",
-               QT_TRANSLATE_NOOP(
-                   "Message", "The link is lost, and nothing says whether the zeros of the ALARM STOP have "
-                              "arrived: they are sent again and again, and once it is back. Stop the "
-                              "machine by its own means.")},
-    MessageRow{MessageId::zerosLate, "zerosLate",
-               QT_TRANSLATE_NOOP(
-                   "Message",
-                   "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. "
-                   "The program goes on trying. Stop the machine by its own means. In OUT when it was last "
-                   "seen: %1.")},
-    MessageRow{MessageId::zerosUnheard, "zerosUnheard",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The zeros of the ALARM STOP were sent over the lost link, but nothing "
-                                 "acknowledges them: it is not known whether they arrived. Stop the "
-                                 "machine by its own means.")},
-    MessageRow{MessageId::zerosBeforeRing, "zerosBeforeRing",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The zeros of the ALARM STOP are in the gateway, but its ring stands "
-                                 "still: the devices may not have got them. Stop the machine by its "
-                                 "own means.")},
-    MessageRow{MessageId::zerosGivenUp, "zerosGivenUp",
-               QT_TRANSLATE_NOOP("Message",
-                                 "Disconnected before the zeros of the ALARM STOP had arrived: they are "
-                                 "not sent any more. OUT may be as it was. Stop the machine by its own "
-                                 "means.")},
-    MessageRow{MessageId::operateOn, "operateOn",
-               QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
-    MessageRow{MessageId::watchOn, "watchOn",
-               QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
-    MessageRow{MessageId::computerSlept, "computerSlept",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The computer slept for %1 s: the bus is in Watch, and what was shown "
-                                 "before is old.")},
-    MessageRow{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
-    MessageRow{MessageId::typedWritten, "typedWritten",
-               QT_TRANSLATE_NOOP("Message", "Written by hand: %1. EEPROM writes: 1.")},
-    MessageRow{
+    SentenceRow{MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
+    SentenceRow{MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
+    SentenceRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
+    SentenceRow{MessageId::alarmStop, "alarmStop",
+                QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
+    SentenceRow{MessageId::zerosAsked, "zerosAsked",
+                QT_TRANSLATE_NOOP("Message", "ALARM STOP: 00000000 is sent to all devices of the ring.")},
+    SentenceRow{MessageId::zerosReadBack, "zerosReadBack",
+                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
+                                             "read back as 00000000.")},
+    SentenceRow{MessageId::zerosOverwritten, "zerosOverwritten",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The zeros of the ALARM STOP were sent, but OUT was read back as "
+                                  "something else: %1. Somebody else may write to it: stop the "
+                                  "machine by its own means.")},
+    SentenceRow{MessageId::zerosSent, "zerosSent",
+                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
+                                             "cannot be read back on this link.")},
+    SentenceRow{MessageId::zerosWait, "zerosWait",
+                QT_TRANSLATE_NOOP(
+                    "Message", "The link is lost, and nothing says whether the zeros of the ALARM STOP have "
+                               "arrived: they are sent again and again, and once it is back. Stop the "
+                               "machine by its own means.")},
+    SentenceRow{MessageId::zerosLate, "zerosLate",
+                QT_TRANSLATE_NOOP(
+                    "Message",
+                    "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. "
+                    "The program goes on trying. Stop the machine by its own means. In OUT when it was last "
+                    "seen: %1.")},
+    SentenceRow{MessageId::zerosUnheard, "zerosUnheard",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The zeros of the ALARM STOP were sent over the lost link, but nothing "
+                                  "acknowledges them: it is not known whether they arrived. Stop the "
+                                  "machine by its own means.")},
+    SentenceRow{MessageId::zerosBeforeRing, "zerosBeforeRing",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The zeros of the ALARM STOP are in the gateway, but its ring stands "
+                                  "still: the devices may not have got them. Stop the machine by its "
+                                  "own means.")},
+    SentenceRow{MessageId::zerosGivenUp, "zerosGivenUp",
+                QT_TRANSLATE_NOOP("Message",
+                                  "Disconnected before the zeros of the ALARM STOP had arrived: they are "
+                                  "not sent any more. OUT may be as it was. Stop the machine by its own "
+                                  "means.")},
+    SentenceRow{MessageId::operateOn, "operateOn",
+                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
+    SentenceRow{MessageId::watchOn, "watchOn",
+                QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
+    SentenceRow{MessageId::computerSlept, "computerSlept",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The computer slept for %1 s: the bus is in Watch, and what was shown "
+                                  "before is old.")},
+    SentenceRow{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
+    SentenceRow{MessageId::typedWritten, "typedWritten",
+                QT_TRANSLATE_NOOP("Message", "Written by hand: %1. EEPROM writes: 1.")},
+    SentenceRow{
         MessageId::parametersWritten, "parametersWritten",
         QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
-    MessageRow{MessageId::writtenUnscaled, "writtenUnscaled",
-               QT_TRANSLATE_NOOP("Message",
-                                 "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
-                                 "acts only while scaling is on.")},
-    MessageRow{
+    SentenceRow{MessageId::writtenUnscaled, "writtenUnscaled",
+                QT_TRANSLATE_NOOP("Message",
+                                  "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
+                                  "acts only while scaling is on.")},
+    SentenceRow{
         MessageId::restoredReadBack, "restoredReadBack",
         QT_TRANSLATE_NOOP("Message",
                           "The earlier values were written again and read back: %1 (EEPROM writes: %2).")},
-    MessageRow{MessageId::restoredConfirmed, "restoredConfirmed",
-               QT_TRANSLATE_NOOP("Message", "The earlier values were written again, confirmed and activated, "
-                                            "but cannot be read: %1 (EEPROM writes: %2).")},
-    MessageRow{MessageId::parametersRead, "parametersRead", QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
-    MessageRow{MessageId::presetDone, "presetDone",
-               QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
-    MessageRow{MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
-    MessageRow{MessageId::broughtBack, "broughtBack",
-               QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
-    MessageRow{
+    SentenceRow{MessageId::restoredConfirmed, "restoredConfirmed",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The earlier values were written again, confirmed and activated, "
+                                  "but cannot be read: %1 (EEPROM writes: %2).")},
+    SentenceRow{MessageId::parametersRead, "parametersRead",
+                QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
+    SentenceRow{MessageId::presetDone, "presetDone",
+                QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
+    SentenceRow{MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
+    SentenceRow{MessageId::broughtBack, "broughtBack",
+                QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
+    SentenceRow{
         MessageId::inDoubt, "inDoubt",
         QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. Read it to know.")},
-    MessageRow{MessageId::inDoubtForGood, "inDoubtForGood",
-               QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. It cannot be "
-                                            "read: compare the position with the machine, or "
-                                            "write it again.")},
-    MessageRow{MessageId::writesInDoubt, "writesInDoubt",
-               QT_TRANSLATE_NOOP("Message", "EEPROM writes that this perhaps cost: %1.")},
-    MessageRow{MessageId::outLeft, "outLeft",
-               QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
-                                            "it back once the bus runs again.")},
-    MessageRow{MessageId::leftInParameterization, "leftInParameterization",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The encoder was left in parameterization. Send run to bring it back to "
-                                 "operation.")},
-    MessageRow{MessageId::stillInParameterization, "stillInParameterization",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The encoder is still in parameterization, as it was before: it gives no "
-                                 "position until run is sent.")},
-    MessageRow{MessageId::leftInService, "leftInService",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The encoder was left in service mode: it shows no position. Set OUT to "
-                                 "0 to bring it back to normal mode.")},
-    MessageRow{MessageId::leftInMode, "leftInMode",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The encoder was left in %1: the controller gets no position. Switch it "
-                                 "back to position mode.")},
-    MessageRow{MessageId::leftInUnknownMode, "leftInUnknownMode",
-               QT_TRANSLATE_NOOP("Message",
-                                 "It is not known in which mode the encoder was left: the controller may "
-                                 "get no position. Switch it to position mode.")},
-    MessageRow{MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
-               QT_TRANSLATE_NOOP("Message",
-                                 "IN has been 00000000 since run: position 0, or an encoder without power. "
-                                 "Turn the shaft to be sure.")},
-    MessageRow{MessageId::deviceFault, "deviceFault",
-               QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
-    MessageRow{MessageId::deviceFaultGone, "deviceFaultGone",
-               QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
-    MessageRow{
+    SentenceRow{MessageId::inDoubtForGood, "inDoubtForGood",
+                QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. It cannot be "
+                                             "read: compare the position with the machine, or "
+                                             "write it again.")},
+    SentenceRow{MessageId::writesInDoubt, "writesInDoubt",
+                QT_TRANSLATE_NOOP("Message", "EEPROM writes that this perhaps cost: %1.")},
+    SentenceRow{MessageId::outLeft, "outLeft",
+                QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
+                                             "it back once the bus runs again.")},
+    SentenceRow{MessageId::leftInParameterization, "leftInParameterization",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The encoder was left in parameterization. Send run to bring it back to "
+                                  "operation.")},
+    SentenceRow{MessageId::stillInParameterization, "stillInParameterization",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The encoder is still in parameterization, as it was before: it gives no "
+                                  "position until run is sent.")},
+    SentenceRow{MessageId::leftInService, "leftInService",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The encoder was left in service mode: it shows no position. Set OUT to "
+                                  "0 to bring it back to normal mode.")},
+    SentenceRow{MessageId::leftInMode, "leftInMode",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The encoder was left in %1: the controller gets no position. Switch it "
+                                  "back to position mode.")},
+    SentenceRow{MessageId::leftInUnknownMode, "leftInUnknownMode",
+                QT_TRANSLATE_NOOP("Message",
+                                  "It is not known in which mode the encoder was left: the controller may "
+                                  "get no position. Switch it to position mode.")},
+    SentenceRow{MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
+                QT_TRANSLATE_NOOP("Message",
+                                  "IN has been 00000000 since run: position 0, or an encoder without power. "
+                                  "Turn the shaft to be sure.")},
+    SentenceRow{MessageId::deviceFault, "deviceFault",
+                QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
+    SentenceRow{MessageId::deviceFaultGone, "deviceFaultGone",
+                QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
+    SentenceRow{
         MessageId::valuesForgotten, "valuesForgotten",
         QT_TRANSLATE_NOOP("Message", "What was known of the encoder may not hold any more: read it again.")},
-    MessageRow{MessageId::lateCycles, "lateCycles",
-               QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
-    MessageRow{MessageId::modeSwitched, "modeSwitched",
-               QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
-    MessageRow{MessageId::modeSentToZero, "modeSentToZero",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The word for %1 was sent, and IN is 00000000: the encoder has no supply, "
-                                 "or is at position 0.")},
-    MessageRow{
+    SentenceRow{MessageId::lateCycles, "lateCycles",
+                QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
+    SentenceRow{MessageId::modeSwitched, "modeSwitched",
+                QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
+    SentenceRow{MessageId::modeSentToZero, "modeSentToZero",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The word for %1 was sent, and IN is 00000000: the encoder has no supply, "
+                                  "or is at position 0.")},
+    SentenceRow{
         MessageId::resetWaitsForRun, "resetWaitsForRun",
         QT_TRANSLATE_NOOP("Message",
                           "The reset to factory settings waits for run. Run carries it out; switching the "
                           "encoder off drops it.")},
-    MessageRow{
+    SentenceRow{
         MessageId::resetDone, "resetDone",
         QT_TRANSLATE_NOOP("Message", "The encoder was reset to factory settings (EEPROM writes: %1).")},
-    MessageRow{MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
-    MessageRow{MessageId::camsWritten, "camsWritten",
-               QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
-    MessageRow{MessageId::deviceNamed, "deviceNamed",
-               QT_TRANSLATE_NOOP("Message",
-                                 "This encoder is now treated as: %1. What was known of it is forgotten.")},
-    MessageRow{MessageId::serialNumberDiffers, "serialNumberDiffers",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The project has the serial number %1, and the encoder reports %2: check "
-                                 "which encoder it is, and correct the project.")},
-    MessageRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
-    MessageRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
-    MessageRow{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
-    MessageRow{MessageId::busFaultGone, "busFaultGone",
-               QT_TRANSLATE_NOOP("Message", "The bus fault is cleared. Start the bus again.")},
-    MessageRow{MessageId::peripheralFault, "peripheralFault",
-               QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
-    MessageRow{MessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
-               QT_TRANSLATE_NOOP("Message", "The peripheral fault was confirmed.")},
-    MessageRow{MessageId::crcErrors, "crcErrors",
-               QT_TRANSLATE_NOOP("Message",
-                                 "CRC errors in segment %1: %2 since the last message, %3 since the start.")},
-    MessageRow{MessageId::segmentOff, "segmentOff",
-               QT_TRANSLATE_NOOP("Message", "Segment %1 was switched off.")},
-    MessageRow{MessageId::segmentOn, "segmentOn",
-               QT_TRANSLATE_NOOP("Message", "Segment %1 was switched on.")},
-    MessageRow{MessageId::diagnosticsConfirmed, "diagnosticsConfirmed",
-               QT_TRANSLATE_NOOP("Message", "The diagnostics were confirmed.")},
-    MessageRow{MessageId::ringRead, "ringRead",
-               QT_TRANSLATE_NOOP("Message", "The ring was read in: %1 devices.")},
-    MessageRow{MessageId::configurationActivated, "configurationActivated",
-               QT_TRANSLATE_NOOP("Message", "The master activated its configuration %1.")},
-    MessageRow{MessageId::configurationKept, "configurationKept",
-               QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 now (%2 devices).")},
-    MessageRow{MessageId::configurationFound, "configurationFound",
-               QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 (%2 devices).")},
-    MessageRow{MessageId::configurationNone, "configurationNone",
-               QT_TRANSLATE_NOOP("Message", "The master keeps no configuration.")},
-    MessageRow{MessageId::ringAsConfigured, "ringAsConfigured",
-               QT_TRANSLATE_NOOP("Message", "The ring is as the project says: %1 devices.")},
-    MessageRow{MessageId::ringDiffers, "ringDiffers",
-               QT_TRANSLATE_NOOP("Message", "The ring differs from the project (lines: %1). Compare them.")},
-    MessageRow{MessageId::faultPlan, "faultPlan", QT_TRANSLATE_NOOP("Message", "Fault plan: %1")},
-    MessageRow{MessageId::projectOpened, "projectOpened",
-               QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
-    MessageRow{MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
-    MessageRow{MessageId::projectRecovered, "projectRecovered",
-               QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were recovered.")},
-    MessageRow{MessageId::eepromThreeQuarters, "eepromThreeQuarters",
-               QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual "
-                                            "states about %2 writes. Each further write is asked about.")},
-    MessageRow{MessageId::eepromBudgetUsed, "eepromBudgetUsed",
-               QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as "
-                                            "its manual states (%2). It may lose its values.")},
-    MessageRow{MessageId::valuesStored, "valuesStored",
-               QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
-    MessageRow{
+    SentenceRow{MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
+    SentenceRow{MessageId::camsWritten, "camsWritten",
+                QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
+    SentenceRow{MessageId::deviceNamed, "deviceNamed",
+                QT_TRANSLATE_NOOP("Message",
+                                  "This encoder is now treated as: %1. What was known of it is forgotten.")},
+    SentenceRow{MessageId::serialNumberDiffers, "serialNumberDiffers",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The project has the serial number %1, and the encoder reports %2: check "
+                                  "which encoder it is, and correct the project.")},
+    SentenceRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
+    SentenceRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
+    SentenceRow{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
+    SentenceRow{MessageId::busFaultGone, "busFaultGone",
+                QT_TRANSLATE_NOOP("Message", "The bus fault is cleared. Start the bus again.")},
+    SentenceRow{MessageId::peripheralFault, "peripheralFault",
+                QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
+    SentenceRow{MessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
+                QT_TRANSLATE_NOOP("Message", "The peripheral fault was confirmed.")},
+    SentenceRow{MessageId::crcErrors, "crcErrors",
+                QT_TRANSLATE_NOOP(
+                    "Message", "CRC errors in segment %1: %2 since the last message, %3 since the start.")},
+    SentenceRow{MessageId::segmentOff, "segmentOff",
+                QT_TRANSLATE_NOOP("Message", "Segment %1 was switched off.")},
+    SentenceRow{MessageId::segmentOn, "segmentOn",
+                QT_TRANSLATE_NOOP("Message", "Segment %1 was switched on.")},
+    SentenceRow{MessageId::diagnosticsConfirmed, "diagnosticsConfirmed",
+                QT_TRANSLATE_NOOP("Message", "The diagnostics were confirmed.")},
+    SentenceRow{MessageId::ringRead, "ringRead",
+                QT_TRANSLATE_NOOP("Message", "The ring was read in: %1 devices.")},
+    SentenceRow{MessageId::configurationActivated, "configurationActivated",
+                QT_TRANSLATE_NOOP("Message", "The master activated its configuration %1.")},
+    SentenceRow{MessageId::configurationKept, "configurationKept",
+                QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 now (%2 devices).")},
+    SentenceRow{MessageId::configurationFound, "configurationFound",
+                QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 (%2 devices).")},
+    SentenceRow{MessageId::configurationNone, "configurationNone",
+                QT_TRANSLATE_NOOP("Message", "The master keeps no configuration.")},
+    SentenceRow{MessageId::ringAsConfigured, "ringAsConfigured",
+                QT_TRANSLATE_NOOP("Message", "The ring is as the project says: %1 devices.")},
+    SentenceRow{MessageId::ringDiffers, "ringDiffers",
+                QT_TRANSLATE_NOOP("Message", "The ring differs from the project (lines: %1). Compare them.")},
+    SentenceRow{MessageId::faultPlan, "faultPlan", QT_TRANSLATE_NOOP("Message", "Fault plan: %1")},
+    SentenceRow{MessageId::projectOpened, "projectOpened",
+                QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
+    SentenceRow{MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
+    SentenceRow{MessageId::projectRecovered, "projectRecovered",
+                QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were recovered.")},
+    SentenceRow{MessageId::eepromThreeQuarters, "eepromThreeQuarters",
+                QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual "
+                                             "states about %2 writes. Each further write is asked about.")},
+    SentenceRow{MessageId::eepromBudgetUsed, "eepromBudgetUsed",
+                QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as "
+                                             "its manual states (%2). It may lose its values.")},
+    SentenceRow{MessageId::valuesStored, "valuesStored",
+                QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
+    SentenceRow{
         MessageId::transferDone, "transferDone",
         QT_TRANSLATE_NOOP(
             "Message", "Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.")},
-    MessageRow{MessageId::transferCancelled, "transferCancelled",
-               QT_TRANSLATE_NOOP("Message", "The transfer was cancelled (encoders that have all of it: %1, "
-                                            "values written: %2, already there: %3, EEPROM writes: %4).")},
-    MessageRow{
+    SentenceRow{MessageId::transferCancelled, "transferCancelled",
+                QT_TRANSLATE_NOOP("Message", "The transfer was cancelled (encoders that have all of it: %1, "
+                                             "values written: %2, already there: %3, EEPROM writes: %4).")},
+    SentenceRow{
         MessageId::transferCancelledSet, "transferCancelledSet",
         QT_TRANSLATE_NOOP("Message",
                           "The transfer was cancelled, but the position was set to %5 (encoders that have "
                           "all of it: %1, values written: %2, already there: %3, EEPROM writes: %4).")},
-    MessageRow{MessageId::encoderReplaced, "encoderReplaced",
-               QT_TRANSLATE_NOOP("Message", "The encoder was replaced (serial number before: %1, now: %2).")},
-    MessageRow{MessageId::valuesRestored, "valuesRestored",
-               QT_TRANSLATE_NOOP("Message", "Values of %1 were restored: %2.")},
-    MessageRow{MessageId::reportSaved, "reportSaved", QT_TRANSLATE_NOOP("Message", "Report saved: %1.")},
-    MessageRow{
+    SentenceRow{
+        MessageId::encoderReplaced, "encoderReplaced",
+        QT_TRANSLATE_NOOP("Message", "The encoder was replaced (serial number before: %1, now: %2).")},
+    SentenceRow{MessageId::valuesRestored, "valuesRestored",
+                QT_TRANSLATE_NOOP("Message", "Values of %1 were restored: %2.")},
+    SentenceRow{MessageId::reportSaved, "reportSaved", QT_TRANSLATE_NOOP("Message", "Report saved: %1.")},
+    SentenceRow{
         MessageId::oldMessagesDropped, "oldMessagesDropped",
         QT_TRANSLATE_NOOP(
             "Message", "The message file had reached its size limit: the oldest %1 messages were dropped.")},
-    MessageRow{MessageId::notKept, "notKept",
-               QT_TRANSLATE_NOOP("Message",
-                                 "%1 cannot be used: %2 What belongs there is kept only until the program "
-                                 "ends.")},
-    MessageRow{MessageId::keptBeside, "keptBeside",
-               QT_TRANSLATE_NOOP("Message",
-                                 "EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered "
-                                 "when the program can open it again.")},
-    MessageRow{
+    SentenceRow{MessageId::notKept, "notKept",
+                QT_TRANSLATE_NOOP("Message",
+                                  "%1 cannot be used: %2 What belongs there is kept only until the program "
+                                  "ends.")},
+    SentenceRow{MessageId::keptBeside, "keptBeside",
+                QT_TRANSLATE_NOOP(
+                    "Message", "EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered "
+                               "when the program can open it again.")},
+    SentenceRow{
         MessageId::databasePutAside, "databasePutAside",
         QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
-    MessageRow{MessageId::lineOpened, "lineOpened",
-               QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 Bd.")},
-    MessageRow{MessageId::lineClosed, "lineClosed",
-               QT_TRANSLATE_NOOP("Message", "The serial line %1 was closed.")},
-    MessageRow{
+    SentenceRow{MessageId::lineOpened, "lineOpened",
+                QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 Bd.")},
+    SentenceRow{MessageId::lineClosed, "lineClosed",
+                QT_TRANSLATE_NOOP("Message", "The serial line %1 was closed.")},
+    SentenceRow{
         MessageId::portLost, "portLost",
         QT_TRANSLATE_NOOP("Message",
                           "The serial port %1 is gone: the adapter was unplugged or has lost its supply.")},
-    MessageRow{MessageId::portBack, "portBack",
-               QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
-    MessageRow{MessageId::linkBack, "linkBack",
-               QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
-    MessageRow{MessageId::ringRunsAgain, "ringRunsAgain",
-               QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
-    MessageRow{MessageId::watchdogAcknowledged, "watchdogAcknowledged",
-               QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
-    MessageRow{
+    SentenceRow{MessageId::portBack, "portBack",
+                QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
+    SentenceRow{MessageId::linkBack, "linkBack",
+                QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
+    SentenceRow{MessageId::ringRunsAgain, "ringRunsAgain",
+                QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
+    SentenceRow{MessageId::watchdogAcknowledged, "watchdogAcknowledged",
+                QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
+    SentenceRow{
         MessageId::lowLatencyRefused, "lowLatencyRefused",
         QT_TRANSLATE_NOOP(
             "Message", "The adapter at %1 does not take low latency: answers may come up to 16 ms later.")},
-    MessageRow{MessageId::encoderSilent, "encoderSilent",
-               QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
-    MessageRow{MessageId::encoderAnswers, "encoderAnswers",
-               QT_TRANSLATE_NOOP("Message", "The encoder answers again.")},
-    MessageRow{MessageId::suspectPosition, "suspectPosition",
-               QT_TRANSLATE_NOOP("Message",
-                                 "The position %1 is suspect: %2 came before it, and the encoder cannot "
-                                 "turn that fast. It is asked for again.")},
-    MessageRow{MessageId::lineAddressChanged, "lineAddressChanged",
-               QT_TRANSLATE_NOOP("Message", "The encoder at %1 has the address %2 now.")},
-    MessageRow{MessageId::baudRateChanged, "baudRateChanged",
-               QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
-    MessageRow{MessageId::encodersFound, "encodersFound",
-               QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
-    MessageRow{MessageId::recordingBegun, "recordingBegun", QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
-    MessageRow{MessageId::recordingWaits, "recordingWaits",
-               QT_TRANSLATE_NOOP("Message", "The recording %1 waits for its trigger.")},
-    MessageRow{MessageId::recordingTriggered, "recordingTriggered",
-               QT_TRANSLATE_NOOP("Message", "The trigger fired: recording to %1.")},
-    MessageRow{MessageId::recordingGoesOn, "recordingGoesOn",
-               QT_TRANSLATE_NOOP("Message", "The recording %1 goes on (values lost so far: %2).")},
-    MessageRow{MessageId::recordingEnded, "recordingEnded",
-               QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
-    MessageRow{MessageId::training, "training", "%1"},
-    MessageRow{MessageId::offerBegun, "offerBegun",
-               QT_TRANSLATE_NOOP("Message", "Offered to others at %1 by Modbus.")},
-    MessageRow{MessageId::offerEnded, "offerEnded",
-               QT_TRANSLATE_NOOP("Message", "No longer offered to others at %1.")},
-    MessageRow{MessageId::offerEndedWithRing, "offerEndedWithRing",
-               QT_TRANSLATE_NOOP("Message", "The ring was disconnected, so it is no longer offered at %1.")},
-    MessageRow{MessageId::offerEndedWithStructure, "offerEndedWithStructure",
-               QT_TRANSLATE_NOOP("Message", "The ring has other devices now, in other registers, so it is no "
-                                            "longer offered at %1. Offer it again.")},
-    MessageRow{MessageId::offerEndedWithProject, "offerEndedWithProject",
-               QT_TRANSLATE_NOOP("Message", "Another project was opened, so nothing is offered at %1 any "
-                                            "more. Offer it again.")},
-    MessageRow{MessageId::offerEndedWithRealRing, "offerEndedWithRealRing",
-               QT_TRANSLATE_NOOP("Message", "This ring is a real one now, so nothing is offered at %1 any "
-                                            "more.")},
-    MessageRow{MessageId::clientCame, "clientCame",
-               QT_TRANSLATE_NOOP("Message", "%1 is connected to the offered ring.")},
-    MessageRow{
+    SentenceRow{MessageId::encoderSilent, "encoderSilent",
+                QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
+    SentenceRow{MessageId::encoderAnswers, "encoderAnswers",
+                QT_TRANSLATE_NOOP("Message", "The encoder answers again.")},
+    SentenceRow{MessageId::suspectPosition, "suspectPosition",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The position %1 is suspect: %2 came before it, and the encoder cannot "
+                                  "turn that fast. It is asked for again.")},
+    SentenceRow{MessageId::lineAddressChanged, "lineAddressChanged",
+                QT_TRANSLATE_NOOP("Message", "The encoder at %1 has the address %2 now.")},
+    SentenceRow{MessageId::baudRateChanged, "baudRateChanged",
+                QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
+    SentenceRow{MessageId::encodersFound, "encodersFound",
+                QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
+    SentenceRow{MessageId::recordingBegun, "recordingBegun",
+                QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
+    SentenceRow{MessageId::recordingWaits, "recordingWaits",
+                QT_TRANSLATE_NOOP("Message", "The recording %1 waits for its trigger.")},
+    SentenceRow{MessageId::recordingTriggered, "recordingTriggered",
+                QT_TRANSLATE_NOOP("Message", "The trigger fired: recording to %1.")},
+    SentenceRow{MessageId::recordingGoesOn, "recordingGoesOn",
+                QT_TRANSLATE_NOOP("Message", "The recording %1 goes on (values lost so far: %2).")},
+    SentenceRow{MessageId::recordingEnded, "recordingEnded",
+                QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
+    SentenceRow{MessageId::training, "training", "%1"},
+    SentenceRow{MessageId::offerBegun, "offerBegun",
+                QT_TRANSLATE_NOOP("Message", "Offered to others at %1 by Modbus.")},
+    SentenceRow{MessageId::offerEnded, "offerEnded",
+                QT_TRANSLATE_NOOP("Message", "No longer offered to others at %1.")},
+    SentenceRow{MessageId::offerEndedWithRing, "offerEndedWithRing",
+                QT_TRANSLATE_NOOP("Message", "The ring was disconnected, so it is no longer offered at %1.")},
+    SentenceRow{MessageId::offerEndedWithStructure, "offerEndedWithStructure",
+                QT_TRANSLATE_NOOP("Message",
+                                  "The ring has other devices now, in other registers, so it is no "
+                                  "longer offered at %1. Offer it again.")},
+    SentenceRow{MessageId::offerEndedWithProject, "offerEndedWithProject",
+                QT_TRANSLATE_NOOP("Message", "Another project was opened, so nothing is offered at %1 any "
+                                             "more. Offer it again.")},
+    SentenceRow{MessageId::offerEndedWithRealRing, "offerEndedWithRealRing",
+                QT_TRANSLATE_NOOP("Message", "This ring is a real one now, so nothing is offered at %1 any "
+                                             "more.")},
+    SentenceRow{MessageId::clientCame, "clientCame",
+                QT_TRANSLATE_NOOP("Message", "%1 is connected to the offered ring.")},
+    SentenceRow{
         MessageId::clientLeft, "clientLeft",
         QT_TRANSLATE_NOOP("Message", "%1 has left the offered ring (requests: %2, of them writes: %3).")},
-    MessageRow{MessageId::clientRefused, "clientRefused",
-               QT_TRANSLATE_NOOP("Message", "%1 was disconnected: the offered ring has as many clients as it "
-                                            "can have.")},
-    MessageRow{MessageId::clientsPassed, "clientsPassed",
-               QT_TRANSLATE_NOOP("Message",
-                                 "More clients of the offered ring in a short time: %1 came, %2 left, "
-                                 "%3 were refused.")},
-    MessageRow{MessageId::seatRestarted, "seatRestarted",
-               QT_TRANSLATE_NOOP("Message", "The ring of seat %1 starts afresh, with factory settings.")},
+    SentenceRow{MessageId::clientRefused, "clientRefused",
+                QT_TRANSLATE_NOOP("Message",
+                                  "%1 was disconnected: the offered ring has as many clients as it "
+                                  "can have.")},
+    SentenceRow{MessageId::clientsPassed, "clientsPassed",
+                QT_TRANSLATE_NOOP("Message",
+                                  "More clients of the offered ring in a short time: %1 came, %2 left, "
+                                  "%3 were refused.")},
+    SentenceRow{MessageId::seatRestarted, "seatRestarted",
+                QT_TRANSLATE_NOOP("Message", "The ring of seat %1 starts afresh, with factory settings.")},
 };
 
-static_assert(areInOrder(messageRows, &MessageRow::id) && messageRows.size() == messageCount);
-
-const MessageRow &messageRow(MessageId id)
-{
-    return messageRows.at(static_cast<std::size_t>(id));
-}
-
-QString messagePattern(const char *text)
-{
-    return QCoreApplication::translate("Message", text);
-}
+static_assert(areInOrder(messageRows, &SentenceRow::id, MessageId::seatRestarted));
 
 // Either position may be missing.
-QString presetText(const QStringList &parts)
+QString presetText(const Message &message)
 {
+    const QStringList parts = argumentTexts(message.arguments);
     const QString before = parts.value(0);
     const QString after = parts.value(1);
     if (before.isEmpty() && after.isEmpty())
@@ -351,7 +341,7 @@ QString presetText(const QStringList &parts)
         return sentence(
             messagePattern(QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before.")),
             {before});
-    return sentence(messagePattern(messageRow(MessageId::presetDone).text), {before, after});
+    return rowText(message, {before, after});
 }
 
 // When it was switched off, the place of a bus fault went with it.
@@ -415,7 +405,7 @@ QStringList messageParts(const Message &message)
 {
     if (message.arguments.empty())
         return {};
-    switch (message.id) {
+    switch (*message.id.as<MessageId>()) {
     case MessageId::modeSwitched:
     case MessageId::modeSentToZero:
     case MessageId::leftInMode:
@@ -450,17 +440,15 @@ QStringList messageParts(const Message &message)
     }
 }
 
-} // namespace
-
-QString messageText(const Message &message)
+QString commonMessageText(const Message &message)
 {
     if (message.id == MessageId::refused && message.refusal)
         return refusalText(*message.refusal);
     const QStringList parts = messageParts(message);
     if (message.id == MessageId::presetDone)
-        return presetText(parts);
+        return presetText(message);
     if (message.id == MessageId::busFault || message.id == MessageId::peripheralFault)
-        return sentence(messagePattern(messageRow(message.id).text), {faultOfBusText(message.arguments)});
+        return rowText(message, {faultOfBusText(message.arguments)});
     if (message.id == MessageId::segmentOff && parts.size() > 1)
         return segmentWithFaultText(message);
     if (message.id == MessageId::ringRead &&
@@ -472,12 +460,37 @@ QString messageText(const Message &message)
         return sentence(
             messagePattern(QT_TRANSLATE_NOOP("Message", "The encoder reports error %1, %3 (IN %2).")),
             parts + QStringList{deviceErrorName(message.refusal->id)});
-    return sentence(messagePattern(messageRow(message.id).text), parts);
+    return rowText(message, parts);
 }
 
-QString messageKey(MessageId id)
+} // namespace
+
+constinit const MessageFamily commonMessages{messageRows, commonMessageText};
+
+QString messagePattern(const char *text)
 {
-    return QString::fromLatin1(messageRow(id).key);
+    return QCoreApplication::translate("Message", text);
+}
+
+QString rowText(const Message &message, const QStringList &parts)
+{
+    return sentence(messagePattern(message.id.row().text), parts);
+}
+
+QString rowText(const Message &message)
+{
+    return rowText(message, argumentTexts(message.arguments));
+}
+
+QString messageText(const Message &message)
+{
+    const auto textOf = message.id.family().textOf;
+    return textOf != nullptr ? textOf(message) : rowText(message);
+}
+
+QString messageKey(MessageCode code)
+{
+    return QString::fromLatin1(code.row().key);
 }
 
 } // namespace codewheel

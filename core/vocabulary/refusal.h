@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vocabulary/parameter.h"
+#include "vocabulary/sentence_family.h"
 #include "vocabulary/word.h"
 
 #include <QString>
@@ -22,8 +23,13 @@ enum class RefusalKind : std::uint8_t {
     stopped,      // the user or ALARM STOP ended it (exit 1)
 };
 
-// Why something was refused. The sentence is made where it is shown (vocabulary/refusal_text.h). The comment
-// beside each lists its arguments.
+struct Refusal;
+using RefusalFamily = SentenceFamily<Refusal>;
+using RefusalCode = SentenceCode<Refusal>;
+
+// Why something was refused, as far as several kinds of bus have it or none: what only one refuses is in its
+// room. The sentence is made where it is shown (vocabulary/refusal_text.h). The comment beside each lists its
+// arguments.
 enum class RefusalId : std::uint8_t {
     // badInput
     valueOutOfRange,       // Parameter, value, minimum, maximum
@@ -197,7 +203,11 @@ enum class RefusalId : std::uint8_t {
     outsOfOther,    // somebody else writes to the outputs of the bus
     stoppedInWrite, // command: whether it was carried out is not known
 };
-inline constexpr std::size_t refusalCount = static_cast<std::size_t>(RefusalId::stoppedInWrite) + 1;
+extern const RefusalFamily commonRefusals;
+constexpr const RefusalFamily &familyOf(RefusalId)
+{
+    return commonRefusals;
+}
 
 using RefusalArgument =
     std::variant<std::int64_t, double, Word, Parameter, QString>; // a Word is shown as hex
@@ -210,7 +220,7 @@ inline RefusalArgument argumentOf(const Value &value)
 struct Refusal
 {
     RefusalKind kind = RefusalKind::badInput;
-    RefusalId id = RefusalId::nothingToDo;
+    RefusalCode id = RefusalId::nothingToDo;
     std::vector<RefusalArgument> arguments;
 
     friend bool operator==(const Refusal &, const Refusal &) = default;
@@ -219,7 +229,7 @@ struct Refusal
 template <typename T>
 using Result = tl::expected<T, Refusal>;
 
-inline tl::unexpected<Refusal> refuse(RefusalKind kind, RefusalId id,
+inline tl::unexpected<Refusal> refuse(RefusalKind kind, RefusalCode id,
                                       std::vector<RefusalArgument> arguments = {})
 {
     return tl::unexpected(Refusal{kind, id, std::move(arguments)});

@@ -14,255 +14,250 @@
 namespace codewheel {
 namespace {
 
-// %1, %2, ... are the arguments in the order given in encoder/refusal.h.
-struct RefusalRow
-{
-    RefusalId id;
-    const char *key;
-    const char *text;
-    const char *textWithoutArguments = nullptr; // where some or all of them may be left out
-};
-
 constexpr std::array refusalRows{
     // badInput
-    RefusalRow{RefusalId::valueOutOfRange, "valueOutOfRange",
-               QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is out of range. Give a value from %3 to %4.")},
-    RefusalRow{RefusalId::inputNotUnderstood, "inputNotUnderstood",
-               QT_TRANSLATE_NOOP("Refusal", "%1: %2 Give a value from %3 to %4.")},
-    RefusalRow{RefusalId::valueNotAllowed, "valueNotAllowed",
-               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be \"%2\". Allowed are: %3.")},
-    RefusalRow{RefusalId::parameterGivenTwice, "parameterGivenTwice",
-               QT_TRANSLATE_NOOP("Refusal", "%1 is given twice. Give it once.")},
-    RefusalRow{RefusalId::parameterReadOnly, "parameterReadOnly",
-               QT_TRANSLATE_NOOP("Refusal", "%1 of the %2 can be read but not written. Leave it out.")},
-    RefusalRow{
+    SentenceRow{RefusalId::valueOutOfRange, "valueOutOfRange",
+                QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is out of range. Give a value from %3 to %4.")},
+    SentenceRow{RefusalId::inputNotUnderstood, "inputNotUnderstood",
+                QT_TRANSLATE_NOOP("Refusal", "%1: %2 Give a value from %3 to %4.")},
+    SentenceRow{RefusalId::valueNotAllowed, "valueNotAllowed",
+                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be \"%2\". Allowed are: %3.")},
+    SentenceRow{RefusalId::parameterGivenTwice, "parameterGivenTwice",
+                QT_TRANSLATE_NOOP("Refusal", "%1 is given twice. Give it once.")},
+    SentenceRow{RefusalId::parameterReadOnly, "parameterReadOnly",
+                QT_TRANSLATE_NOOP("Refusal", "%1 of the %2 can be read but not written. Leave it out.")},
+    SentenceRow{
         RefusalId::nothingToDo, "nothingToDo",
         QT_TRANSLATE_NOOP("Refusal", "There is nothing to do. Name at least one parameter, value or word.")},
-    RefusalRow{RefusalId::unknownDevice, "unknownDevice",
-               QT_TRANSLATE_NOOP("Refusal", "There is no device at %1. There are devices at: %2.")},
-    RefusalRow{
+    SentenceRow{RefusalId::unknownDevice, "unknownDevice",
+                QT_TRANSLATE_NOOP("Refusal", "There is no device at %1. There are devices at: %2.")},
+    SentenceRow{
         RefusalId::totalRangeTooLarge, "totalRangeTooLarge",
         QT_TRANSLATE_NOOP("Refusal",
                           "The total range would be %1 steps; the largest is %2. Choose fewer steps or more "
                           "revolutions.")},
-    RefusalRow{RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The resolution would be finer than the encoder's %3 steps per turn (steps: "
-                                 "%1, revolutions: %2). Choose fewer steps or more revolutions.")},
-    RefusalRow{
+    SentenceRow{RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The resolution would be finer than the encoder's %3 steps per turn (steps: "
+                               "%1, revolutions: %2). Choose fewer steps or more revolutions.")},
+    SentenceRow{
         RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
         QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is outside the total range. Give a value of at most %3.")},
-    RefusalRow{RefusalId::presetNeedsValue, "presetNeedsValue",
-               QT_TRANSLATE_NOOP("Refusal", "The %1 needs the position it is to be set to. Give a value.")},
-    RefusalRow{RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
-               QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to %2.")},
-    RefusalRow{RefusalId::camOutOfRange, "camOutOfRange",
-               QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to %2.")},
-    RefusalRow{
+    SentenceRow{RefusalId::presetNeedsValue, "presetNeedsValue",
+                QT_TRANSLATE_NOOP("Refusal", "The %1 needs the position it is to be set to. Give a value.")},
+    SentenceRow{RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
+                QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to %2.")},
+    SentenceRow{RefusalId::camOutOfRange, "camOutOfRange",
+                QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to %2.")},
+    SentenceRow{
         RefusalId::camPositionTooLarge, "camPositionTooLarge",
         QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},
-    RefusalRow{RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
-               QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
-    RefusalRow{RefusalId::camHasNoShift, "camHasNoShift",
-               QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1: this encoder does not shift its "
-                                            "position. Set it to 0.")},
-    RefusalRow{RefusalId::camThroughZero, "camThroughZero",
-               QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot go through zero: the positions of this encoder do "
-                                            "not lie in a circle. Give a stop that is not below the start.")},
-    RefusalRow{RefusalId::camHasMore, "camHasMore",
-               QT_TRANSLATE_NOOP("Refusal", "Cam %1 has a hysteresis or a polarity that this encoder does "
-                                            "not know. Set them to 0 and off.")},
-    RefusalRow{RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
-               QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
-    RefusalRow{RefusalId::camFileBroken, "camFileBroken",
-               QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file."),
-               QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 Nothing was taken from the file.")},
-    RefusalRow{RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 contains cam program %2, not %3. Choose program %2, or another file.")},
-    RefusalRow{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
-               QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. Allowed there: %3.")},
-    RefusalRow{RefusalId::deviceFileBroken, "deviceFileBroken",
-               QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
-    RefusalRow{
+    SentenceRow{RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
+                QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
+    SentenceRow{RefusalId::camHasNoShift, "camHasNoShift",
+                QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1: this encoder does not shift its "
+                                             "position. Set it to 0.")},
+    SentenceRow{RefusalId::camThroughZero, "camThroughZero",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Cam %1 cannot go through zero: the positions of this encoder do "
+                                  "not lie in a circle. Give a stop that is not below the start.")},
+    SentenceRow{RefusalId::camHasMore, "camHasMore",
+                QT_TRANSLATE_NOOP("Refusal", "Cam %1 has a hysteresis or a polarity that this encoder does "
+                                             "not know. Set them to 0 and off.")},
+    SentenceRow{RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
+                QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
+    SentenceRow{RefusalId::camFileBroken, "camFileBroken",
+                QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file."),
+                QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 Nothing was taken from the file.")},
+    SentenceRow{RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 contains cam program %2, not %3. Choose program %2, or another file.")},
+    SentenceRow{RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
+                QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. Allowed there: %3.")},
+    SentenceRow{RefusalId::deviceFileBroken, "deviceFileBroken",
+                QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
+    SentenceRow{
         RefusalId::deviceCodeDiffers, "deviceCodeDiffers",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder "
                           "of the same device code.")},
-    RefusalRow{RefusalId::deviceOfOtherBus, "deviceOfOtherBus",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The %2 belongs to another kind of bus: it cannot be the device at %1.")},
-    RefusalRow{RefusalId::fileNotReadable, "fileNotReadable",
-               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
-    RefusalRow{RefusalId::fileNotWritten, "fileNotWritten",
-               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
-    RefusalRow{RefusalId::fileChanged, "fileChanged",
-               QT_TRANSLATE_NOOP("Refusal", "Another program has changed %1 since it was read here. It was "
-                                            "left unchanged; nothing was saved. Read it again.")},
-    RefusalRow{
+    SentenceRow{RefusalId::deviceOfOtherBus, "deviceOfOtherBus",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The %2 belongs to another kind of bus: it cannot be the device at %1.")},
+    SentenceRow{RefusalId::fileNotReadable, "fileNotReadable",
+                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
+    SentenceRow{RefusalId::fileNotWritten, "fileNotWritten",
+                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
+    SentenceRow{RefusalId::fileChanged, "fileChanged",
+                QT_TRANSLATE_NOOP("Refusal", "Another program has changed %1 since it was read here. It was "
+                                             "left unchanged; nothing was saved. Read it again.")},
+    SentenceRow{
         RefusalId::fileTooLarge, "fileTooLarge",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?")},
-    RefusalRow{RefusalId::projectFileBroken, "projectFileBroken",
-               QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened."),
-               QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The project was not opened.")},
-    RefusalRow{RefusalId::projectFileNewer, "projectFileNewer",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 was saved by a newer Codewheel (version %2 of the file; this one "
-                                 "reads up to %3). Open it with that one. Nothing was changed.")},
-    RefusalRow{RefusalId::faultPlanBroken, "faultPlanBroken",
-               QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
-               QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
-    RefusalRow{RefusalId::structureBroken, "structureBroken",
-               QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
-    RefusalRow{RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
-               QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
-    RefusalRow{RefusalId::projectEmpty, "projectEmpty",
-               QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
-    RefusalRow{RefusalId::lineAddressWrong, "lineAddressWrong",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "\"%1\" is not an address of an encoder on a serial line. Addresses go from "
-                                 "01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.")},
-    RefusalRow{RefusalId::lineSettingWrong, "lineSettingWrong",
-               QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
-    RefusalRow{
+    SentenceRow{RefusalId::projectFileBroken, "projectFileBroken",
+                QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened."),
+                QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The project was not opened.")},
+    SentenceRow{RefusalId::projectFileNewer, "projectFileNewer",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 was saved by a newer Codewheel (version %2 of the file; this one "
+                                  "reads up to %3). Open it with that one. Nothing was changed.")},
+    SentenceRow{RefusalId::faultPlanBroken, "faultPlanBroken",
+                QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
+                QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
+    SentenceRow{RefusalId::structureBroken, "structureBroken",
+                QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
+    SentenceRow{RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
+                QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
+    SentenceRow{RefusalId::projectEmpty, "projectEmpty",
+                QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
+    SentenceRow{RefusalId::lineAddressWrong, "lineAddressWrong",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "\"%1\" is not an address of an encoder on a serial line. Addresses go from "
+                               "01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.")},
+    SentenceRow{RefusalId::lineSettingWrong, "lineSettingWrong",
+                QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
+    SentenceRow{
         RefusalId::lineAddressTaken, "lineAddressTaken",
         QT_TRANSLATE_NOOP(
             "Refusal",
             "Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::lineAddressNotAlone, "lineAddressNotAlone",
         QT_TRANSLATE_NOOP("Refusal",
                           "Every encoder answers to address %1: it is for an encoder that is alone on its "
                           "line, and there is %2 too. Use the address of the encoder itself.")},
-    RefusalRow{RefusalId::recordingExists, "recordingExists",
-               QT_TRANSLATE_NOOP("Refusal", "There is already a file %1. A recording is never written over "
-                                            "another file: choose another name, or remove that file.")},
-    RefusalRow{RefusalId::serverAddressWrong, "serverAddressWrong",
-               QT_TRANSLATE_NOOP("Refusal", "The address of the server is wrong. %1")},
-    RefusalRow{RefusalId::passwordInAddress, "passwordInAddress",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "A password must not be in the address of a server. Put it into ~/.pgpass, "
-                                 "into the file that PGPASSFILE names, or into PGPASSWORD.")},
-    RefusalRow{RefusalId::noSizeOnServer, "noSizeOnServer",
-               QT_TRANSLATE_NOOP("Refusal", "A recording on a server can be kept to its last hours, but not "
-                                            "to a size.")},
-    RefusalRow{RefusalId::recordingEmpty, "recordingEmpty",
-               QT_TRANSLATE_NOOP("Refusal", "Nothing is recorded in %1 as yet.")},
-    RefusalRow{RefusalId::linkSettingWrong, "linkSettingWrong",
-               QT_TRANSLATE_NOOP("Refusal", "The setting %1 of the link cannot be \"%2\". Allowed: %3.")},
-    RefusalRow{RefusalId::linkSettingUnknown, "linkSettingUnknown",
-               QT_TRANSLATE_NOOP("Refusal", "The link has no setting \"%1\". Its settings are: %2.")},
-    RefusalRow{RefusalId::registerMapWrong, "registerMapWrong",
-               QT_TRANSLATE_NOOP("Refusal", "%1 Change the registers of the link.")},
-    RefusalRow{RefusalId::gatewayHasNoDevices, "gatewayHasNoDevices",
-               QT_TRANSLATE_NOOP("Refusal", "The project has no devices on this ring, and a gateway cannot "
-                                            "say which there are. Enter them in the bus structure first.")},
+    SentenceRow{RefusalId::recordingExists, "recordingExists",
+                QT_TRANSLATE_NOOP("Refusal", "There is already a file %1. A recording is never written over "
+                                             "another file: choose another name, or remove that file.")},
+    SentenceRow{RefusalId::serverAddressWrong, "serverAddressWrong",
+                QT_TRANSLATE_NOOP("Refusal", "The address of the server is wrong. %1")},
+    SentenceRow{RefusalId::passwordInAddress, "passwordInAddress",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "A password must not be in the address of a server. Put it into ~/.pgpass, "
+                                  "into the file that PGPASSFILE names, or into PGPASSWORD.")},
+    SentenceRow{RefusalId::noSizeOnServer, "noSizeOnServer",
+                QT_TRANSLATE_NOOP("Refusal", "A recording on a server can be kept to its last hours, but not "
+                                             "to a size.")},
+    SentenceRow{RefusalId::recordingEmpty, "recordingEmpty",
+                QT_TRANSLATE_NOOP("Refusal", "Nothing is recorded in %1 as yet.")},
+    SentenceRow{RefusalId::linkSettingWrong, "linkSettingWrong",
+                QT_TRANSLATE_NOOP("Refusal", "The setting %1 of the link cannot be \"%2\". Allowed: %3.")},
+    SentenceRow{RefusalId::linkSettingUnknown, "linkSettingUnknown",
+                QT_TRANSLATE_NOOP("Refusal", "The link has no setting \"%1\". Its settings are: %2.")},
+    SentenceRow{RefusalId::registerMapWrong, "registerMapWrong",
+                QT_TRANSLATE_NOOP("Refusal", "%1 Change the registers of the link.")},
+    SentenceRow{RefusalId::gatewayHasNoDevices, "gatewayHasNoDevices",
+                QT_TRANSLATE_NOOP("Refusal", "The project has no devices on this ring, and a gateway cannot "
+                                             "say which there are. Enter them in the bus structure first.")},
     // notSupported
-    RefusalRow{
+    SentenceRow{
         RefusalId::parameterNotSupported, "parameterNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
                           "The %2 does not have the parameter \"%1\". Leave it out, or check which encoder "
                           "it is.")},
-    RefusalRow{RefusalId::readingNotSupported, "readingNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "The %1 has no read-out: its values cannot be read.")},
-    RefusalRow{RefusalId::writingNotSupported, "writingNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be parameterized over the bus.")},
-    RefusalRow{RefusalId::presetNotSupported, "presetNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "The position of the %1 cannot be set over the bus.")},
-    RefusalRow{
+    SentenceRow{RefusalId::readingNotSupported, "readingNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "The %1 has no read-out: its values cannot be read.")},
+    SentenceRow{RefusalId::writingNotSupported, "writingNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be parameterized over the bus.")},
+    SentenceRow{RefusalId::presetNotSupported, "presetNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "The position of the %1 cannot be set over the bus.")},
+    SentenceRow{
         RefusalId::modeNotKnown, "modeNotKnown",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 "
                           "%2. Make sure that the encoder is in position mode, and confirm it.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::inCamMode, "inCamMode",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: the encoder is in cam mode, where the word %1 %2. Switch it to "
                           "position mode first.")},
-    RefusalRow{RefusalId::camsNotSupported, "camsNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "The %1 has no cams.")},
-    RefusalRow{RefusalId::velocityNotSupported, "velocityNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "The %1 has no velocity mode.")},
-    RefusalRow{
+    SentenceRow{RefusalId::camsNotSupported, "camsNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "The %1 has no cams.")},
+    SentenceRow{RefusalId::velocityNotSupported, "velocityNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "The %1 has no velocity mode.")},
+    SentenceRow{
         RefusalId::manufacturerPresetNotSupported, "manufacturerPresetNotSupported",
         QT_TRANSLATE_NOOP("Refusal",
                           "The %1 does not know the FRABA preset. Set the position with the preset of the "
                           "profile.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::linkDoesNotBoundCycles, "linkDoesNotBoundCycles",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent: this link cannot make sure that the word %1 stands on the bus "
                           "for one cycle only. Set the position with the preset of the profile.")},
-    RefusalRow{RefusalId::resetNotSupported, "resetNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be reset to factory settings over the bus.")},
-    RefusalRow{RefusalId::sendingNotSupported, "sendingNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
-    RefusalRow{RefusalId::jobNotSupported, "jobNotSupported",
-               QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
-    RefusalRow{RefusalId::onlyRecorded, "onlyRecorded",
-               QT_TRANSLATE_NOOP("Refusal", "This is a recording: nothing is sent.")},
-    RefusalRow{
+    SentenceRow{RefusalId::resetNotSupported, "resetNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be reset to factory settings over the bus.")},
+    SentenceRow{RefusalId::sendingNotSupported, "sendingNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
+    SentenceRow{RefusalId::jobNotSupported, "jobNotSupported",
+                QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
+    SentenceRow{RefusalId::onlyRecorded, "onlyRecorded",
+                QT_TRANSLATE_NOOP("Refusal", "This is a recording: nothing is sent.")},
+    SentenceRow{
         RefusalId::masterServiceNotSupported, "masterServiceNotSupported",
         QT_TRANSLATE_NOOP(
             "Refusal",
             "This link does not reach the master: %1 is not possible. It shows the process data only.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::watchdogNotSet, "watchdogNotSet",
         QT_TRANSLATE_NOOP("Refusal",
                           "No register is set that acknowledges the watchdog of this gateway. Enter it and "
                           "its value, by the manual of the gateway, in the connection.")},
-    RefusalRow{RefusalId::outNotReadBack, "outNotReadBack",
-               QT_TRANSLATE_NOOP("Refusal", "The OUT words cannot be read back: what is there now is not "
-                                            "known. Operate replaces it.")},
-    RefusalRow{RefusalId::noIdCycle, "noIdCycle",
-               QT_TRANSLATE_NOOP("Refusal", "A gateway cannot say which devices are in the ring: the project "
-                                            "does. Enter them there.")},
-    RefusalRow{
+    SentenceRow{RefusalId::outNotReadBack, "outNotReadBack",
+                QT_TRANSLATE_NOOP("Refusal", "The OUT words cannot be read back: what is there now is not "
+                                             "known. Operate replaces it.")},
+    SentenceRow{RefusalId::noIdCycle, "noIdCycle",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "A gateway cannot say which devices are in the ring: the project "
+                                  "does. Enter them there.")},
+    SentenceRow{
         RefusalId::encodersDiffer, "encodersDiffer",
         QT_TRANSLATE_NOOP(
             "Refusal", "%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.")},
     // busy
-    RefusalRow{
+    SentenceRow{
         RefusalId::jobRunning, "jobRunning",
         QT_TRANSLATE_NOOP("Refusal", "A job is running at %1. Wait for its end, or cancel it."),
         QT_TRANSLATE_NOOP("Refusal", "A job is running at this encoder. Wait for its end, or cancel it.")},
-    RefusalRow{RefusalId::wordHeldByJob, "wordHeldByJob",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel "
-                              "it."),
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.")},
-    RefusalRow{
+    SentenceRow{
+        RefusalId::wordHeldByJob, "wordHeldByJob",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel "
+                          "it."),
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.")},
+    SentenceRow{
         RefusalId::watchOnly, "watchOnly",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was sent to %1: the program only watches. Switch to Operate first."),
         QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the program only watches. Switch to Operate first.")},
-    RefusalRow{RefusalId::notRunning, "notRunning",
-               QT_TRANSLATE_NOOP("Refusal", "Nothing was sent to %1: the bus is stopped. Start it first."),
-               QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the bus is stopped. Start it first.")},
-    RefusalRow{
+    SentenceRow{RefusalId::notRunning, "notRunning",
+                QT_TRANSLATE_NOOP("Refusal", "Nothing was sent to %1: the bus is stopped. Start it first."),
+                QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the bus is stopped. Start it first.")},
+    SentenceRow{
         RefusalId::inParameterization, "inParameterization",
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was written: the encoder is in parameterization already (IN %1). End that "
                           "first, with run.")},
-    RefusalRow{RefusalId::masterStateWrong, "masterStateWrong",
-               QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
-    RefusalRow{RefusalId::noConfiguration, "noConfiguration",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "The master has no stored configuration. Read in the ring, or download one.")},
-    RefusalRow{RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
-               QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; its manual "
-                                            "states about %3 writes. Confirm that you want to write.")},
-    RefusalRow{RefusalId::eepromLimitPassed, "eepromLimitPassed",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1: this program has written %2 times to its EEPROM; beyond %3 its "
-                                 "manual guarantees nothing. Type the place to write nevertheless.")},
-    RefusalRow{RefusalId::outNotOurs, "outNotOurs",
-               QT_TRANSLATE_NOOP("Refusal", "Somebody else writes to %1: OUT is %3 there instead of %2. The "
-                                            "bus is in Watch now. Stop the other program or PLC first.")},
+    SentenceRow{RefusalId::masterStateWrong, "masterStateWrong",
+                QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
+    SentenceRow{RefusalId::noConfiguration, "noConfiguration",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The master has no stored configuration. Read in the ring, or download one.")},
+    SentenceRow{RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1: this program has written %2 times to its EEPROM; its manual "
+                                  "states about %3 writes. Confirm that you want to write.")},
+    SentenceRow{RefusalId::eepromLimitPassed, "eepromLimitPassed",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1: this program has written %2 times to its EEPROM; beyond %3 its "
+                                  "manual guarantees nothing. Type the place to write nevertheless.")},
+    SentenceRow{RefusalId::outNotOurs, "outNotOurs",
+                QT_TRANSLATE_NOOP("Refusal", "Somebody else writes to %1: OUT is %3 there instead of %2. The "
+                                             "bus is in Watch now. Stop the other program or PLC first.")},
     // device
-    RefusalRow{
+    SentenceRow{
         RefusalId::wrongParameterData, "wrongParameterData",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 1: the encoder refused the value of %1 (IN %2). Check the value and write "
@@ -270,7 +265,7 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 1: the encoder refused a value (IN %2). Check the values and write them "
                           "again.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::unknownParameterNumber, "unknownParameterNumber",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 2: the encoder does not know the number of %1 (IN %2). Check which encoder "
@@ -278,358 +273,355 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 2: the encoder does not know a parameter number (IN %2). Check which "
                           "encoder it is.")},
-    RefusalRow{RefusalId::parametersLost, "parametersLost",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 "
-                              "again, or reset it to factory settings.")},
-    RefusalRow{
+    SentenceRow{
+        RefusalId::parametersLost, "parametersLost",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 "
+                          "again, or reset it to factory settings.")},
+    SentenceRow{
         RefusalId::valuesMissingAfterLoss, "valuesMissingAfterLoss",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder has lost its parameters, and works again only with all of parameters "
                           "1 to 4. Without a value: %1. Give them one; nothing is sent before.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::eepromStoreError, "eepromStoreError",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 13: the encoder could not store its parameters (IN %1). Write them again; "
                           "if the error comes back, replace the encoder.")},
-    RefusalRow{RefusalId::batteryLow, "batteryLow",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "Error 14: the battery of the encoder is low (IN %1). Have it replaced; run "
-                                 "brings the encoder back to operation.")},
-    RefusalRow{
+    SentenceRow{RefusalId::batteryLow, "batteryLow",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "Error 14: the battery of the encoder is low (IN %1). Have it replaced; run "
+                               "brings the encoder back to operation.")},
+    SentenceRow{
         RefusalId::codeDiscFault, "codeDiscFault",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 15: the encoder reads a faulty value from its code disc (IN %1). Send run; "
                           "if the error comes back, replace the encoder.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::readOutUnknown, "readOutUnknown",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder does not know the read-out code %1 (IN %2). Check which encoder it "
                           "is, and whether it has what you want to read.")},
-    RefusalRow{RefusalId::manufacturerError, "manufacturerError",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
-    RefusalRow{RefusalId::noValidPosition, "noValidPosition",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "The encoder gives no valid position (IN %1). Turn the shaft more slowly, and "
-                              "send run.")},
-    RefusalRow{
+    SentenceRow{RefusalId::manufacturerError, "manufacturerError",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
+    SentenceRow{RefusalId::noValidPosition, "noValidPosition",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The encoder gives no valid position (IN %1). Turn the shaft more slowly, and "
+                               "send run.")},
+    SentenceRow{
         RefusalId::otherDeviceError, "otherDeviceError",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder reports error %1 (IN %2), which its description does not name. See "
                           "its manual.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::noAnswer, "noAnswer",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder did not answer within %1 s (OUT %2, IN %3). Check which encoder it "
                           "is, and whether it is switched on.")},
-    RefusalRow{RefusalId::noAnswerAtGateway, "noAnswerAtGateway",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The encoder did not answer within %1 s (OUT %2, IN %3). Check the first "
-                                 "register of OUT in the connection: its words may go elsewhere. Then check "
-                                 "which encoder it is, and whether it is switched on.")},
-    RefusalRow{RefusalId::verificationFailed, "verificationFailed",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "%1 was written as %2 but read back as %3. Read the encoder before you rely on "
-                              "it, and write again.")},
-    RefusalRow{RefusalId::unknownState, "unknownState",
-               QT_TRANSLATE_NOOP("Refusal", "The encoder shows a state that no manual describes (IN %1). "
-                                            "Send run, or switch the encoder off and on.")},
-    RefusalRow{RefusalId::restarted, "restarted",
-               QT_TRANSLATE_NOOP(
-                   "Refusal",
-                   "The encoder left parameterization before run was sent or answered, as after a loss "
-                   "of power (IN %1). It may have kept its old values: check its supply and write again.")},
-    RefusalRow{
+    SentenceRow{RefusalId::noAnswerAtGateway, "noAnswerAtGateway",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The encoder did not answer within %1 s (OUT %2, IN %3). Check the first "
+                                  "register of OUT in the connection: its words may go elsewhere. Then check "
+                                  "which encoder it is, and whether it is switched on.")},
+    SentenceRow{
+        RefusalId::verificationFailed, "verificationFailed",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "%1 was written as %2 but read back as %3. Read the encoder before you rely on "
+                          "it, and write again.")},
+    SentenceRow{RefusalId::unknownState, "unknownState",
+                QT_TRANSLATE_NOOP("Refusal", "The encoder shows a state that no manual describes (IN %1). "
+                                             "Send run, or switch the encoder off and on.")},
+    SentenceRow{RefusalId::restarted, "restarted",
+                QT_TRANSLATE_NOOP(
+                    "Refusal",
+                    "The encoder left parameterization before run was sent or answered, as after a loss "
+                    "of power (IN %1). It may have kept its old values: check its supply and write again.")},
+    SentenceRow{
         RefusalId::camWordRefused, "camWordRefused",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder refused the word %1, which %2 in cam mode (IN %3). It kept the old "
                           "value: compare the cam program with the encoder, and check which encoder it is.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::camsInParameterization, "camsInParameterization",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that "
                           "was begun before. Run was not sent, since it makes valid what was confirmed "
                           "there. End that parameterization first, then try again.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::takenAsCamWord, "takenAsCamWord",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was "
                           "changed, and it was left in parameterization: the controller gets no position. "
                           "Switching the encoder off and on drops the change. Run, or another mode, keeps "
                           "it: then the cam program has to be written again.")},
-    RefusalRow{RefusalId::modeNotSwitched, "modeNotSwitched",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The encoder does not show the mode: it is in parameterization (IN %1). End "
-                                 "that first, with run, then try again.")},
-    RefusalRow{
+    SentenceRow{RefusalId::modeNotSwitched, "modeNotSwitched",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The encoder does not show the mode: it is in parameterization (IN %1). End "
+                               "that first, with run, then try again.")},
+    SentenceRow{
         RefusalId::camPositionAboveRange, "camPositionAboveRange",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). "
                           "Give a position within the total range.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::lostInCamMode, "lostInCamMode",
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 3: the encoder has lost its parameters (IN %1). In cam mode it takes none: "
                           "switch it to position mode, write parameters 1 to 4 there or reset it to factory "
                           "settings, and compare the cam programs.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::camVerificationFailed, "camVerificationFailed",
         QT_TRANSLATE_NOOP("Refusal",
                           "Cam program %1 was written but read back differently. Compare it before you rely "
                           "on it, and write again.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::serviceRefused, "serviceRefused",
         QT_TRANSLATE_NOOP("Refusal",
                           "The encoder refused service %1 (IN %2). Nothing was changed: check the value and "
                           "write it again.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::magnetOutOfRange, "magnetOutOfRange",
         QT_TRANSLATE_NOOP("Refusal",
                           "The magnet is outside the measuring range (IN %1): the last position is shown. "
                           "Move the magnet back, then read the error status.")},
-    RefusalRow{RefusalId::noValuesFromBefore, "noValuesFromBefore",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "There is nothing to restore at %1: no values from before a write are kept.")},
-    RefusalRow{RefusalId::notSaidWhetherSame, "notSaidWhetherSame",
-               QT_TRANSLATE_NOOP("Refusal", "Say first whether the encoder at %1 is the same as before.")},
-    RefusalRow{RefusalId::escCommandUnknown, "escCommandUnknown",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The encoder does not know the command %1 (answer 03). Nothing was "
-                                 "changed; its version may be older than the manual.")},
-    RefusalRow{RefusalId::escOutOfRange, "escOutOfRange",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The encoder refused %1 as incomplete or out of range (answer 05). It "
-                                 "kept the old value: give another one.")},
-    RefusalRow{RefusalId::escNoAnswer, "escNoAnswer",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "No answer to %1 (tries: %2). Check address, baud rate, wiring and "
-                                 "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
-    RefusalRow{RefusalId::escNotSentInTime, "escNotSentInTime",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "No answer came from the encoder for %1 s after this was confirmed, so "
-                                 "nothing was written. Check the line, then start again.")},
-    RefusalRow{RefusalId::escReadsDisagree, "escReadsDisagree",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 was read as %2 and then as %3, so neither is taken. Check the line "
-                                 "for disturbances, then read again.")},
-    RefusalRow{
+    SentenceRow{RefusalId::noValuesFromBefore, "noValuesFromBefore",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "There is nothing to restore at %1: no values from before a write are kept.")},
+    SentenceRow{RefusalId::notSaidWhetherSame, "notSaidWhetherSame",
+                QT_TRANSLATE_NOOP("Refusal", "Say first whether the encoder at %1 is the same as before.")},
+    SentenceRow{RefusalId::escCommandUnknown, "escCommandUnknown",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The encoder does not know the command %1 (answer 03). Nothing was "
+                                  "changed; its version may be older than the manual.")},
+    SentenceRow{RefusalId::escOutOfRange, "escOutOfRange",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The encoder refused %1 as incomplete or out of range (answer 05). It "
+                                  "kept the old value: give another one.")},
+    SentenceRow{RefusalId::escNoAnswer, "escNoAnswer",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "No answer to %1 (tries: %2). Check address, baud rate, wiring and "
+                                  "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
+    SentenceRow{RefusalId::escNotSentInTime, "escNotSentInTime",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "No answer came from the encoder for %1 s after this was confirmed, so "
+                                  "nothing was written. Check the line, then start again.")},
+    SentenceRow{RefusalId::escReadsDisagree, "escReadsDisagree",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 was read as %2 and then as %3, so neither is taken. Check the line "
+                                  "for disturbances, then read again.")},
+    SentenceRow{
         RefusalId::escWriteUnknown, "escWriteUnknown",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 was sent and not answered, and it could not be found out afterwards whether "
                           "it was carried out: it is not known whether the encoder has the new value. Check "
                           "the line, and read the encoder before you go on.")},
-    RefusalRow{RefusalId::escWriteNotDone, "escWriteNotDone",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 was sent and not answered, and the encoder still has the old value. "
-                                 "Check the line, then write again.")},
-    RefusalRow{RefusalId::escPresetUnproven, "escPresetUnproven",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 was accepted, but neither the preset value nor the position shows that "
-                                 "the position was set to %2: it is not known whether it was. Check the "
-                                 "line, and read position and preset before you go on.")},
-    RefusalRow{RefusalId::presetNotTaken, "presetNotTaken",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "The position was not set: the encoder shows %2, and would show %1. Make sure "
-                              "that its OUT word reaches it, then set the position again.")},
-    RefusalRow{RefusalId::presetUsedUp, "presetUsedUp",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The position was not set: the encoder shows %2, and would show %1. It had "
-                                 "used its preset up (preset flag 0): write the preset again, then set the "
-                                 "position.")},
-    RefusalRow{RefusalId::presetNotKnownWithout, "presetNotKnownWithout",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "The preset was sent, but it is not known whether the position was set, since "
-                              "it is not known what the encoder has for: %1. It shows %2: compare that with "
-                              "the machine. It can be told where that value was written from here before.")},
-    RefusalRow{RefusalId::presetNotKnown, "presetNotKnown",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "The preset was sent, but it is not known whether the position was set: the "
-                              "encoder shows %1, which does not tell. Compare it with the machine before you "
-                              "go on.")},
-    RefusalRow{RefusalId::escNotFoundAgain, "escNotFoundAgain",
-               QT_TRANSLATE_NOOP(
-                   "Refusal",
-                   "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
-    RefusalRow{
+    SentenceRow{RefusalId::escWriteNotDone, "escWriteNotDone",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 was sent and not answered, and the encoder still has the old value. "
+                                  "Check the line, then write again.")},
+    SentenceRow{RefusalId::escPresetUnproven, "escPresetUnproven",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 was accepted, but neither the preset value nor the position shows that "
+                                  "the position was set to %2: it is not known whether it was. Check the "
+                                  "line, and read position and preset before you go on.")},
+    SentenceRow{RefusalId::presetNotTaken, "presetNotTaken",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The position was not set: the encoder shows %2, and would show %1. Make sure "
+                               "that its OUT word reaches it, then set the position again.")},
+    SentenceRow{RefusalId::presetUsedUp, "presetUsedUp",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The position was not set: the encoder shows %2, and would show %1. It had "
+                                  "used its preset up (preset flag 0): write the preset again, then set the "
+                                  "position.")},
+    SentenceRow{RefusalId::presetNotKnownWithout, "presetNotKnownWithout",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The preset was sent, but it is not known whether the position was set, since "
+                               "it is not known what the encoder has for: %1. It shows %2: compare that with "
+                               "the machine. It can be told where that value was written from here before.")},
+    SentenceRow{
+        RefusalId::presetNotKnown, "presetNotKnown",
+        QT_TRANSLATE_NOOP("Refusal",
+                          "The preset was sent, but it is not known whether the position was set: the "
+                          "encoder shows %1, which does not tell. Compare it with the machine before you "
+                          "go on.")},
+    SentenceRow{RefusalId::escNotFoundAgain, "escNotFoundAgain",
+                QT_TRANSLATE_NOOP(
+                    "Refusal",
+                    "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
+    SentenceRow{
         RefusalId::escFactorFitsNothing, "escFactorFitsNothing",
         QT_TRANSLATE_NOOP(
             "Refusal",
             "The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no format, or in "
             "more than one. Leave the number of fraction bits unchanged, or write the scaling again.")},
-    RefusalRow{
+    SentenceRow{
         RefusalId::encoderSilent, "encoderSilent",
         QT_TRANSLATE_NOOP("Refusal", "%1 does not answer. Check address, baud rate, wiring and supply.")},
     // link
-    RefusalRow{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
-    RefusalRow{RefusalId::ringDiffers, "ringDiffers",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "%1: configured is %2, found was %3. Compare, and take over what is right.")},
-    RefusalRow{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
-    RefusalRow{
+    SentenceRow{RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
+    SentenceRow{RefusalId::ringDiffers, "ringDiffers",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "%1: configured is %2, found was %3. Compare, and take over what is right.")},
+    SentenceRow{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
+    SentenceRow{
         RefusalId::notInRing, "notInRing",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
-    RefusalRow{RefusalId::wordNotSteady, "wordNotSteady",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "No two reads of IN of %1 agree, so it is not known what it shows. Check the "
-                              "word order, and where its registers begin. If they are right, its shaft is "
-                              "too fast for this gateway: stop it, or make the poll interval shorter.")},
-    RefusalRow{RefusalId::ringStands, "ringStands",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The gateway says that its ring does not run (status register %1): what it "
-                                 "shows is old. Start the ring at its master.")},
-    RefusalRow{RefusalId::ringFailed, "ringFailed",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The gateway says that its ring has failed (status register %1): what it "
-                                 "shows is old. Look at the display of its master.")},
-    RefusalRow{
+    SentenceRow{RefusalId::wordNotSteady, "wordNotSteady",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "No two reads of IN of %1 agree, so it is not known what it shows. Check the "
+                               "word order, and where its registers begin. If they are right, its shaft is "
+                               "too fast for this gateway: stop it, or make the poll interval shorter.")},
+    SentenceRow{RefusalId::ringStands, "ringStands",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The gateway says that its ring does not run (status register %1): what it "
+                                  "shows is old. Start the ring at its master.")},
+    SentenceRow{RefusalId::ringFailed, "ringFailed",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The gateway says that its ring has failed (status register %1): what it "
+                                  "shows is old. Look at the display of its master.")},
+    SentenceRow{
         RefusalId::ringFailedAt, "ringFailedAt",
         QT_TRANSLATE_NOOP("Refusal",
                           "The gateway says that its ring has failed (status register %1): what it "
                           "shows is old. The place it names is %2: check plugs, shields and 24 V there.")},
-    RefusalRow{RefusalId::databaseFailed, "databaseFailed",
-               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
-    RefusalRow{RefusalId::recordingGone, "recordingGone",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 was moved, replaced or removed while it was being recorded to: "
-                                 "the recording has ended. Begin another one.")},
-    RefusalRow{RefusalId::damagedBlocks, "damagedBlocks",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "Some values of %1 cannot be read: the file is damaged (blocks: %2). "
-                                 "There are gaps instead.")},
-    RefusalRow{RefusalId::diskAlmostFull, "diskAlmostFull",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The disk of %1 is almost full: %2 MB are free, and %3 MB are to stay "
-                                 "free. The recording waits. Make room.")},
-    RefusalRow{RefusalId::serverAway, "serverAway",
-               QT_TRANSLATE_NOOP("Refusal", "%1 does not take the recording: %2 What is recorded waits on "
-                                            "this computer, and follows (MB that wait: %3).")},
-    RefusalRow{RefusalId::notAllSent, "notAllSent",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "Not all of the recording is in %1: %2 The rest (MB: %3) waits in %4, and "
-                                 "follows with the next recording to this server.")},
-    RefusalRow{
+    SentenceRow{RefusalId::databaseFailed, "databaseFailed",
+                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
+    SentenceRow{RefusalId::recordingGone, "recordingGone",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 was moved, replaced or removed while it was being recorded to: "
+                                  "the recording has ended. Begin another one.")},
+    SentenceRow{RefusalId::damagedBlocks, "damagedBlocks",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Some values of %1 cannot be read: the file is damaged (blocks: %2). "
+                                  "There are gaps instead.")},
+    SentenceRow{RefusalId::diskAlmostFull, "diskAlmostFull",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The disk of %1 is almost full: %2 MB are free, and %3 MB are to stay "
+                                  "free. The recording waits. Make room.")},
+    SentenceRow{RefusalId::serverAway, "serverAway",
+                QT_TRANSLATE_NOOP("Refusal", "%1 does not take the recording: %2 What is recorded waits on "
+                                             "this computer, and follows (MB that wait: %3).")},
+    SentenceRow{RefusalId::notAllSent, "notAllSent",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Not all of the recording is in %1: %2 The rest (MB: %3) waits in %4, and "
+                                  "follows with the next recording to this server.")},
+    SentenceRow{
         RefusalId::portNotFound, "portNotFound",
         QT_TRANSLATE_NOOP(
             "Refusal", "There is no serial port %1. Plug the adapter in, and choose a port from the list.")},
-    RefusalRow{RefusalId::portInUse, "portInUse",
-               QT_TRANSLATE_NOOP(
-                   "Refusal",
-                   "The serial port %1 is used by another program. Close that program, then connect again.")},
-    RefusalRow{RefusalId::portNoRights, "portNoRights",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "You may not use the serial port %1: it belongs to the group %2. Run "
-                                 "\"%3\". If that adds you to a group, log out and in again.")},
-    RefusalRow{RefusalId::portLost, "portLost",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The serial port %1 is gone: the adapter was unplugged or has lost its "
-                                 "supply. Plug it in again.")},
-    RefusalRow{RefusalId::portOfOther, "portOfOther",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "%1 is another adapter than %2. Choose the port again if you mean this one.")},
-    RefusalRow{RefusalId::lineClosed, "lineClosed",
-               QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
-    RefusalRow{RefusalId::hostNotFound, "hostNotFound",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "There is no host \"%1\" in this network. Check its name, or give "
-                                 "its address.")},
-    RefusalRow{RefusalId::connectionRefused, "connectionRefused",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 refuses the connection. Check the port, and whether Modbus/TCP "
-                                 "is switched on there.")},
-    RefusalRow{RefusalId::connectionSilent, "connectionSilent",
-               QT_TRANSLATE_NOOP("Refusal", "%1 cannot be reached: no answer within %2 s. Check address, "
-                                            "cable and supply.")},
-    RefusalRow{RefusalId::connectionClosed, "connectionClosed",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 has closed the connection. It may serve only a few clients at "
-                                 "once.")},
-    RefusalRow{
+    SentenceRow{
+        RefusalId::portInUse, "portInUse",
+        QT_TRANSLATE_NOOP(
+            "Refusal",
+            "The serial port %1 is used by another program. Close that program, then connect again.")},
+    SentenceRow{RefusalId::portNoRights, "portNoRights",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "You may not use the serial port %1: it belongs to the group %2. Run "
+                                  "\"%3\". If that adds you to a group, log out and in again.")},
+    SentenceRow{RefusalId::portLost, "portLost",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The serial port %1 is gone: the adapter was unplugged or has lost its "
+                                  "supply. Plug it in again.")},
+    SentenceRow{RefusalId::portOfOther, "portOfOther",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "%1 is another adapter than %2. Choose the port again if you mean this one.")},
+    SentenceRow{RefusalId::lineClosed, "lineClosed",
+                QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
+    SentenceRow{RefusalId::hostNotFound, "hostNotFound",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "There is no host \"%1\" in this network. Check its name, or give "
+                                  "its address.")},
+    SentenceRow{RefusalId::connectionRefused, "connectionRefused",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 refuses the connection. Check the port, and whether Modbus/TCP "
+                                  "is switched on there.")},
+    SentenceRow{RefusalId::connectionSilent, "connectionSilent",
+                QT_TRANSLATE_NOOP("Refusal", "%1 cannot be reached: no answer within %2 s. Check address, "
+                                             "cable and supply.")},
+    SentenceRow{RefusalId::connectionClosed, "connectionClosed",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 has closed the connection. It may serve only a few clients at "
+                                  "once.")},
+    SentenceRow{
         RefusalId::serverPortTaken, "serverPortTaken",
         QT_TRANSLATE_NOOP("Refusal", "Port %1 is used by another program. End it, or take another port.")},
-    RefusalRow{RefusalId::serverPortPrivileged, "serverPortPrivileged",
-               QT_TRANSLATE_NOOP("Refusal", "Only an administrator may serve at port %1. Take a higher one, "
-                                            "such as 1502.")},
-    RefusalRow{RefusalId::serverAddressNotOurs, "serverAddressNotOurs",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "This computer does not have the address %1. Take one of its own, "
-                                 "or 0.0.0.0 for all it has.")},
-    RefusalRow{RefusalId::realRingNotOffered, "realRingNotOffered",
-               QT_TRANSLATE_NOOP("Refusal", "A real ring is never offered to others, only a training bus.")},
-    RefusalRow{RefusalId::closedRingNotOffered, "closedRingNotOffered",
-               QT_TRANSLATE_NOOP("Refusal", "The ring of this window is not connected. Connect it, or give "
-                                            "each seat a ring of its own.")},
-    RefusalRow{RefusalId::registersUnanswered, "registersUnanswered",
-               QT_TRANSLATE_NOOP("Refusal", "%1 does not answer (%2, tries: %3). Check unit number, settings "
-                                            "of the line, and supply.")},
-    RefusalRow{RefusalId::registersLate, "registersLate",
-               QT_TRANSLATE_NOOP("Refusal", "%1 answers too late (%2, tries: %3): what comes is for earlier "
-                                            "requests. Set a longer time-out.")},
-    RefusalRow{RefusalId::registersRefused, "registersRefused",
-               QT_TRANSLATE_NOOP("Refusal", "%1 refuses %2 with exception %3: %4")},
-    RefusalRow{RefusalId::registersGarbled, "registersGarbled",
-               QT_TRANSLATE_NOOP("Refusal", "The answer of %1 to %2 is wrong: %3")},
-    RefusalRow{RefusalId::wordsTorn, "wordsTorn",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "The encoder seems to answer differently each time (IN %1): the gateway "
-                                 "puts halves of different words together. Set a longer copy time in "
-                                 "the settings of the gateway, then read again.")},
-    RefusalRow{
+    SentenceRow{RefusalId::serverPortPrivileged, "serverPortPrivileged",
+                QT_TRANSLATE_NOOP("Refusal", "Only an administrator may serve at port %1. Take a higher one, "
+                                             "such as 1502.")},
+    SentenceRow{RefusalId::serverAddressNotOurs, "serverAddressNotOurs",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "This computer does not have the address %1. Take one of its own, "
+                                  "or 0.0.0.0 for all it has.")},
+    SentenceRow{RefusalId::realRingNotOffered, "realRingNotOffered",
+                QT_TRANSLATE_NOOP("Refusal", "A real ring is never offered to others, only a training bus.")},
+    SentenceRow{RefusalId::closedRingNotOffered, "closedRingNotOffered",
+                QT_TRANSLATE_NOOP("Refusal", "The ring of this window is not connected. Connect it, or give "
+                                             "each seat a ring of its own.")},
+    SentenceRow{RefusalId::registersUnanswered, "registersUnanswered",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 does not answer (%2, tries: %3). Check unit number, settings "
+                                  "of the line, and supply.")},
+    SentenceRow{RefusalId::registersLate, "registersLate",
+                QT_TRANSLATE_NOOP("Refusal", "%1 answers too late (%2, tries: %3): what comes is for earlier "
+                                             "requests. Set a longer time-out.")},
+    SentenceRow{RefusalId::registersRefused, "registersRefused",
+                QT_TRANSLATE_NOOP("Refusal", "%1 refuses %2 with exception %3: %4")},
+    SentenceRow{RefusalId::registersGarbled, "registersGarbled",
+                QT_TRANSLATE_NOOP("Refusal", "The answer of %1 to %2 is wrong: %3")},
+    SentenceRow{RefusalId::wordsTorn, "wordsTorn",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The encoder seems to answer differently each time (IN %1): the gateway "
+                                  "puts halves of different words together. Set a longer copy time in "
+                                  "the settings of the gateway, then read again.")},
+    SentenceRow{
         RefusalId::outAreaTooShort, "outAreaTooShort",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 does not have all OUT registers of the ring as planned (%2), though it has "
                           "the first. Compare the bus structure with the ring, and the first register of OUT "
                           "with the manual of the gateway.")},
-    RefusalRow{RefusalId::outputsBlocked, "outputsBlocked",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "%1 does not carry out %2 (exception 4). The watchdog of its outputs may have "
-                              "tripped: acknowledge it, then go to Operate again.")},
-    RefusalRow{RefusalId::notConnected, "notConnected",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1 is not connected. Connect its bus, and look which devices are "
-                                 "there.")},
-    RefusalRow{RefusalId::deviceDiffers, "deviceDiffers",
-               QT_TRANSLATE_NOOP("Refusal", "%1: planned is %2, connected is %3. Connect what is planned, or "
-                                            "plan what is connected.")},
-    RefusalRow{RefusalId::serialDiffers, "serialDiffers",
-               QT_TRANSLATE_NOOP("Refusal",
-                                 "%1: the label in the project has the serial number %2, the encoder reports "
-                                 "%3. Replace the encoder in the project, or correct the label.")},
+    SentenceRow{RefusalId::outputsBlocked, "outputsBlocked",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "%1 does not carry out %2 (exception 4). The watchdog of its outputs may have "
+                               "tripped: acknowledge it, then go to Operate again.")},
+    SentenceRow{RefusalId::notConnected, "notConnected",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 is not connected. Connect its bus, and look which devices are "
+                                  "there.")},
+    SentenceRow{RefusalId::deviceDiffers, "deviceDiffers",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1: planned is %2, connected is %3. Connect what is planned, or "
+                                  "plan what is connected.")},
+    SentenceRow{RefusalId::serialDiffers, "serialDiffers",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "%1: the label in the project has the serial number %2, the encoder reports "
+                               "%3. Replace the encoder in the project, or correct the label.")},
     // stopped
-    RefusalRow{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
-    RefusalRow{
+    SentenceRow{RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
+    SentenceRow{
         RefusalId::alarmStop, "alarmStop",
         QT_TRANSLATE_NOOP("Refusal", "ALARM STOP ended the job. Check in which state it left the encoder.")},
-    RefusalRow{RefusalId::busStopped, "busStopped",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "The job ended because the bus was stopped. Start the bus, and check in which "
-                              "state the encoder is.")},
-    RefusalRow{
+    SentenceRow{RefusalId::busStopped, "busStopped",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The job ended because the bus was stopped. Start the bus, and check in which "
+                               "state the encoder is.")},
+    SentenceRow{
         RefusalId::computerSlept, "computerSlept",
         QT_TRANSLATE_NOOP("Refusal",
                           "The job ended because the computer slept. Check in which state the encoder is, "
                           "and change to Operate before you write again.")},
-    RefusalRow{RefusalId::outsOfOther, "outsOfOther",
-               QT_TRANSLATE_NOOP("Refusal", "Somebody else writes to the outputs of this bus: it is in Watch "
-                                            "now.")},
-    RefusalRow{RefusalId::stoppedInWrite, "stoppedInWrite",
-               QT_TRANSLATE_NOOP(
-                   "Refusal", "The job ended after %1 was sent and before it was answered: it is not known "
-                              "whether the encoder has the new value. Read it before you go on.")},
+    SentenceRow{RefusalId::outsOfOther, "outsOfOther",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Somebody else writes to the outputs of this bus: it is in Watch "
+                                  "now.")},
+    SentenceRow{RefusalId::stoppedInWrite, "stoppedInWrite",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "The job ended after %1 was sent and before it was answered: it is not known "
+                               "whether the encoder has the new value. Read it before you go on.")},
 };
 
-static_assert(areInOrder(refusalRows, &RefusalRow::id) && refusalRows.size() == refusalCount);
-
-const RefusalRow &refusalRow(RefusalId id)
-{
-    return refusalRows.at(static_cast<std::size_t>(id));
-}
-
-QString refusalPattern(const char *text)
-{
-    return QCoreApplication::translate("Refusal", text);
-}
+static_assert(areInOrder(refusalRows, &SentenceRow::id, RefusalId::stoppedInWrite));
 
 // The word, what it does, and what to do instead.
 QString wordText(const Refusal &refusal)
@@ -638,7 +630,7 @@ QString wordText(const Refusal &refusal)
     const auto *word = refusal.arguments.empty() ? nullptr : std::get_if<Word>(&refusal.arguments.front());
     parts.resize(std::max<qsizetype>(parts.size(), 1));
     parts.insert(1, effectInCamMode(word ? std::optional(*word) : std::nullopt));
-    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
+    return rowText(refusal, parts);
 }
 
 QString camPositionText(const Refusal &refusal)
@@ -646,7 +638,7 @@ QString camPositionText(const Refusal &refusal)
     const bool isKnown = refusal.arguments.size() > 1;
     return sentence(
         refusalPattern(isKnown
-                           ? refusalRow(refusal.id).text
+                           ? refusal.id.row().text
                            : QT_TRANSLATE_NOOP("Refusal", "Error 98000004: a start or stop of a cam is above "
                                                           "the largest position (IN %1). Compare the cam "
                                                           "programs with the total range.")),
@@ -664,7 +656,7 @@ QString presetNotKnownText(const Refusal &refusal)
                                         "set: position mode would show %1, but IN is %2, which may be the "
                                         "speed of velocity mode. Compare the position with the machine, in "
                                         "position mode, before you go on.")
-                                  : refusalRow(refusal.id).text),
+                                  : refusal.id.row().text),
         argumentTexts(refusal.arguments));
 }
 
@@ -680,7 +672,7 @@ QString labelKeyText(const Refusal &refusal)
             refusalPattern(QT_TRANSLATE_NOOP(
                 "Refusal", "\"%2\" in \"%1\" is too much: the key ends before it. Leave it out.")),
             parts);
-    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
+    return rowText(refusal, parts);
 }
 
 // The parameters that may be to blame, and IN. A number stands for a parameter without a name. Before
@@ -698,7 +690,7 @@ QString suspectsText(const Refusal &refusal)
         else
             suspects << argumentText(argument);
     }
-    const RefusalRow &row = refusalRow(refusal.id);
+    const SentenceRow &row = refusal.id.row();
     if (words.isEmpty() && suspects.size() == 1 && refusal.id == RefusalId::wrongParameterData)
         return sentence(
             refusalPattern(QT_TRANSLATE_NOOP("Refusal", "The encoder refused the value of %1. Check it and "
@@ -721,7 +713,7 @@ QString suspectsText(const Refusal &refusal)
 QString brokenFileText(const Refusal &refusal)
 {
     const QStringList parts = argumentTexts(refusal.arguments);
-    const RefusalRow &row = refusalRow(refusal.id);
+    const SentenceRow &row = refusal.id.row();
     return sentence(refusalPattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
 }
 
@@ -731,7 +723,7 @@ QString fileText(const Refusal &refusal)
     QStringList parts = argumentTexts(refusal.arguments);
     if (parts.size() > 1 && !parts[1].endsWith(u'.'))
         parts[1] += u'.';
-    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
+    return rowText(refusal, parts);
 }
 
 QString lostPortText(const Refusal &refusal)
@@ -739,7 +731,7 @@ QString lostPortText(const Refusal &refusal)
     QStringList parts = argumentTexts(refusal.arguments);
     if (!parts.isEmpty())
         parts.front() = portText(refusal.arguments.front());
-    return sentence(refusalPattern(refusalRow(refusal.id).text), parts);
+    return rowText(refusal, parts);
 }
 
 // Without IN it is no K3.
@@ -748,7 +740,7 @@ QString lostText(const Refusal &refusal)
     return refusal.arguments.empty()
                ? refusalPattern(QT_TRANSLATE_NOOP("Refusal", "The encoder has lost its parameters, and gives "
                                                              "no position. Write them again."))
-               : sentence(refusalPattern(refusalRow(refusal.id).text), argumentTexts(refusal.arguments));
+               : rowText(refusal, argumentTexts(refusal.arguments));
 }
 
 // A name rather than a number: not grouped.
@@ -756,14 +748,12 @@ QString serverPortText(const Refusal &refusal)
 {
     const auto *port =
         refusal.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&refusal.arguments.front());
-    return sentence(refusalPattern(refusalRow(refusal.id).text), {QString::number(port ? *port : 0)});
+    return rowText(refusal, {QString::number(port ? *port : 0)});
 }
 
-} // namespace
-
-QString refusalText(const Refusal &refusal)
+QString commonRefusalText(const Refusal &refusal)
 {
-    switch (refusal.id) {
+    switch (*refusal.id.as<RefusalId>()) {
     case RefusalId::serverPortTaken:
     case RefusalId::serverPortPrivileged:
         return serverPortText(refusal);
@@ -792,7 +782,7 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::portNotFound:
         return lostPortText(refusal);
     case RefusalId::busFault:
-        return sentence(refusalPattern(refusalRow(refusal.id).text), {faultOfBusText(refusal.arguments)});
+        return rowText(refusal, {faultOfBusText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:
         return labelKeyText(refusal);
     case RefusalId::registersUnanswered:
@@ -801,19 +791,42 @@ QString refusalText(const Refusal &refusal)
     case RefusalId::registersGarbled:
     case RefusalId::outAreaTooShort:
     case RefusalId::outputsBlocked:
-        return sentence(refusalPattern(refusalRow(refusal.id).text), textsOfRegisters(refusal));
+        return rowText(refusal, textsOfRegisters(refusal));
     default:
-        break;
+        return rowText(refusal);
     }
-    const RefusalRow &row = refusalRow(refusal.id);
-    const bool bare = refusal.arguments.empty() && row.textWithoutArguments;
-    return sentence(refusalPattern(bare ? row.textWithoutArguments : row.text),
-                    argumentTexts(refusal.arguments));
 }
 
-QString refusalKey(RefusalId id)
+} // namespace
+
+constinit const RefusalFamily commonRefusals{refusalRows, commonRefusalText};
+
+QString refusalPattern(const char *text)
 {
-    return QString::fromLatin1(refusalRow(id).key);
+    return QCoreApplication::translate("Refusal", text);
+}
+
+QString rowText(const Refusal &refusal, const QStringList &parts)
+{
+    const SentenceRow &row = refusal.id.row();
+    const bool bare = refusal.arguments.empty() && row.textWithoutArguments;
+    return sentence(refusalPattern(bare ? row.textWithoutArguments : row.text), parts);
+}
+
+QString rowText(const Refusal &refusal)
+{
+    return rowText(refusal, argumentTexts(refusal.arguments));
+}
+
+QString refusalText(const Refusal &refusal)
+{
+    const auto textOf = refusal.id.family().textOf;
+    return textOf != nullptr ? textOf(refusal) : rowText(refusal);
+}
+
+QString refusalKey(RefusalCode code)
+{
+    return QString::fromLatin1(code.row().key);
 }
 
 } // namespace codewheel

@@ -4,6 +4,8 @@
 #include "vocabulary/message.h"
 #include "vocabulary/refusal.h"
 
+#include <QStringList>
+
 namespace codewheel {
 
 // Sentences in the user's language: what happened, where, and what to do.
@@ -11,7 +13,16 @@ QString refusalText(const Refusal &refusal);
 QString messageText(const Message &message); // without date, time and place
 
 // Language-neutral names for JSON: "valueOutOfRange", "alarmStop".
-QString refusalKey(RefusalId id);
-QString messageKey(MessageId id);
+QString refusalKey(RefusalCode code);
+QString messageKey(MessageCode code);
+
+// For a family with sentences of its own (SentenceFamily::textOf): that of its row, with its arguments or
+// with these parts; and any other pattern of its context, translated.
+QString rowText(const Refusal &refusal);
+QString rowText(const Refusal &refusal, const QStringList &parts);
+QString refusalPattern(const char *text);
+QString rowText(const Message &message);
+QString rowText(const Message &message, const QStringList &parts);
+QString messagePattern(const char *text);
 
 } // namespace codewheel

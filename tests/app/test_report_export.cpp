@@ -49,7 +49,7 @@ protected:
 TEST_F(ReportExportTest, SaysWhereTheReportWasSaved)
 {
     const Word before = out(fraba);
-    std::vector<MessageId> told;
+    std::vector<MessageCode> told;
     QObject::connect(&report(), &ReportExport::told, &window(),
                      [&](const Message &message) { told.push_back(message.id); });
     EXPECT_TRUE(report().saveTo(path("crane.html")));

@@ -50,7 +50,7 @@ QJsonObject hintsOf(const QJsonArray &call)
     return call.at(6).toObject();
 }
 
-Message fault(Place place, MessageId id = MessageId::portLost)
+Message fault(Place place, MessageCode id = MessageId::portLost)
 {
     return {
         .place = place, .severity = Severity::fault, .id = id, .arguments = {QStringLiteral("/dev/ttyUSB0")}};

@@ -164,7 +164,7 @@ protected:
         ASSERT_TRUE(m_outcome);
         EXPECT_FALSE(encoder().runningJob());
     }
-    RefusalId whyItEnded() const
+    RefusalCode whyItEnded() const
     {
         return m_outcome->result ? RefusalId::nothingToDo : m_outcome->result.error().id;
     }
@@ -376,8 +376,8 @@ TYPED_TEST(EncoderBusContract, RefusalsNameTheBusWhereSeveralHaveThePlace)
 
 TYPED_TEST(EncoderBusContract, ALinkThatDoesNotOpenIsTold)
 {
-    std::vector<RefusalId> refused;
-    std::vector<RefusalId> messages;
+    std::vector<RefusalCode> refused;
+    std::vector<RefusalCode> messages;
     QObject::connect(&this->bus(), &EncoderBus::openRefused, &this->bus(),
                      [&](const Refusal &why) { refused.push_back(why.id); });
     QObject::connect(&this->bus(), &EncoderBus::messaged, &this->bus(), [&](const Message &message) {
@@ -430,7 +430,7 @@ TYPED_TEST(EncoderBusContract, ItIsOpenWithItsDevices)
 
 TYPED_TEST(EncoderBusContract, AThreadTellsThatTheLinkDoesNotOpen)
 {
-    std::vector<RefusalId> refused;
+    std::vector<RefusalCode> refused;
     QObject::connect(&this->bus(), &EncoderBus::openRefused, &this->bus(),
                      [&](const Refusal &why) { refused.push_back(why.id); });
     this->watch().isGone = true;
@@ -458,7 +458,7 @@ TYPED_TEST(EncoderBusContract, AThreadTriesALostLinkAgain)
 
 TYPED_TEST(EncoderBusContract, ClosingWhileItOpensEndsThat)
 {
-    std::vector<RefusalId> refused;
+    std::vector<RefusalCode> refused;
     QObject::connect(&this->bus(), &EncoderBus::openRefused, &this->bus(),
                      [&](const Refusal &why) { refused.push_back(why.id); });
     this->watch().blockOpening(true);

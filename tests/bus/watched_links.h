@@ -139,7 +139,7 @@ public:
 private:
     static constexpr qsizetype longestQuestion = 7;
 
-    tl::unexpected<Refusal> gone(RefusalId id) const
+    tl::unexpected<Refusal> gone(RefusalCode id) const
     {
         return refuse(RefusalKind::link, id, {m_link->name()});
     }

@@ -16,7 +16,7 @@ constexpr CamAbilities rodCams{.programs = 1,
                                .hasHysteresis = true,
                                .hasPolarity = true};
 
-Refusal badInput(RefusalId id, std::vector<RefusalArgument> arguments)
+Refusal badInput(RefusalCode id, std::vector<RefusalArgument> arguments)
 {
     return {RefusalKind::badInput, id, std::move(arguments)};
 }

@@ -6,7 +6,7 @@
 namespace codewheel {
 namespace {
 
-Refusal refusal(RefusalId id, std::vector<RefusalArgument> arguments)
+Refusal refusal(RefusalCode id, std::vector<RefusalArgument> arguments)
 {
     return {RefusalKind::link, id, std::move(arguments)};
 }

@@ -23,7 +23,7 @@ protected:
     {
         return *std::ranges::find(device.parameters, parameter, &ParameterDescription::parameter);
     }
-    static std::optional<RefusalId> refusalOf(const DeviceDescription &device, const Job &job)
+    static std::optional<RefusalCode> refusalOf(const DeviceDescription &device, const Job &job)
     {
         const auto steps =
             plannedSteps(device, job, {.known = {{Parameter::startUpMode, 1, Evidence::told, {}}}});

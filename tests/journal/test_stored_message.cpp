@@ -3,6 +3,7 @@
 #include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "tests/support/places.h"
+#include "vocabulary/families.h"
 #include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
@@ -19,24 +20,23 @@ const QDateTime noonAndSevenMs(QDate(2026, 3, 1), QTime(12, 0, 0, 7), Qt::UTC);
 
 TEST(StoredMessage, GivesBackEveryMessage)
 {
-    for (std::size_t i = 0; i < messageCount; ++i) {
+    for (const MessageCode &code : codesOf(messageFamilies())) {
         Message message{.place = "6.1"_ring,
                         .severity = Severity::attention,
-                        .id = static_cast<MessageId>(i),
+                        .id = code,
                         .arguments = {std::int64_t{3}, Word{0x86000000}, QStringLiteral("x")}};
-        EXPECT_EQ(messageOf(storedMessage(message, noonAndSevenMs)), message) << i;
+        EXPECT_EQ(messageOf(storedMessage(message, noonAndSevenMs)), message) << code.row().key;
     }
 }
 
 TEST(StoredMessage, GivesBackEveryRefusal)
 {
-    for (std::size_t i = 0; i < refusalCount; ++i) {
+    for (const RefusalCode &code : codesOf(refusalFamilies())) {
         Message message{.severity = Severity::attention};
-        message.refusal = Refusal{
-            RefusalKind::device, static_cast<RefusalId>(i), {Parameter::steps, std::int64_t{-1}, Word{1}}};
+        message.refusal = Refusal{RefusalKind::device, code, {Parameter::steps, std::int64_t{-1}, Word{1}}};
         const StoredMessage stored = storedMessage(message, noonAndSevenMs);
-        EXPECT_EQ(messageOf(stored), message) << i;
-        EXPECT_EQ(codeOf(stored), refusalKey(static_cast<RefusalId>(i)));
+        EXPECT_EQ(messageOf(stored), message) << code.row().key;
+        EXPECT_EQ(codeOf(stored), refusalKey(code));
         EXPECT_EQ(messageText(stored), messageText(message));
     }
 }
@@ -58,7 +58,7 @@ TEST(StoredMessage, KeepsCodesAndNoText)
 
 struct StoredRow
 {
-    MessageId id;
+    MessageCode id;
     std::vector<RefusalArgument> arguments;
     const char *stored;
     const char *text;

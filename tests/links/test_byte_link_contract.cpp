@@ -20,7 +20,7 @@ const QByteArray request = "\x1B"
 const QByteArray answer = "\r\n00001235\r\n";
 
 template <typename T>
-RefusalId idOf(const Result<T> &result)
+RefusalCode idOf(const Result<T> &result)
 {
     return result ? RefusalId::nothingToDo : result.error().id;
 }

@@ -22,7 +22,7 @@ const QString usb0 = QStringLiteral("/dev/ttyUSB0");
 const PortInfo ours = adapter("/dev/ttyUSB0", "A50285BI", "1-2:1.0");
 const PortInfo nameless = adapter("/dev/ttyUSB0", "", "1-2:1.0");
 
-RefusalId idOf(const Result<QString> &found)
+RefusalCode idOf(const Result<QString> &found)
 {
     return found ? RefusalId::nothingToDo : found.error().id;
 }

@@ -10,7 +10,7 @@ namespace {
 
 TEST(PortAccess, TellsWhatAnErrorOfTheSystemMeans)
 {
-    const std::pair<int, RefusalId> rows[] = {
+    const std::pair<int, RefusalCode> rows[] = {
         {ENOENT, RefusalId::portNotFound}, {ENODEV, RefusalId::portNotFound},
         {ENXIO, RefusalId::portNotFound},  {ENOTDIR, RefusalId::portNotFound},
         {EACCES, RefusalId::portNoRights}, {EPERM, RefusalId::portNoRights},

@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 constexpr SerialSettings usual{};
 
 template <typename T>
-RefusalId refusalOf(const Result<T> &result)
+RefusalCode refusalOf(const Result<T> &result)
 {
     return result ? RefusalId::nothingToDo : result.error().id;
 }

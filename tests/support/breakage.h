@@ -48,7 +48,7 @@ void expectNamed(const Breakage &breakage, const Fault &said, const QString &fil
 }
 
 // The same four, as arguments of a refusal.
-inline void expectNamed(const Breakage &breakage, const Refusal &refusal, RefusalId id, const QString &file)
+inline void expectNamed(const Breakage &breakage, const Refusal &refusal, RefusalCode id, const QString &file)
 {
     struct Said
     {

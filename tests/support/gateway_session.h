@@ -76,7 +76,7 @@ public:
         EXPECT_TRUE(outcome) << "it does not end";
         return outcome.value_or(Outcome{});
     }
-    std::size_t countOf(MessageId id) const
+    std::size_t countOf(MessageCode id) const
     {
         return static_cast<std::size_t>(std::ranges::count(messages, id, &Message::id));
     }

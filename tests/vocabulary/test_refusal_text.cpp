@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "vocabulary/families.h"
 #include "vocabulary/refusal_text.h"
 
 #include <QRegularExpression>
@@ -11,7 +12,7 @@ namespace {
 
 using Arguments = std::vector<RefusalArgument>;
 
-std::string text(RefusalId id, Arguments arguments = {})
+std::string text(RefusalCode id, Arguments arguments = {})
 {
     return refusalText({RefusalKind::device, id, std::move(arguments)}).toStdString();
 }
@@ -21,7 +22,7 @@ TEST(RefusalText, SaysWhatWasWrongAndWhatWouldBeRight)
     const QString fraba = QStringLiteral("FRABA OCD-IB K3");
     struct Row
     {
-        RefusalId id;
+        RefusalCode id;
         Arguments arguments;
         const char *text;
     };
@@ -110,11 +111,10 @@ const std::vector<Arguments> anyArguments = {
 TEST(RefusalText, EveryRefusalHasASentenceWhateverItsArguments)
 {
     static const QRegularExpression place(QStringLiteral("%[1-9]"));
-    for (std::size_t i = 0; i < refusalCount; ++i)
+    for (const RefusalCode &code : codesOf(refusalFamilies()))
         for (const Arguments &arguments : anyArguments) {
-            const QString sentence =
-                refusalText({RefusalKind::badInput, static_cast<RefusalId>(i), arguments});
-            EXPECT_GT(sentence.size(), 10) << i;
+            const QString sentence = refusalText({RefusalKind::badInput, code, arguments});
+            EXPECT_GT(sentence.size(), 10) << code.row().key;
             EXPECT_FALSE(sentence.contains(place)) << sentence.toStdString();
         }
 }
@@ -123,13 +123,15 @@ TEST(RefusalText, EveryRefusalAndMessageHasAKeyOfItsOwn)
 {
     static const QRegularExpression camelCase(QStringLiteral("^[a-z][A-Za-z0-9]*$"));
     QSet<QString> keys;
-    for (std::size_t i = 0; i < refusalCount; ++i)
-        keys << refusalKey(static_cast<RefusalId>(i));
-    EXPECT_EQ(keys.size(), qsizetype{refusalCount});
+    const auto refusals = codesOf(refusalFamilies());
+    for (const RefusalCode &code : refusals)
+        keys << refusalKey(code);
+    EXPECT_EQ(keys.size(), std::ssize(refusals));
     QSet<QString> messageKeys;
-    for (std::size_t i = 0; i < messageCount; ++i)
-        messageKeys << messageKey(static_cast<MessageId>(i));
-    EXPECT_EQ(messageKeys.size(), qsizetype{messageCount});
+    const auto messages = codesOf(messageFamilies());
+    for (const MessageCode &code : messages)
+        messageKeys << messageKey(code);
+    EXPECT_EQ(messageKeys.size(), std::ssize(messages));
     for (const QString &key : keys + messageKeys)
         EXPECT_TRUE(camelCase.match(key).hasMatch()) << key.toStdString();
     EXPECT_EQ(refusalKey(RefusalId::valueOutOfRange), QStringLiteral("valueOutOfRange"));
@@ -138,7 +140,7 @@ TEST(RefusalText, EveryRefusalAndMessageHasAKeyOfItsOwn)
 
 TEST(MessageText, TellsWhatHappened)
 {
-    const auto told = [](MessageId id, Arguments arguments = {}, std::optional<Refusal> refusal = {}) {
+    const auto told = [](MessageCode id, Arguments arguments = {}, std::optional<Refusal> refusal = {}) {
         return messageText({.id = id, .arguments = std::move(arguments), .refusal = std::move(refusal)})
             .toStdString();
     };
@@ -159,10 +161,10 @@ TEST(MessageText, TellsWhatHappened)
 TEST(MessageText, EveryMessageHasASentenceWhateverItsArguments)
 {
     static const QRegularExpression place(QStringLiteral("%[1-9]"));
-    for (std::size_t i = 0; i < messageCount; ++i)
+    for (const MessageCode &code : codesOf(messageFamilies()))
         for (const Arguments &arguments : anyArguments) {
-            const QString sentence = messageText({.id = static_cast<MessageId>(i), .arguments = arguments});
-            EXPECT_FALSE(sentence.isEmpty()) << i;
+            const QString sentence = messageText({.id = code, .arguments = arguments});
+            EXPECT_FALSE(sentence.isEmpty()) << code.row().key;
             EXPECT_FALSE(sentence.contains(place)) << sentence.toStdString();
         }
 }

@@ -59,7 +59,7 @@ Checked<SetPreset> presetJob(const Call &call, const DeviceDescription &device)
 }
 
 // It was sent, and its effect was looked for.
-bool isAboutPreset(RefusalId why)
+bool isAboutPreset(RefusalCode why)
 {
     return why == RefusalId::presetNotTaken || why == RefusalId::presetUsedUp ||
            why == RefusalId::presetNotKnown || why == RefusalId::presetNotKnownWithout;

@@ -18,7 +18,7 @@ bool canAsk(const Call &call)
     return call.terminal.isInteractive && !call.arguments.has("--json");
 }
 
-Checked<void> refused(const EncoderSession &encoder, RefusalId id, std::optional<int> mark)
+Checked<void> refused(const EncoderSession &encoder, RefusalCode id, std::optional<int> mark)
 {
     return tl::unexpected(
         complaintAbout({RefusalKind::busy,

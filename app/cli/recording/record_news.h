@@ -35,7 +35,7 @@ private:
     const Call &m_call;
     const BusRecorder &m_recorder;
     BusRecorder::State m_state = m_recorder.state();
-    std::optional<RefusalId> m_problem;
+    std::optional<RefusalCode> m_problem;
     bool m_hasLost = false;
     std::set<const BusAccess *> m_gone;
     Clock::time_point m_nextProgress{};

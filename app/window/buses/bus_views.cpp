@@ -50,7 +50,7 @@ void BusViews::showAfresh(TrainingArea &panel, QAction *action, const QString &w
     action->setEnabled(isMeant() && whyNot.isEmpty());
 }
 
-void BusViews::tellTraining(Place place, const TrainingAct &what, MessageId id)
+void BusViews::tellTraining(Place place, const TrainingAct &what, MessageCode id)
 {
     Q_EMIT told({.place = place, .severity = Severity::information, .id = id, .arguments = what});
 }

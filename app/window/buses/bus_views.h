@@ -125,7 +125,7 @@ protected:
     // Whether its simulated bus can begin anew: in its training panel and, if it is meant, by the action.
     void showAfresh(TrainingArea &panel, QAction *action, const QString &whyNot);
     // A place without a node is the bus itself.
-    void tellTraining(Place place, const TrainingAct &what, MessageId id = MessageId::training);
+    void tellTraining(Place place, const TrainingAct &what, MessageCode id = MessageId::training);
 
 private:
     std::vector<QWidget *> m_own;

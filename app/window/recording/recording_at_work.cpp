@@ -118,7 +118,7 @@ void RecordingAtWork::tellProblem(const std::optional<Refusal> &problem)
         tell(MessageId::recordingGoesOn, {static_cast<std::int64_t>(status.lost)});
 }
 
-void RecordingAtWork::tell(MessageId id, std::vector<RefusalArgument> more)
+void RecordingAtWork::tell(MessageCode id, std::vector<RefusalArgument> more)
 {
     more.insert(more.begin(), m_recorder->plan().settings.file);
     Q_EMIT messaged({.id = id, .arguments = std::move(more)});

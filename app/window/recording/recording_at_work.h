@@ -36,7 +36,7 @@ private:
     void look();
     void endIfOver();
     void tellProblem(const std::optional<Refusal> &problem);
-    void tell(MessageId id, std::vector<RefusalArgument> more = {});
+    void tell(MessageCode id, std::vector<RefusalArgument> more = {});
     void finish();
 
     Buses &m_buses;
@@ -45,7 +45,7 @@ private:
     std::unique_ptr<BusRecorder> m_recorder;
     bool m_waits = false; // for its trigger, as last told
     bool m_isByHand = false;
-    std::optional<RefusalId> m_problem; // as last told
+    std::optional<RefusalCode> m_problem; // as last told
     QTimer m_timer;
 };
 

@@ -21,6 +21,7 @@ public:
 
     bool isGiven() const { return !m_given.empty(); } // and not gone with
     int writes() const { return m_writes; }           // to its EEPROM
+    void lose(const QByteArray &key) { m_inForce.erase(key); }
 
 private:
     QByteArray give(const QByteArray &values);

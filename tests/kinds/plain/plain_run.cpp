@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/kinds/plain/plain_run.h"
 
+#include "tests/kinds/plain/plain_refusals.h"
 #include "tests/kinds/plain/telegram_protocol.h"
 
 namespace codewheel::test {
@@ -70,7 +71,8 @@ void PlainRun::answered(const QByteArray &answer)
 {
     if (answer.startsWith("no "))
         fail({RefusalKind::device,
-              RefusalId::wrongParameterData,
+              m_encoder.device.profile == telegramProfile ? RefusalCode(RefusalId::wrongParameterData)
+                                                          : PlainRefusalId::noSuchKey,
               {*parameterFromKey(QString::fromLatin1(answer.mid(3)))}});
     else
         done(answer);

@@ -34,7 +34,7 @@ protected:
         EXPECT_TRUE(outcome);
         return outcome.value_or(Outcome{});
     }
-    RefusalId whyNot(const ParameterValues &values)
+    RefusalCode whyNot(const ParameterValues &values)
     {
         const auto steps = encoder.planned({WriteParameters{.values = values, .previous = {}}});
         return steps ? RefusalId::nothingToDo : steps.error().id;

@@ -71,7 +71,7 @@ QJsonObject EscLineAccount::toJson() const
 QString EscLineAccount::whereItWasLeft() const
 {
     const Outcome &outcome = this->outcome();
-    const auto endedBy = [&](RefusalId id) { return !outcome.result && outcome.result.error().id == id; };
+    const auto endedBy = [&](RefusalCode id) { return !outcome.result && outcome.result.error().id == id; };
     if (endedBy(RefusalId::portLost) || endedBy(RefusalId::stoppedInWrite))
         return CommandLine::tr(
             "What the encoder has is known as far as it is told above: connect again and read "

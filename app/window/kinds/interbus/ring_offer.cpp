@@ -147,7 +147,7 @@ void RingOffer::end()
         endAs(MessageId::offerEnded);
 }
 
-void RingOffer::endAs(MessageId why)
+void RingOffer::endAs(MessageCode why)
 {
     for (const Message &message : m_news.take(m_server->clients(), sinceStart()))
         tell(message);
@@ -227,7 +227,7 @@ std::shared_ptr<TrainingControls> RingOffer::controls(int unit) const
     return isSeat ? m_seats.rings()[static_cast<std::size_t>(unit - 1)].training.controls : nullptr;
 }
 
-void RingOffer::tellOfSeat(int unit, NodeId node, const TrainingAct &what, MessageId id)
+void RingOffer::tellOfSeat(int unit, NodeId node, const TrainingAct &what, MessageCode id)
 {
     tell({.id = id, .arguments = actAtSeat(unit, node, what)});
 }

@@ -57,7 +57,7 @@ public:
     // What a trainer can do to the ring of a seat; another one after restart(). Null: there is no such seat.
     std::shared_ptr<TrainingControls> controls(int unit) const;
     // What was done to the ring of a seat, for the messages.
-    void tellOfSeat(int unit, NodeId node, const TrainingAct &what, MessageId id = MessageId::training);
+    void tellOfSeat(int unit, NodeId node, const TrainingAct &what, MessageCode id = MessageId::training);
     // For a client of the seat, or of the one ring (unit 1): this ring behind a gateway that is reached at
     // `host`.
     Project clientProject(int unit, const QString &host) const;
@@ -75,7 +75,7 @@ private:
     bool offersWindowsRing() const { return isOn() && !m_wish.hasSeats; }
     RingSession &offeredRing() const; // one of them: they are alike
     void takePlans();
-    void endAs(MessageId why);
+    void endAs(MessageCode why);
     void stop();
     void tell(Message message);
     void followBus();

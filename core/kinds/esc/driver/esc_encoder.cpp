@@ -174,7 +174,7 @@ void EscEncoder::mayHaveChanged(esc::Command command)
         forgetPosition();
 }
 
-void EscEncoder::tell(Instant now, Severity severity, MessageId id, std::vector<RefusalArgument> arguments)
+void EscEncoder::tell(Instant now, Severity severity, MessageCode id, std::vector<RefusalArgument> arguments)
 {
     messages.push_back({.at = now, .severity = severity, .id = id, .arguments = std::move(arguments)});
 }

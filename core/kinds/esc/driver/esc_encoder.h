@@ -50,7 +50,7 @@ public:
     // A write was carried out, or may have been: what depends on it is no longer known.
     void mayHaveChanged(esc::Command command);
 
-    void tell(Instant now, Severity severity, MessageId id, std::vector<RefusalArgument> arguments = {});
+    void tell(Instant now, Severity severity, MessageCode id, std::vector<RefusalArgument> arguments = {});
     void flushKnowledge();
 
 private:

@@ -14,7 +14,7 @@ namespace codewheel {
 namespace {
 
 // What is missing is the port itself; any other refusal is about opening it.
-bool isAboutPort(RefusalId id)
+bool isAboutPort(RefusalCode id)
 {
     return id == RefusalId::portNotFound || id == RefusalId::portOfOther;
 }

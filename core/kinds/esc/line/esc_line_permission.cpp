@@ -4,7 +4,7 @@
 namespace codewheel {
 namespace {
 
-tl::unexpected<Refusal> notNow(RefusalId why, const QString &place)
+tl::unexpected<Refusal> notNow(RefusalCode why, const QString &place)
 {
     return refuse(RefusalKind::busy, why, {place});
 }

@@ -33,7 +33,7 @@ RingStructure checkedRing(const std::vector<CheckedDevice> &devices)
 }
 
 // What is missing is the place itself; any other refusal is about the connection to it.
-bool isAboutPlace(RefusalId id)
+bool isAboutPlace(RefusalCode id)
 {
     return id == RefusalId::hostNotFound || id == RefusalId::portNotFound || id == RefusalId::cancelled;
 }

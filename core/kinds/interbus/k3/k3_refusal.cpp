@@ -74,7 +74,7 @@ Refusal k3Refusal(const K3Circumstances &at, Word in)
     }
     const unsigned number = k3::number(in);
     const DeviceError *error = at.device.findError(number);
-    const RefusalId id = error != nullptr ? error->meaning : RefusalId::otherDeviceError;
+    const RefusalCode id = error != nullptr ? error->meaning : RefusalId::otherDeviceError;
     std::vector<RefusalArgument> arguments;
     if (id == RefusalId::wrongParameterData || id == RefusalId::unknownParameterNumber)
         arguments = suspects(at);

@@ -56,7 +56,7 @@ private:
     bool showsPreset() const;
     bool presetIsOpen(Word in, Instant now) const;
     void judgePreset(Word in);
-    void noteNotSet(RefusalId why, std::vector<RefusalArgument> arguments, Word in);
+    void noteNotSet(RefusalCode why, std::vector<RefusalArgument> arguments, Word in);
     void noteMayBeSpeed(Word in);
     void presetFlagRead(std::int64_t flag);
     void presetWasNotTaken();

@@ -67,7 +67,7 @@ void K3Run::judgePreset(Word in)
         noteNotSet(RefusalId::presetNotKnown, {}, in);
 }
 
-void K3Run::noteNotSet(RefusalId why, std::vector<RefusalArgument> arguments, Word in)
+void K3Run::noteNotSet(RefusalCode why, std::vector<RefusalArgument> arguments, Word in)
 {
     if (m_notSet)
         return;

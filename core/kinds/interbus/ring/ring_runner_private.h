@@ -64,7 +64,7 @@ struct RingRunner::Private
     void leaveRun(MasterState state, const Refusal &why = {RefusalKind::stopped, RefusalId::busStopped, {}});
     void endJobs(const Refusal &why);
     void endJob(std::size_t device, const Refusal &why);
-    void endJobs(RefusalId why) { endJobs(Refusal{RefusalKind::stopped, why, {}}); }
+    void endJobs(RefusalCode why) { endJobs(Refusal{RefusalKind::stopped, why, {}}); }
     void goOnWithWhatWasExchanged();
     Word goesOn(std::size_t device, Word last) const;
     Result<void> mayWrite(std::size_t device, Word word) const;

@@ -35,7 +35,7 @@ QString sentIn(const Message &message)
     return word != nullptr ? *word : QString();
 }
 
-bool isAboutZeros(MessageId id)
+bool isAboutZeros(MessageCode id)
 {
     return id == MessageId::zerosReadBack || id == MessageId::zerosOverwritten ||
            id == MessageId::zerosSent || id == MessageId::zerosWait || id == MessageId::zerosBeforeRing;

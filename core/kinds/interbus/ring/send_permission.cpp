@@ -3,9 +3,9 @@
 
 namespace codewheel {
 
-Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &place, RefusalId whenHeld)
+Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &place, RefusalCode whenHeld)
 {
-    const auto notNow = [&place](RefusalId why) { return refuse(RefusalKind::busy, why, {place}); };
+    const auto notNow = [&place](RefusalCode why) { return refuse(RefusalKind::busy, why, {place}); };
     if (!ring.connected && ring.whyLost)
         return tl::unexpected(*ring.whyLost);
     if (ring.state != MasterState::run)

@@ -10,7 +10,7 @@ namespace codewheel {
 // and no job holds its OUT word. The window checks the latest snapshot to answer at once; the runner checks
 // again when the command arrives. `place` is where it is, as shown to people; `whenHeld` is jobRunning or
 // wordHeldByJob.
-Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &place, RefusalId whenHeld);
+Result<void> maySend(const Snapshot &ring, std::size_t device, const QString &place, RefusalCode whenHeld);
 
 // Whether the master may now be asked for a service that changes what the ring does: read it in, switch a
 // segment, confirm diagnostics, store another configuration. Checked twice like the above. Stop and ALARM

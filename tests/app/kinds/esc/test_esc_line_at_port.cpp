@@ -198,7 +198,7 @@ TEST_F(EscLineAtPort, ALedgerThatCannotBeUsedIsToldWhenThePortIsOpened)
     QFile ledger(folder.filePath(QStringLiteral("eeprom-writes.sqlite")));
     ASSERT_TRUE(ledger.open(QIODevice::WriteOnly) && ledger.write("something else") > 0);
     ledger.close();
-    std::vector<MessageId> told;
+    std::vector<MessageCode> told;
     const QObject listener; // ends with this test, before the line
     QObject::connect(&shown->line(), &EscLineAtWork::messaged, &listener,
                      [&](const Message &message) { told.push_back(message.id); });

@@ -198,7 +198,7 @@ Result<void> EscBench::begin(const Job &job, Pace pace)
 const Outcome &EscBench::finish(const Job &job, Pace pace)
 {
     if (const auto taken = begin(job, pace); !taken) {
-        ADD_FAILURE() << "refused: " << static_cast<int>(taken.error().id);
+        ADD_FAILURE() << "refused: " << taken.error().id.row().key;
         outcome.emplace();
         return *outcome;
     }
@@ -241,7 +241,7 @@ int EscBench::count(const std::string &letters) const
         std::ranges::count_if(log, [&](const std::string &line) { return lettersOf(line) == letters; }));
 }
 
-int EscBench::countOf(MessageId id) const
+int EscBench::countOf(MessageCode id) const
 {
     return static_cast<int>(std::ranges::count(messages, id, &Message::id));
 }

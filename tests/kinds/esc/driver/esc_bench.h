@@ -61,7 +61,7 @@ public:
     std::vector<Message> messages;
     std::map<Parameter, Known> known;
     int eepromWrites = 0;
-    int countOf(MessageId id) const;
+    int countOf(MessageCode id) const;
     std::optional<std::int64_t> value(Parameter parameter) const;
 
 private:

@@ -77,7 +77,7 @@ TEST(EscAddress, WithoutAnAnswerItIsFoundWhereItIs)
     {
         Fate fate;
         int found;
-        std::optional<RefusalId> why;
+        std::optional<RefusalCode> why;
         int writes;
     };
     const Row rows[] = {{Fate::unanswered, 21, {}, 1}, {Fate::lost, 3, RefusalId::escWriteNotDone, 0}};

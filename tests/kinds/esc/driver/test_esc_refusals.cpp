@@ -25,7 +25,7 @@ WriteParameters writing(ParameterValues values)
 TEST(EscRefusals, WhatTheEncoderCannotDo)
 {
     EscBench bench;
-    const std::pair<Job, RefusalId> rows[] = {
+    const std::pair<Job, RefusalCode> rows[] = {
         {SendWords{{0x1234}}, RefusalId::sendingNotSupported},
         {ReadCams{}, RefusalId::camsNotSupported},
         {WriteCams{}, RefusalId::camsNotSupported},

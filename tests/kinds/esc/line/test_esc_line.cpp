@@ -47,7 +47,7 @@ protected:
     const std::shared_ptr<SimulatedEscLine> simulated;
     std::vector<EscDriver *> drivers;
     EscLineSession line;
-    std::vector<MessageId> messages;
+    std::vector<MessageCode> messages;
     std::vector<Result<int>> determined;
 };
 
@@ -90,7 +90,7 @@ TEST_F(EscLine, GoesOnWhenTheAdapterIsBack)
     simulated->setUnplugged(false);
     line.advance(2s);
     EXPECT_TRUE(line.isRunning());
-    EXPECT_EQ(messages, (std::vector{MessageId::portLost, MessageId::portBack}));
+    EXPECT_EQ(messages, (std::vector<MessageCode>{MessageId::portLost, MessageId::portBack}));
     EXPECT_EQ(encoder().latest().state, EncoderState::operation);
     EXPECT_GT(encoder().latest().at, before + 1min);
     EXPECT_EQ(encoder().known(Parameter::serialNumber)->value, 4711);

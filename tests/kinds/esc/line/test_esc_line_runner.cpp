@@ -121,7 +121,7 @@ TEST_F(EscLineRunnerTest, InWatchOnlyReadsAreSent)
         0, 1, WriteParameters{.values = {{Parameter::direction, 1}}, .previous = {}}, Pace::byItself});
     runner.post(line_command::Send{{.to = {5}, .command = esc::Command::writePreset, .data = 1}});
     run(50ms);
-    std::vector<RefusalId> refused;
+    std::vector<RefusalCode> refused;
     for (const EscLineEvent &event : runner.takeEvents()) {
         if (const auto *message = std::get_if<Message>(&event.what); message && message->refusal)
             refused.push_back(message->refusal->id);
@@ -129,7 +129,7 @@ TEST_F(EscLineRunnerTest, InWatchOnlyReadsAreSent)
         if (const auto *outcome = what ? std::get_if<Outcome>(what) : nullptr)
             refused.push_back(outcome->result.error().id);
     }
-    EXPECT_EQ(refused, (std::vector{RefusalId::watchOnly, RefusalId::watchOnly}));
+    EXPECT_EQ(refused, (std::vector<RefusalCode>{RefusalId::watchOnly, RefusalId::watchOnly}));
     EXPECT_THAT(link.sentTexts(), testing::AllOf(testing::Not(testing::IsEmpty()), testing::Each("05P")));
 }
 
@@ -210,7 +210,7 @@ TEST_F(EscLineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
 
     link.unplugged = true;
     run(10ms);
-    std::vector<MessageId> told;
+    std::vector<MessageCode> told;
     std::vector<Refusal> why;
     for (const EscLineEvent &event : runner.takeEvents()) {
         const auto *message = std::get_if<Message>(&event.what);
@@ -220,7 +220,7 @@ TEST_F(EscLineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
         if (const auto *outcome = what ? std::get_if<Outcome>(what) : nullptr)
             why.push_back(outcome->result.error());
     }
-    EXPECT_EQ(told, (std::vector{MessageId::portLost}));
+    EXPECT_EQ(told, (std::vector<MessageCode>{MessageId::portLost}));
     const Refusal lost{RefusalKind::link, RefusalId::portLost, {QStringLiteral("scripted line")}};
     EXPECT_EQ(why, (std::vector{lost})); // about the job
     EXPECT_FALSE(runner.takeLatest()->connected);
@@ -408,7 +408,7 @@ TEST_F(EscLineRunnerTest, KeepsTenThousandRowsAndCountsTheRest)
 
 TEST_F(EscLineRunnerTest, TellsOfOperateAndOfWatchWhenTheyBegin)
 {
-    std::vector<MessageId> told;
+    std::vector<MessageCode> told;
     for (const bool on : {false, true, true, false, false}) {
         runner.post(line_command::SetOperate{on});
         run(10ms);
@@ -419,7 +419,7 @@ TEST_F(EscLineRunnerTest, TellsOfOperateAndOfWatchWhenTheyBegin)
         }
         EXPECT_EQ(runner.takeLatest()->operate, on);
     }
-    EXPECT_EQ(told, (std::vector{MessageId::operateOn, MessageId::watchOn}));
+    EXPECT_EQ(told, (std::vector<MessageCode>{MessageId::operateOn, MessageId::watchOn}));
 }
 
 } // namespace

@@ -231,7 +231,7 @@ TEST_F(SimulatedEscLineTest, OneOrAllFallSilent)
     EXPECT_EQ(answer("05P"), "\r\n00001235\r\n");
 }
 
-RefusalId idOf(const Result<QByteArray> &result)
+RefusalCode idOf(const Result<QByteArray> &result)
 {
     return result ? RefusalId::nothingToDo : result.error().id;
 }

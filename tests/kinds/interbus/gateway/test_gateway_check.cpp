@@ -65,7 +65,7 @@ protected:
         bank->input[2 * device] = static_cast<Register>(word >> 16);
         bank->input[2 * device + 1] = static_cast<Register>(word);
     }
-    static std::optional<RefusalId> whyOf(const GatewayFinding &finding)
+    static std::optional<RefusalCode> whyOf(const GatewayFinding &finding)
     {
         return finding.why ? std::optional(finding.why->id) : std::nullopt;
     }

@@ -57,7 +57,7 @@ protected:
         ASSERT_EQ(ring->bus->state(), BusState::open);
     }
     Word outThere() const { return ring->gateway->out().front(); }
-    bool isTold(RefusalId id) const
+    bool isTold(RefusalCode id) const
     {
         return std::ranges::any_of(ring->messages, [id](const Message &message) {
             return message.refusal && message.refusal->id == id;

@@ -19,10 +19,10 @@ class ServedNewsTest : public testing::Test
 protected:
     static constexpr std::size_t mostClients = 4;
 
-    std::vector<MessageId> idsAt(Instant at)
+    std::vector<MessageCode> idsAt(Instant at)
     {
         said = news.take(clients, at);
-        std::vector<MessageId> ids;
+        std::vector<MessageCode> ids;
         for (const Message &message : said)
             ids.push_back(message.id);
         return ids;

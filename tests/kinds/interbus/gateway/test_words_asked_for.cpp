@@ -79,11 +79,11 @@ protected:
         bank->holding[2 * device] = static_cast<Register>(word >> 16);
         bank->holding[2 * device + 1] = static_cast<Register>(word);
     }
-    std::size_t countOf(RefusalId id) const
+    std::size_t countOf(RefusalCode id) const
     {
         return count([id](const Message &message) { return message.refusal && message.refusal->id == id; });
     }
-    std::size_t countOf(MessageId id) const
+    std::size_t countOf(MessageCode id) const
     {
         return count([id](const Message &message) { return message.id == id; });
     }

@@ -151,7 +151,7 @@ struct CamErrorRow
     CamProgram program;
     Word out; // the refused one, the first to be sent
     Word in;
-    RefusalId id;
+    RefusalCode id;
     std::vector<RefusalArgument> arguments;
 };
 
@@ -308,7 +308,7 @@ TEST_F(K3Cams, BadInputIsRefusedAndNothingIsSent)
     struct Row
     {
         Job job;
-        RefusalId id;
+        RefusalCode id;
         std::vector<RefusalArgument> arguments;
     };
     const SwitchMode programNine{Mode::cam, 9};

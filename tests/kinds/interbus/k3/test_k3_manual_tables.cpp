@@ -122,7 +122,7 @@ struct ErrorRow
 {
     const char *name;
     Word in;
-    RefusalId id;
+    RefusalCode id;
 };
 
 class FrabaErrors : public testing::TestWithParam<ErrorRow>

@@ -25,7 +25,7 @@ protected:
         EXPECT_TRUE(m_table.outcome()->result);
         EXPECT_EQ(m_table.outcome()->eepromWrites, 0);
     }
-    void expectRefusal(const Job &job, RefusalId id, Word out)
+    void expectRefusal(const Job &job, RefusalCode id, Word out)
     {
         const Result<void> taken = m_table.begin(job);
         ASSERT_FALSE(taken);

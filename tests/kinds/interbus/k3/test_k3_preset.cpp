@@ -185,7 +185,7 @@ DriverTable frabaSwitchedToPositionMode()
     return table;
 }
 
-class UsedUpPreset : public testing::TestWithParam<std::pair<Word, RefusalId>>
+class UsedUpPreset : public testing::TestWithParam<std::pair<Word, RefusalCode>>
 {};
 
 // FRABA manual 5.4.1: by its flag

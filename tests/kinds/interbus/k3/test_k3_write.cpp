@@ -211,7 +211,7 @@ struct BadInput
 {
     const char *name;
     Job job;
-    RefusalId id;
+    RefusalCode id;
 };
 
 class K3BadInput : public testing::TestWithParam<BadInput>

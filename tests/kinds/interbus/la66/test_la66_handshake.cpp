@@ -322,7 +322,7 @@ struct BadRodInput
 {
     const char *name;
     Job job;
-    RefusalId id;
+    RefusalCode id;
 };
 
 class La66BadInput : public testing::TestWithParam<BadRodInput>

@@ -71,7 +71,7 @@ TEST_F(PositionDrivers, RefuseEveryJobWithItsReason)
     {
         const char16_t *device;
         Job job;
-        RefusalId id;
+        RefusalCode id;
     };
     const Row rows[] = {
         {u"fraba-ocd-ib-k1", ReadParameters{{Parameter::steps}}, RefusalId::readingNotSupported},

@@ -70,7 +70,7 @@ void DrivenEncoder::begin(const Job &job, Pace pace)
 {
     m_outcome.reset();
     const auto taken = m_driver.begin(1, job, pace, m_in, m_out, m_now);
-    ASSERT_TRUE(taken) << static_cast<int>(taken.error().id);
+    ASSERT_TRUE(taken) << taken.error().id.row().key;
 }
 
 void DrivenEncoder::cycle()

@@ -57,7 +57,7 @@ protected:
     std::unique_ptr<RingSession> m_bus;
     int m_seen = 0; // cycles in which 60000000 was exchanged
     std::optional<Outcome> m_outcome;
-    std::vector<RefusalId> m_refused;
+    std::vector<RefusalCode> m_refused;
 };
 
 TEST_F(FrabaPresetOnTheRing, AJobSendsItForOneCycle)

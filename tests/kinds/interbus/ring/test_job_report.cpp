@@ -18,7 +18,7 @@ class JobReport : public testing::Test
 {
 protected:
     std::vector<Message> report(const Job &job) const { return jobReport(job, m_outcome, m_fraba); }
-    void refuseWith(RefusalKind kind, RefusalId id) { m_outcome.result = refuse(kind, id); }
+    void refuseWith(RefusalKind kind, RefusalCode id) { m_outcome.result = refuse(kind, id); }
 
     const Catalog m_catalog = Catalog::builtIn();
     const DeviceDescription &m_fraba = *m_catalog.find(u"fraba-ocd-ib");

@@ -49,9 +49,9 @@ protected:
     {
         m_ring.ring->setFault(fault, place.node, value);
     }
-    std::vector<MessageId> takeMessages()
+    std::vector<MessageCode> takeMessages()
     {
-        std::vector<MessageId> ids;
+        std::vector<MessageCode> ids;
         for (const Message &message : std::exchange(m_messages, {}))
             ids.push_back(message.id);
         return ids;
@@ -70,7 +70,7 @@ protected:
     std::vector<int> m_progress;
     int m_readIns = 0;
     int m_changes = 0;
-    std::optional<RefusalId> m_failure;
+    std::optional<RefusalCode> m_failure;
 };
 
 // Pending events still reach the other encoders; the named encoder gets its rows and its EEPROM writes, but
@@ -447,8 +447,8 @@ TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
 {
     const QPointer<WordChannel> channel = m_bus.channel(onLocalBus);
     const QPointer<EncoderSession> session = m_bus.encoder(onLocalBus);
-    std::optional<RefusalId> refusedWrite;
-    std::optional<RefusalId> refusedJob;
+    std::optional<RefusalCode> refusedWrite;
+    std::optional<RefusalCode> refusedJob;
     QObject::connect(channel, &WordChannel::refused, &m_bus,
                      [&](const Refusal &why) { refusedWrite = why.id; });
     QObject::connect(&m_bus, &RingSession::structureChanged, &m_bus, [&] {

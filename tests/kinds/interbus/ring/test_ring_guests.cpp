@@ -20,7 +20,7 @@ using testing::ElementsAre;
 
 constexpr auto patience = 60'000ms;
 
-RefusalId refusalOf(const Result<GuestSent> &result)
+RefusalCode refusalOf(const Result<GuestSent> &result)
 {
     return result ? RefusalId::nothingToDo : result.error().id;
 }

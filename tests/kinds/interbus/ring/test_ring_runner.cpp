@@ -67,9 +67,9 @@ protected:
         }
         return found;
     }
-    std::vector<MessageId> messages() const
+    std::vector<MessageCode> messages() const
     {
-        std::vector<MessageId> ids;
+        std::vector<MessageCode> ids;
         for (const Message &message : taken<Message>())
             ids.push_back(message.id);
         return ids;
@@ -90,7 +90,7 @@ protected:
 const Word firstWord = 0x020000FF;
 const Word secondWord = 0x04000001;
 
-Refusal refusalAt(RefusalId id, const char *place)
+Refusal refusalAt(RefusalCode id, const char *place)
 {
     return {RefusalKind::busy, id, {QString::fromLatin1(place)}};
 }

@@ -59,9 +59,9 @@ protected:
     }
     EncoderSession *encoder() const { return m_bus->encoder(firstPlace); }
     WordChannel *channel() const { return m_bus->channel(firstPlace); }
-    std::vector<MessageId> messages() const
+    std::vector<MessageCode> messages() const
     {
-        std::vector<MessageId> ids;
+        std::vector<MessageCode> ids;
         for (const Message &message : m_messages)
             ids.push_back(message.id);
         return ids;
@@ -73,7 +73,7 @@ protected:
     std::unique_ptr<RingSession> m_bus;
     std::vector<Message> m_messages;
     std::vector<Outcome> m_outcomes;
-    std::vector<RefusalId> m_refused;
+    std::vector<RefusalCode> m_refused;
 };
 
 TEST_F(BusSessionTest, OpeningShowsOutAsReadBackAndSendsNothing)

@@ -248,7 +248,7 @@ TEST_F(TrainingBusSession, AfterTheComputerSleptNothingMoreIsSent)
     std::vector<Message> messages;
     QObject::connect(&m_bus, &RingSession::messaged, &m_bus,
                      [&](const Message &message) { messages.push_back(message); });
-    const auto said = [&](MessageId id) {
+    const auto said = [&](MessageCode id) {
         return std::ranges::find(messages, id, &Message::id) != messages.end();
     };
     ASSERT_TRUE(encoder().start(WriteParameters{{{Parameter::steps, 255}}, false, {}, false}));

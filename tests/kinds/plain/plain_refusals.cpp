@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/kinds/plain/plain_refusals.h"
+
+#include "vocabulary/families.h"
+
+#include <array>
+
+namespace codewheel::test {
+namespace {
+
+constexpr std::array plainRefusalRows{
+    SentenceRow{PlainRefusalId::noSuchKey, "plainNoSuchKey",
+                "The node does not have the key of %1. Check which node it is."},
+};
+
+} // namespace
+
+constinit const RefusalFamily plainRefusals{plainRefusalRows};
+
+namespace {
+
+// Before anybody reads a journal.
+const bool plainRefusalsAreAdded = [] {
+    addRefusals(plainRefusals);
+    return true;
+}();
+
+} // namespace
+} // namespace codewheel::test
