@@ -5,7 +5,9 @@
 #include "kinds/esc/driver/esc_protocol.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_line_address.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "kinds/esc/protocol/esc_profile.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "kinds/esc/protocol/esc_rules.h"
 #include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/interbus/gateway/register_texts.h"
@@ -77,13 +79,13 @@ namespace {
 
 std::vector<const RefusalFamily *> &familiesOfRefusals()
 {
-    static std::vector<const RefusalFamily *> families{&commonRefusals};
+    static std::vector<const RefusalFamily *> families{&commonRefusals, &escRefusals};
     return families;
 }
 
 std::vector<const MessageFamily *> &familiesOfMessages()
 {
-    static std::vector<const MessageFamily *> families{&commonMessages};
+    static std::vector<const MessageFamily *> families{&commonMessages, &escMessages};
     return families;
 }
 

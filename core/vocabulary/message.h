@@ -36,7 +36,6 @@ enum class MessageId : std::uint8_t {
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed
     wordWritten,       // Word
-    typedWritten,      // what was typed: see textOfTyped()
     parametersWritten, // number of parameters, EEPROM writes, MessageItems; so for the next three
     writtenUnscaled,   // some of them act only while the encoder scales its position
     restoredReadBack,  // previous values and cam programs
@@ -101,20 +100,11 @@ enum class MessageId : std::uint8_t {
     notKept,                  // file, reason
     keptBeside,               // ledger, reason, the file kept beside it
     databasePutAside,         // file, its new name
-    lineOpened,               // port ("training": the simulated line), baud rate
-    lineClosed,               // port; so for the other messages about one
-    portLost,                 // port
-    portBack,                 // port
     linkBack,                 // of a ring
     ringRunsAgain,            // as its gateway says
     watchdogAcknowledged,     // of a gateway
-    lowLatencyRefused,        // port
     encoderSilent,            // tries without an answer
     encoderAnswers,           //
-    suspectPosition,          // the position that jumped, the position before
-    lineAddressChanged,       // address before, address now
-    baudRateChanged,          // baud rate before, baud rate now
-    encodersFound,            // encoders, requests
     recordingBegun,           // file
     recordingWaits,           // file
     recordingTriggered,       // file

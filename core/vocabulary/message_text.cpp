@@ -3,7 +3,6 @@
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"
-#include "vocabulary/port_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/texts_of_kinds.h"
@@ -74,8 +73,6 @@ constexpr std::array messageRows{
                                   "The computer slept for %1 s: the bus is in Watch, and what was shown "
                                   "before is old.")},
     SentenceRow{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
-    SentenceRow{MessageId::typedWritten, "typedWritten",
-                QT_TRANSLATE_NOOP("Message", "Written by hand: %1. EEPROM writes: 1.")},
     SentenceRow{
         MessageId::parametersWritten, "parametersWritten",
         QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
@@ -246,40 +243,16 @@ constexpr std::array messageRows{
     SentenceRow{
         MessageId::databasePutAside, "databasePutAside",
         QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
-    SentenceRow{MessageId::lineOpened, "lineOpened",
-                QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 Bd.")},
-    SentenceRow{MessageId::lineClosed, "lineClosed",
-                QT_TRANSLATE_NOOP("Message", "The serial line %1 was closed.")},
-    SentenceRow{
-        MessageId::portLost, "portLost",
-        QT_TRANSLATE_NOOP("Message",
-                          "The serial port %1 is gone: the adapter was unplugged or has lost its supply.")},
-    SentenceRow{MessageId::portBack, "portBack",
-                QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
     SentenceRow{MessageId::linkBack, "linkBack",
                 QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
     SentenceRow{MessageId::ringRunsAgain, "ringRunsAgain",
                 QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
     SentenceRow{MessageId::watchdogAcknowledged, "watchdogAcknowledged",
                 QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
-    SentenceRow{
-        MessageId::lowLatencyRefused, "lowLatencyRefused",
-        QT_TRANSLATE_NOOP(
-            "Message", "The adapter at %1 does not take low latency: answers may come up to 16 ms later.")},
     SentenceRow{MessageId::encoderSilent, "encoderSilent",
                 QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
     SentenceRow{MessageId::encoderAnswers, "encoderAnswers",
                 QT_TRANSLATE_NOOP("Message", "The encoder answers again.")},
-    SentenceRow{MessageId::suspectPosition, "suspectPosition",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The position %1 is suspect: %2 came before it, and the encoder cannot "
-                                  "turn that fast. It is asked for again.")},
-    SentenceRow{MessageId::lineAddressChanged, "lineAddressChanged",
-                QT_TRANSLATE_NOOP("Message", "The encoder at %1 has the address %2 now.")},
-    SentenceRow{MessageId::baudRateChanged, "baudRateChanged",
-                QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
-    SentenceRow{MessageId::encodersFound, "encodersFound",
-                QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
     SentenceRow{MessageId::recordingBegun, "recordingBegun",
                 QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
     SentenceRow{MessageId::recordingWaits, "recordingWaits",
@@ -413,8 +386,6 @@ QStringList messageParts(const Message &message)
     case MessageId::training:
     case MessageId::faultPlan:
         return {trainingActText(message.arguments)};
-    case MessageId::typedWritten:
-        return {textOfTyped(message.arguments)};
     case MessageId::parametersWritten:
     case MessageId::writtenUnscaled:
         return partsOfWritten(message);
@@ -425,12 +396,6 @@ QStringList messageParts(const Message &message)
         return partsOfItems(message);
     case MessageId::outLeft:
         return {argumentTexts(message.arguments).join(QCoreApplication::translate("JobReport", " or "))};
-    case MessageId::lineOpened:
-    case MessageId::lineClosed:
-    case MessageId::portLost:
-    case MessageId::portBack:
-    case MessageId::lowLatencyRefused:
-        return partsWith(message, 0, portText);
     case MessageId::recordingEnded:
         return partsWith(message, 1, dataSizeText);
     case MessageId::valuesRestored:

@@ -68,10 +68,8 @@ enum class RefusalId : std::uint8_t {
     structureBroken,       // text of the rule that would be broken
     noSuchProjectDevice,   // place, places there are
     projectEmpty,          //
-    lineAddressWrong,      // the text given
     lineSettingWrong,      // the text given, what is allowed
     lineAddressTaken,      // address, text of what answers there
-    lineAddressNotAlone,   // address, text of another encoder of the line
     recordingExists,       // file
     serverAddressWrong,    // sentence about what is wrong
     passwordInAddress,     //
@@ -140,20 +138,11 @@ enum class RefusalId : std::uint8_t {
     magnetOutOfRange,       // Word IN
     noValuesFromBefore,     // place
     notSaidWhetherSame,     // place
-    escCommandUnknown,      // command: the encoder answered 03
-    escOutOfRange,          // command with its data: the encoder answered 05
     escNoAnswer,            // command, tries
-    escNotSentInTime,       // seconds without an answer since it was confirmed
-    escReadsDisagree,       // Parameter, one value, the other
-    escWriteUnknown,        // command: no answer, and what the encoder has now could not be read
-    escWriteNotDone,        // command: no answer, and the encoder has the old value
-    escPresetUnproven,      // command, preset: accepted, but neither S nor the position shows it
     presetNotTaken,         // position by the preset, position shown (or IN)
     presetUsedUp,           // the same: the preset flag of a FRABA was 0
     presetNotKnownWithout,  // Parameter that is not known, position shown (or IN)
     presetNotKnown,         // position shown (or IN); or position by the preset, IN that may be a speed
-    escNotFoundAgain,       // where it was looked for
-    escFactorFitsNothing,   // factor, steps, measuring range, as reported by the encoder
     encoderSilent,          // place
     // link
     linkFailed,           // text of the link

@@ -111,10 +111,6 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
     SentenceRow{RefusalId::projectEmpty, "projectEmpty",
                 QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
-    SentenceRow{RefusalId::lineAddressWrong, "lineAddressWrong",
-                QT_TRANSLATE_NOOP(
-                    "Refusal", "\"%1\" is not an address of an encoder on a serial line. Addresses go from "
-                               "01 to 1F (1 to 31); 00 is for an encoder that is alone on its line.")},
     SentenceRow{RefusalId::lineSettingWrong, "lineSettingWrong",
                 QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
     SentenceRow{
@@ -122,11 +118,6 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP(
             "Refusal",
             "Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.")},
-    SentenceRow{
-        RefusalId::lineAddressNotAlone, "lineAddressNotAlone",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Every encoder answers to address %1: it is for an encoder that is alone on its "
-                          "line, and there is %2 too. Use the address of the encoder itself.")},
     SentenceRow{RefusalId::recordingExists, "recordingExists",
                 QT_TRANSLATE_NOOP("Refusal", "There is already a file %1. A recording is never written over "
                                              "another file: choose another name, or remove that file.")},
@@ -390,41 +381,10 @@ constexpr std::array refusalRows{
                     "Refusal", "There is nothing to restore at %1: no values from before a write are kept.")},
     SentenceRow{RefusalId::notSaidWhetherSame, "notSaidWhetherSame",
                 QT_TRANSLATE_NOOP("Refusal", "Say first whether the encoder at %1 is the same as before.")},
-    SentenceRow{RefusalId::escCommandUnknown, "escCommandUnknown",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The encoder does not know the command %1 (answer 03). Nothing was "
-                                  "changed; its version may be older than the manual.")},
-    SentenceRow{RefusalId::escOutOfRange, "escOutOfRange",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The encoder refused %1 as incomplete or out of range (answer 05). It "
-                                  "kept the old value: give another one.")},
     SentenceRow{RefusalId::escNoAnswer, "escNoAnswer",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "No answer to %1 (tries: %2). Check address, baud rate, wiring and "
                                   "supply; an RS-422 encoder also needs ST (pin 7) at +UB.")},
-    SentenceRow{RefusalId::escNotSentInTime, "escNotSentInTime",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "No answer came from the encoder for %1 s after this was confirmed, so "
-                                  "nothing was written. Check the line, then start again.")},
-    SentenceRow{RefusalId::escReadsDisagree, "escReadsDisagree",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "%1 was read as %2 and then as %3, so neither is taken. Check the line "
-                                  "for disturbances, then read again.")},
-    SentenceRow{
-        RefusalId::escWriteUnknown, "escWriteUnknown",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 was sent and not answered, and it could not be found out afterwards whether "
-                          "it was carried out: it is not known whether the encoder has the new value. Check "
-                          "the line, and read the encoder before you go on.")},
-    SentenceRow{RefusalId::escWriteNotDone, "escWriteNotDone",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "%1 was sent and not answered, and the encoder still has the old value. "
-                                  "Check the line, then write again.")},
-    SentenceRow{RefusalId::escPresetUnproven, "escPresetUnproven",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "%1 was accepted, but neither the preset value nor the position shows that "
-                                  "the position was set to %2: it is not known whether it was. Check the "
-                                  "line, and read position and preset before you go on.")},
     SentenceRow{RefusalId::presetNotTaken, "presetNotTaken",
                 QT_TRANSLATE_NOOP(
                     "Refusal", "The position was not set: the encoder shows %2, and would show %1. Make sure "
@@ -445,16 +405,6 @@ constexpr std::array refusalRows{
                           "The preset was sent, but it is not known whether the position was set: the "
                           "encoder shows %1, which does not tell. Compare it with the machine before you "
                           "go on.")},
-    SentenceRow{RefusalId::escNotFoundAgain, "escNotFoundAgain",
-                QT_TRANSLATE_NOOP(
-                    "Refusal",
-                    "The encoder does not answer any more at %1. Search the line for it at all baud rates.")},
-    SentenceRow{
-        RefusalId::escFactorFitsNothing, "escFactorFitsNothing",
-        QT_TRANSLATE_NOOP(
-            "Refusal",
-            "The scaling factor %1 fits %2 steps per turn and a measuring range of %3 in no format, or in "
-            "more than one. Leave the number of fraction bits unchanged, or write the scaling again.")},
     SentenceRow{
         RefusalId::encoderSilent, "encoderSilent",
         QT_TRANSLATE_NOOP("Refusal", "%1 does not answer. Check address, baud rate, wiring and supply.")},

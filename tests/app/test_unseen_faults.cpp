@@ -8,6 +8,7 @@
 #include "app/window/program.h"
 #include "app/window/settings_at_work.h"
 #include "app/window/window_actions.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "tests/app/desktop_bus.h"
 #include "tests/support/places.h"
 #include "widgets/settings/settings_dialog.h"
@@ -50,7 +51,7 @@ QJsonObject hintsOf(const QJsonArray &call)
     return call.at(6).toObject();
 }
 
-Message fault(Place place, MessageCode id = MessageId::portLost)
+Message fault(Place place, MessageCode id = EscMessageId::portLost)
 {
     return {
         .place = place, .severity = Severity::fault, .id = id, .arguments = {QStringLiteral("/dev/ttyUSB0")}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/stored_message.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "tests/support/places.h"
@@ -130,7 +131,7 @@ TEST(StoredMessage, KeepsWhatAMessageListsAsValuesAndKeys)
          R"([4,1,"factorySettings","position","camProgram",3,"typed","05GP00001770",24])",
          "It is not known whether the encoder has this: factory settings, position, cam program 3, 05: set "
          "preset to 1770h = 6.000 (05GP00001770). Read it to know."},
-        {MessageId::typedWritten,
+        {EscMessageId::typedWritten,
          {QStringLiteral("05GP00001770"), std::int64_t{24}},
          R"(["05GP00001770",24])",
          "Written by hand: 05: set preset to 1770h = 6.000 (05GP00001770). EEPROM writes: 1."},
@@ -143,7 +144,7 @@ TEST(StoredMessage, KeepsWhatAMessageListsAsValuesAndKeys)
          {QStringLiteral("/tmp/a.cwrec"), std::int64_t{614'400}},
          R"(["/tmp/a.cwrec",614400])",
          "The recording has ended: /tmp/a.cwrec, 614,4 kB."},
-        {MessageId::lineOpened,
+        {EscMessageId::lineOpened,
          {QStringLiteral("training"), std::int64_t{19'200}},
          R"(["training",19200])",
          "The serial line training line is open at 19.200 Bd."},
@@ -168,7 +169,7 @@ TEST(StoredMessage, ShowsTheTextsOfAnEarlierVersionAsTheyAre)
          {QStringLiteral("position"), std::int64_t{1}},
          R"(["position",1])",
          "It is not known whether the encoder has this: position. Read it to know."},
-        {MessageId::typedWritten,
+        {EscMessageId::typedWritten,
          {QStringLiteral("05: Preset auf 1770h = 6.000 setzen (05GP00001770)")},
          R"x(["05: Preset auf 1770h = 6.000 setzen (05GP00001770)"])x",
          "Written by hand: 05: Preset auf 1770h = 6.000 setzen (05GP00001770). EEPROM writes: 1."},

@@ -6,6 +6,7 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/parameter_arguments.h"
 #include "kinds/esc/protocol/esc_profile.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 
 #include <algorithm>
 
@@ -39,8 +40,8 @@ Checked<void> checkIsAlone(const Call &call, Place place)
         return {};
     const QString others = listed(devicesOn(*call.project, place.bus),
                                   [](const ProjectDevice &encoder) { return encoder.place().shown(); });
-    return tl::unexpected(
-        complaintAbout({RefusalKind::badInput, RefusalId::lineAddressNotAlone, {address.shown(), others}}));
+    return tl::unexpected(complaintAbout(
+        {RefusalKind::badInput, EscRefusalId::lineAddressNotAlone, {address.shown(), others}}));
 }
 
 Checked<QString> deviceOnLine(const Call &call, Place place)

@@ -10,6 +10,7 @@
 #include "kinds/esc/driver/esc_driver.h"
 #include "kinds/esc/links/project_adapter.h"
 #include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "links/port_access.h"
 #include "links/serial_port_link.h"
@@ -169,7 +170,7 @@ bool EscLineAccess::isMeant(const QString &typed) const
 
 Complaint EscLineAccess::notAPlace(const QString &typed) const
 {
-    return complaintAbout({RefusalKind::badInput, RefusalId::lineAddressWrong, {typed}});
+    return complaintAbout({RefusalKind::badInput, EscRefusalId::lineAddressWrong, {typed}});
 }
 
 QString EscLineAccess::somePlaces() const
@@ -334,7 +335,7 @@ Refusal EscLineAccess::whatIsLost() const
 Complaint EscLineAccess::complaint(const Refusal &why) const
 {
     Complaint told = complaintAbout(why);
-    const bool isSilence = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escNotSentInTime;
+    const bool isSilence = why.id == RefusalId::escNoAnswer || why.id == EscRefusalId::notSentInTime;
     if (const Complaint lost = linkLost(); !isConnected() && told.key != lost.key)
         told.text = isSilence ? lost.text : lost.text + u' ' + told.text; // nothing else was wrong
     else if (isSilence)

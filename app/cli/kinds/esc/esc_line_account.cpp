@@ -7,6 +7,7 @@
 #include "cli/encoder/parameter_text.h"
 #include "kinds/esc/driver/esc_fate.h"
 #include "kinds/esc/protocol/esc_line_address.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/sentence.h"
 
 namespace codewheel {
@@ -76,7 +77,7 @@ QString EscLineAccount::whereItWasLeft() const
         return CommandLine::tr(
             "What the encoder has is known as far as it is told above: connect again and read "
             "it.");
-    if (endedBy(RefusalId::escNotFoundAgain))
+    if (endedBy(EscRefusalId::notFoundAgain))
         return {};
     if (outcome.leftIn == EncoderState::silent)
         return CommandLine::tr("The encoder does not answer any more.");

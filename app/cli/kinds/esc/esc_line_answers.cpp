@@ -11,6 +11,7 @@
 #include "cli/kinds/esc/scan_line.h"
 #include "kinds/esc/links/project_adapter.h"
 #include "kinds/esc/protocol/esc_bits.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "links/serial_port_link.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -158,7 +159,7 @@ void EscLineAccess::addFigures(const Call &call, const EncoderSession &encoder, 
     answer.json.insert(QStringLiteral("figures"), figuresJson(figures));
     if (m_session->latest().lowLatency == LowLatency::refused)
         call.terminal.complain(
-            messageText({.id = MessageId::lowLatencyRefused, .arguments = {m_session->linkName()}}));
+            messageText({.id = EscMessageId::lowLatencyRefused, .arguments = {m_session->linkName()}}));
 }
 
 Checked<void> EscLineAccess::checkScan(const Call &call) const

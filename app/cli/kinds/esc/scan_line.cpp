@@ -8,6 +8,7 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/jobs.h"
 #include "cli/kinds/esc/esc_line_access.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/serial_number_text.h"
@@ -27,7 +28,8 @@ Checked<EscLineAddress> addressOf(const Arguments &arguments, const char *option
         return EscLineAddress{otherwise};
     const auto address = EscLineAddress::fromWire(*text);
     if (!address || !address->isDevice())
-        return tl::unexpected(complaintAbout({RefusalKind::badInput, RefusalId::lineAddressWrong, {*text}}));
+        return tl::unexpected(
+            complaintAbout({RefusalKind::badInput, EscRefusalId::lineAddressWrong, {*text}}));
     return *address;
 }
 

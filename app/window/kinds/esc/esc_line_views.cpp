@@ -18,6 +18,7 @@
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/esc/protocol/esc_profile.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/connect/connect_page.h"
@@ -596,7 +597,7 @@ void EscLineViews::takeOver(const std::vector<FoundEncoder> &found, const QStrin
         }
         const Place number = line->placeOf(encoder.address.node());
         const auto added = line->add(encoder.address, deviceKey); // an existing one stays
-        if (!added && added.error().id == RefusalId::lineAddressNotAlone)
+        if (!added && added.error().id == EscRefusalId::lineAddressNotAlone)
             refused = added.error();
         if (line->encoder(number) != nullptr)
             taken.push_back(number);

@@ -4,6 +4,7 @@
 #include "catalog/total_range.h"
 #include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/protocol/esc_bits.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "kinds/esc/protocol/esc_reach.h"
 
 #include <array>
@@ -117,7 +118,7 @@ void EscEncoder::tellSuspect(std::int64_t position, Instant now)
     RefusalArgument before = QString();
     if (reading.position)
         before = *reading.position;
-    tell(now, Severity::attention, MessageId::suspectPosition, {std::int64_t{position}, before});
+    tell(now, Severity::attention, EscMessageId::suspectPosition, {std::int64_t{position}, before});
 }
 
 // What was read in the other byte order meant something else: it is asked for again.

@@ -3,6 +3,7 @@
 
 #include "jobs/values_to_write.h"
 #include "kinds/esc/driver/esc_plan.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 
 #include <algorithm>
 #include <span>
@@ -14,8 +15,8 @@ namespace {
 bool leavesItOpen(const Refusal &why)
 {
     return why.kind == RefusalKind::link || why.kind == RefusalKind::stopped || // ended midway
-           why.id == RefusalId::escWriteUnknown || why.id == RefusalId::escNoAnswer ||
-           why.id == RefusalId::escReadsDisagree;
+           why.id == EscRefusalId::writeUnknown || why.id == RefusalId::escNoAnswer ||
+           why.id == EscRefusalId::readsDisagree;
 }
 
 } // namespace
@@ -34,7 +35,7 @@ bool isFateUnknownOnEsc(const EncoderSession &encoder, std::optional<Parameter> 
     if (outcome.result || !leavesItOpen(outcome.result.error()) || !wasSentOnEsc(job, parameter))
         return false;
     // Reading steps and range back does not tell whether new ones are still waiting for their factor.
-    const bool isUntold = parameter && outcome.result.error().id == RefusalId::escWriteUnknown &&
+    const bool isUntold = parameter && outcome.result.error().id == EscRefusalId::writeUnknown &&
                           isBoundToEscFactor(*parameter);
     // The position is known as the preset.
     return isUntold || !encoder.known(parameter.value_or(Parameter::preset));

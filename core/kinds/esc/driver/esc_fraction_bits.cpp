@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/driver/esc_fraction_bits.h"
 
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "kinds/esc/protocol/esc_scaling.h"
 
 namespace codewheel {
@@ -22,7 +23,7 @@ Result<int> fractionBitsOf(const Outcome &outcome)
     const std::uint32_t range = read(Parameter::measuringRange);
     if (const auto bits = esc::fractionBitsFrom(factor, steps, range))
         return *bits;
-    return refuse(RefusalKind::device, RefusalId::escFactorFitsNothing,
+    return refuse(RefusalKind::device, EscRefusalId::factorFitsNothing,
                   {Word{factor}, std::int64_t{steps}, std::int64_t{range}});
 }
 

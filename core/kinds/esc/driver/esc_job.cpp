@@ -2,6 +2,7 @@
 #include "kinds/esc/driver/esc_job.h"
 
 #include "kinds/esc/driver/esc_values.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 
 #include <algorithm>
 #include <functional>
@@ -224,9 +225,9 @@ Refusal EscJob::refusalOf(const esc::ExchangeResult &result) const
 {
     const QString line = QString::fromLatin1(m_steps.current().line);
     if (result.answer && result.answer->kind == esc::Answer::Kind::unknownCommand)
-        return {RefusalKind::device, RefusalId::escCommandUnknown, {line}};
+        return {RefusalKind::device, EscRefusalId::commandUnknown, {line}};
     if (result.answer && result.answer->kind == esc::Answer::Kind::outOfRange)
-        return {RefusalKind::device, RefusalId::escOutOfRange, {line}};
+        return {RefusalKind::device, EscRefusalId::outOfRange, {line}};
     return {RefusalKind::device, RefusalId::escNoAnswer, {line, std::int64_t{result.sent}}};
 }
 
@@ -239,7 +240,7 @@ Refusal EscJob::whyNotRead(Heard heard, const esc::ExchangeResult &result) const
                                 : RefusalArgument(QString::fromLatin1(answer.text)); // 03, 05
     };
     return {RefusalKind::device,
-            RefusalId::escReadsDisagree,
+            EscRefusalId::readsDisagree,
             {m_steps.current().parameter().value_or(Parameter::preset), shown(m_reads.first()),
              shown(m_reads.last())}};
 }

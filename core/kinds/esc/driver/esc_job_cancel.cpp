@@ -3,6 +3,7 @@
 // for, and what the encoder has then is read.
 #include "kinds/esc/driver/esc_job.h"
 #include "kinds/esc/driver/esc_values.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 
 #include <algorithm>
 #include <span>
@@ -87,7 +88,7 @@ bool EscJob::hasYetToWrite() const
 
 void EscJob::endUnsent(std::chrono::seconds unanswered)
 {
-    finish(refuse(RefusalKind::device, RefusalId::escNotSentInTime, {std::int64_t{unanswered.count()}}));
+    finish(refuse(RefusalKind::device, EscRefusalId::notSentInTime, {std::int64_t{unanswered.count()}}));
 }
 
 // A write that waits for its answer may have been carried out, so the outcome counts it; for the encoder it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The position before and after a preset, and what they say of what became of it.
 #include "kinds/esc/driver/esc_job.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 
 namespace codewheel {
 
@@ -84,7 +85,7 @@ void EscJob::judgeAccepted(Said position, Said value)
         m_steps.goOn();
     else
         fail({RefusalKind::device,
-              RefusalId::escPresetUnproven,
+              EscRefusalId::presetUnproven,
               {QString::fromLatin1(m_proof.line), step.value}});
 }
 
@@ -95,7 +96,7 @@ void EscJob::judgeUnanswered(Said position, Said value)
     if (said == Said::nothing || contradict) {
         failAsUnknown();
     } else if (said == Said::notDone) {
-        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
+        fail({RefusalKind::device, EscRefusalId::writeNotDone, {QString::fromLatin1(m_unanswered->line)}});
     } else {
         m_encoder.values.countEepromWrite();
         m_unanswered.reset();

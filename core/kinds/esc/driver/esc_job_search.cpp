@@ -2,6 +2,8 @@
 // Where an encoder is after its address or its baud rate was changed.
 #include "kinds/esc/driver/esc_job.h"
 #include "kinds/esc/driver/esc_values.h"
+#include "kinds/esc/protocol/esc_messages.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 
 #include <algorithm>
 
@@ -59,7 +61,7 @@ void EscJob::searchAnswered(const esc::ExchangeResult &result, Instant now)
         if (m_unanswered)
             m_encoder.values.countEepromWrite();
         m_encoder.values.forget(*m_steps.current().parameter());
-        fail({RefusalKind::device, RefusalId::escNotFoundAgain, {search.placesText()}});
+        fail({RefusalKind::device, EscRefusalId::notFoundAgain, {search.placesText()}});
     } else if (m_steps.current().parameter() == Parameter::lineAddress) {
         foundAtAddress(search.place().address, now);
     } else {
@@ -79,7 +81,7 @@ void EscJob::foundAtAddress(EscLineAddress found, Instant now)
     }
     if (found != before)
         m_encoder.tell(now, isWanted ? Severity::information : Severity::attention,
-                       MessageId::lineAddressChanged, {before.shown(), found.shown()});
+                       EscMessageId::lineAddressChanged, {before.shown(), found.shown()});
     isThere({Parameter::lineAddress, found.value});
     if (isWanted)
         m_steps.goOn();
@@ -103,7 +105,7 @@ void EscJob::foundAtBaudRate(std::optional<int> found, Instant now)
         before = std::int64_t{*m_rateBefore};
     m_encoder.values.learn({Parameter::baudRate, wanted, Evidence::read, now});
     if (m_rateBefore != wanted)
-        m_encoder.tell(now, Severity::information, MessageId::baudRateChanged,
+        m_encoder.tell(now, Severity::information, EscMessageId::baudRateChanged,
                        {before, m_steps.current().value});
     isThere({Parameter::baudRate, wanted});
     m_steps.goOn();

@@ -2,6 +2,7 @@
 // A write of a job and what became of it.
 #include "kinds/esc/driver/esc_job.h"
 #include "kinds/esc/driver/esc_values.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 
 #include <algorithm>
 
@@ -85,7 +86,7 @@ void EscJob::isNotThere(std::int64_t has)
     if (m_unanswered && isBoundToEscFactor(*step.parameter()))
         failAsUnknown(); // if carried out, it would show once the factor is sent, and not before
     else if (m_unanswered)
-        fail({RefusalKind::device, RefusalId::escWriteNotDone, {QString::fromLatin1(m_unanswered->line)}});
+        fail({RefusalKind::device, EscRefusalId::writeNotDone, {QString::fromLatin1(m_unanswered->line)}});
     else
         fail({RefusalKind::device, RefusalId::verificationFailed, {*step.parameter(), step.value, has}});
 }
@@ -105,13 +106,13 @@ void EscJob::notRead(const Refusal &why)
 void EscJob::failAsUnknown()
 {
     m_encoder.values.countEepromWrite();
-    fail({RefusalKind::device, RefusalId::escWriteUnknown, {QString::fromLatin1(m_unanswered->line)}});
+    fail({RefusalKind::device, EscRefusalId::writeUnknown, {QString::fromLatin1(m_unanswered->line)}});
 }
 
 // The first failure is reported. What was accepted before is still read back, unless the encoder is silent.
 void EscJob::fail(Refusal why)
 {
-    const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == RefusalId::escNotFoundAgain;
+    const bool isSilent = why.id == RefusalId::escNoAnswer || why.id == EscRefusalId::notFoundAgain;
     const std::optional<Parameter> refused =
         m_steps.current().task == EscStep::Task::write ? m_steps.current().parameter() : std::nullopt;
     m_unanswered.reset();

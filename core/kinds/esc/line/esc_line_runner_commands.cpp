@@ -2,6 +2,7 @@
 #include "kinds/esc/line/esc_line_permission.h"
 #include "kinds/esc/line/esc_line_runner_private.h"
 #include "kinds/esc/line/port_argument.h"
+#include "kinds/esc/protocol/esc_messages.h"
 
 #include <algorithm>
 
@@ -161,7 +162,7 @@ void EscLineRunner::Private::endScan(bool cancelled)
     if (!scan)
         return;
     tellEvent(ScanEnded{scan->found(), scan->requests(), cancelled});
-    tell({.id = MessageId::encodersFound,
+    tell({.id = EscMessageId::encodersFound,
           .arguments = {static_cast<std::int64_t>(scan->found().size()),
                         static_cast<std::int64_t>(scan->requests())}});
     scan.reset();

@@ -2,6 +2,7 @@
 // A port that goes away and comes back.
 #include "kinds/esc/line/esc_line_runner_private.h"
 #include "kinds/esc/line/port_argument.h"
+#include "kinds/esc/protocol/esc_messages.h"
 
 #include <algorithm>
 
@@ -19,7 +20,7 @@ void EscLineRunner::Private::portIsGone(const Refusal &why)
     reopenAt = link.now() + betweenTries;
     notBack.reset();
     if (why.id == RefusalId::portLost)
-        tell({.severity = Severity::fault, .id = MessageId::portLost, .arguments = {portArgument(link)}});
+        tell({.severity = Severity::fault, .id = EscMessageId::portLost, .arguments = {portArgument(link)}});
     else
         tell({.severity = Severity::fault, .refusal = why});
     stopJobs(why);
@@ -73,7 +74,7 @@ void EscLineRunner::Private::tryToReopen()
     state.whyLost.reset();
     state.otherAdapter = false;
     state.operate = false;
-    tell({.id = MessageId::portBack, .arguments = {portArgument(link)}});
+    tell({.id = EscMessageId::portBack, .arguments = {portArgument(link)}});
     takeLowLatency();
     publish();
 }
@@ -97,7 +98,7 @@ void EscLineRunner::Private::takeLowLatency()
     state.lowLatency = link.lowLatency();
     if (state.lowLatency == LowLatency::refused && !std::exchange(latencyTold, true))
         tell({.severity = Severity::attention,
-              .id = MessageId::lowLatencyRefused,
+              .id = EscMessageId::lowLatencyRefused,
               .arguments = {portArgument(link)}});
 }
 

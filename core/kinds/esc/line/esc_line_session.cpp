@@ -12,7 +12,9 @@
 #include "kinds/esc/line/esc_line_runner.h"
 #include "kinds/esc/line/port_argument.h"
 #include "kinds/esc/line/row_text.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "kinds/esc/protocol/esc_profile.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/message_items.h"
 #include "vocabulary/serial_number_text.h"
 
@@ -132,7 +134,7 @@ void EscLineSession::linkOpened()
                                            .operate = d->start == Start::operating};
     d->engine.setLatest(std::move(expected));
     tell({.at = now(),
-          .id = MessageId::lineOpened,
+          .id = EscMessageId::lineOpened,
           .arguments = {portArgument(*d->link), std::int64_t{d->settings.baudRate}}});
     showLatest();
     Q_EMIT nodesChanged();
@@ -147,7 +149,7 @@ void EscLineSession::close()
     static_cast<LineState &>(*closed) = {};
     d->engine.setLatest(std::move(closed));
     if (wasOpen)
-        tell({.at = now(), .id = MessageId::lineClosed, .arguments = {portArgument(*d->link)}});
+        tell({.at = now(), .id = EscMessageId::lineClosed, .arguments = {portArgument(*d->link)}});
     showLatest();
 }
 
@@ -240,14 +242,14 @@ Result<void> EscLineSession::add(EscLineAddress address, const QString &deviceKe
     if (!d->engine.isBegun())
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     if (!address.isDevice() && !address.isMaster())
-        return refuse(RefusalKind::badInput, RefusalId::lineAddressWrong, {address.onWire()});
+        return refuse(RefusalKind::badInput, EscRefusalId::lineAddressWrong, {address.onWire()});
     if (const Private::Encoder *there = d->find(place.node))
         return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
                       {address.shown(), there->description->fullName()});
     if (const auto others = places();
         !others.empty() && (address.isMaster() || EscLineAddress::of(others.front().node).isMaster()))
         return refuse(
-            RefusalKind::badInput, RefusalId::lineAddressNotAlone,
+            RefusalKind::badInput, EscRefusalId::lineAddressNotAlone,
             {EscLineAddress::master().shown(), (address.isMaster() ? others.front() : place).shown()});
     const DeviceDescription *described = d->catalog.find(deviceKey);
     if (!described || described->profile != profile::esc)
@@ -567,7 +569,7 @@ void EscLineSession::tellTyped(Place place, const TypedAnswered &answered)
 {
     const std::vector<RefusalArgument> typed = esc::typedArguments(answered.request, explainOptions());
     if (answered.result.answer) {
-        tell({.at = now(), .place = place, .id = MessageId::typedWritten, .arguments = typed});
+        tell({.at = now(), .place = place, .id = EscMessageId::typedWritten, .arguments = typed});
         return;
     }
     MessageItems items{std::int64_t{1}, std::int64_t{1}}; // one item, and perhaps one EEPROM write

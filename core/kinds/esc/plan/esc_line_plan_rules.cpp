@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_profile.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -35,7 +36,7 @@ std::optional<NodeId> EscLinePlanRules::typedPlace(const QString &text) const
 
 QString EscLinePlanRules::noPlaceText(const QString &text) const
 {
-    return refusalText({RefusalKind::badInput, RefusalId::lineAddressWrong, {text}});
+    return refusalText({RefusalKind::badInput, EscRefusalId::lineAddressWrong, {text}});
 }
 
 QString EscLinePlanRules::whyNotAt(NodeId place, Devices others) const
@@ -47,7 +48,7 @@ QString EscLinePlanRules::whyNotAt(NodeId place, Devices others) const
         return PlanRules::whyNotAt(place, others);
     const NodeId beside = isOtherMaster ? place : others.front().place().node;
     return refusalText({RefusalKind::badInput,
-                        RefusalId::lineAddressNotAlone,
+                        EscRefusalId::lineAddressNotAlone,
                         {EscLineAddress::master().onWire(), address(beside).onWire()}});
 }
 

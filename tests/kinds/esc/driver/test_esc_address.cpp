@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/protocol/esc_messages.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "tests/kinds/esc/driver/esc_bench.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +31,7 @@ TEST(EscAddress, GoesAsTwoHexadecimalDigitsAndIsFoundThere)
     EXPECT_EQ(bench.driver.address(), EscLineAddress{21});
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::lineAddress, 21}}));
     EXPECT_EQ(bench.value(Parameter::lineAddress), 21);
-    ASSERT_EQ(bench.countOf(MessageId::lineAddressChanged), 1);
+    ASSERT_EQ(bench.countOf(EscMessageId::lineAddressChanged), 1);
     EXPECT_EQ(bench.messages.back().arguments,
               (std::vector<RefusalArgument>{EscLineAddress{3}.shown(), EscLineAddress{21}.shown()}));
     bench.log.clear();
@@ -53,7 +55,7 @@ TEST(EscAddress, IsFoundAtTheDecimalReadingAndReported)
     EXPECT_EQ(outcome.result.error().arguments,
               (std::vector<RefusalArgument>{Parameter::lineAddress, std::int64_t{21}, std::int64_t{15}}));
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::lineAddress, 15}}));
-    EXPECT_EQ(bench.countOf(MessageId::lineAddressChanged), 1);
+    EXPECT_EQ(bench.countOf(EscMessageId::lineAddressChanged), 1);
     EXPECT_EQ(bench.value(Parameter::lineAddress), 15);
     EXPECT_EQ(outcome.eepromWrites, 1);
 }
@@ -80,7 +82,7 @@ TEST(EscAddress, WithoutAnAnswerItIsFoundWhereItIs)
         std::optional<RefusalCode> why;
         int writes;
     };
-    const Row rows[] = {{Fate::unanswered, 21, {}, 1}, {Fate::lost, 3, RefusalId::escWriteNotDone, 0}};
+    const Row rows[] = {{Fate::unanswered, 21, {}, 1}, {Fate::lost, 3, EscRefusalId::writeNotDone, 0}};
     for (const Row &row : rows) {
         EscBench bench;
         bench.settle();
@@ -106,7 +108,7 @@ TEST(EscAddress, AcceptedAndStillAtTheOldOneIsToldSo)
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error().id, RefusalId::verificationFailed);
     EXPECT_EQ(bench.driver.address(), EscLineAddress{3});
-    EXPECT_EQ(bench.countOf(MessageId::lineAddressChanged), 0);
+    EXPECT_EQ(bench.countOf(EscMessageId::lineAddressChanged), 0);
 }
 
 TEST(EscAddress, NowhereFoundTellsWhereItWasLookedFor)
@@ -118,7 +120,7 @@ TEST(EscAddress, NowhereFoundTellsWhereItWasLookedFor)
     bench.isOn = false;
     bench.runUntil([&] { return bench.outcome.has_value(); });
     ASSERT_FALSE(bench.outcome->result);
-    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escNotFoundAgain);
+    EXPECT_EQ(bench.outcome->result.error().id, EscRefusalId::notFoundAgain);
     EXPECT_EQ(bench.outcome->result.error().arguments,
               (std::vector<RefusalArgument>{QStringLiteral("15h (21); 0Fh (15); 03h (3)")}));
     EXPECT_EQ(bench.jobLog(), (Lines{"03N", "03N", "03X15", "15N", "0FN", "03N", "15N", "0FN", "03N"}));
@@ -177,7 +179,7 @@ TEST(EscBaudRate, IsLookedForAtTheNewRate)
     EXPECT_EQ(bench.jobLog(), (Lines{"02N", "02N", "02Y1", "02N"}));
     EXPECT_EQ(bench.driver.wantedBaudRate(), 9600) << "until the line has it";
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::baudRate, 9600}}));
-    ASSERT_EQ(bench.countOf(MessageId::baudRateChanged), 1);
+    ASSERT_EQ(bench.countOf(EscMessageId::baudRateChanged), 1);
     EXPECT_EQ(bench.messages.back().arguments,
               (std::vector<RefusalArgument>{std::int64_t{19200}, std::int64_t{9600}}));
     bench.run(std::chrono::seconds(2));
@@ -208,7 +210,7 @@ TEST(EscBaudRate, WithoutAnAnswerItIsFoundWhereItIs)
         const Outcome &outcome = bench.finish(baudRate(4800));
         EXPECT_EQ(outcome.result.has_value(), fate == Fate::unanswered);
         if (!outcome.result) {
-            EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteNotDone);
+            EXPECT_EQ(outcome.result.error().id, EscRefusalId::writeNotDone);
         }
         EXPECT_EQ(bench.value(Parameter::baudRate), fate == Fate::lost ? 19200 : 4800);
         EXPECT_EQ(bench.count("Y"), 1);
@@ -225,7 +227,7 @@ TEST(EscBaudRate, NowhereFoundTellsTheRates)
     bench.runUntil([&] { return bench.count("Y") == 1; });
     bench.isOn = false;
     bench.runUntil([&] { return bench.outcome.has_value(); });
-    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escNotFoundAgain);
+    EXPECT_EQ(bench.outcome->result.error().id, EscRefusalId::notFoundAgain);
     EXPECT_EQ(bench.outcome->result.error().arguments,
               (std::vector<RefusalArgument>{QStringLiteral("03h (3), 4800 Bd; 03h (3), 19200 Bd")}));
 }

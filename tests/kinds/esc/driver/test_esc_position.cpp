@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/protocol/esc_messages.h"
 #include "tests/kinds/esc/driver/esc_bench.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +80,7 @@ TEST(EscPosition, ASuspectOneIsAskedForAgainAtOnceAndNotShown)
     EXPECT_FALSE(bench.driver.reading().suspect);
     EXPECT_EQ(bench.driver.reading().position, 0x1235);
     EXPECT_EQ(bench.driver.figures(), (Figures{1, 0, 1}));
-    ASSERT_EQ(bench.countOf(MessageId::suspectPosition), 1);
+    ASSERT_EQ(bench.countOf(EscMessageId::suspectPosition), 1);
     EXPECT_EQ(bench.messages.back().arguments,
               (std::vector<RefusalArgument>{std::int64_t{0x801235}, std::int64_t{0x1235}}));
 }
@@ -103,11 +104,11 @@ TEST(EscPosition, MessagesOfSuspectPositionsAreFew)
         bench.run(250ms);
     }
     EXPECT_EQ(bench.driver.figures(), (Figures{20, 0, 20}));
-    EXPECT_EQ(bench.countOf(MessageId::suspectPosition), 1);
+    EXPECT_EQ(bench.countOf(EscMessageId::suspectPosition), 1);
     bench.run(10s);
     bench.answerNext("P", "00801235");
     bench.run(100ms);
-    EXPECT_EQ(bench.countOf(MessageId::suspectPosition), 2);
+    EXPECT_EQ(bench.countOf(EscMessageId::suspectPosition), 2);
 }
 
 // 6000 revolutions per minute of 8192 steps: 8 438 steps in 10.3 ms.

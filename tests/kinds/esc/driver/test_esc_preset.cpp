@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "tests/kinds/esc/driver/esc_bench.h"
 #include "vocabulary/refusal_text.h"
 
@@ -69,7 +70,7 @@ TEST(EscPreset, WhatCouldNotBeSentIsNotSentWhenTheEncoderIsBack)
     bench.runUntil([&] { return bench.outcome.has_value(); });
     ASSERT_FALSE(bench.outcome->result);
     EXPECT_EQ(bench.outcome->result.error(),
-              (Refusal{RefusalKind::device, RefusalId::escNotSentInTime, {std::int64_t{2}}}));
+              (Refusal{RefusalKind::device, EscRefusalId::notSentInTime, {std::int64_t{2}}}));
     EXPECT_TRUE(
         refusalText(bench.outcome->result.error()).contains(QStringLiteral("so nothing was written.")))
         << "what reads was sent";
@@ -88,7 +89,7 @@ TEST(EscPreset, ItIsNotSentIfItsTurnComesTooLate)
     bench.now += std::chrono::seconds(3);
     bench.runUntil([&] { return bench.outcome.has_value(); });
     ASSERT_FALSE(bench.outcome->result);
-    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escNotSentInTime);
+    EXPECT_EQ(bench.outcome->result.error().id, EscRefusalId::notSentInTime);
     EXPECT_EQ(bench.count("GP"), 0);
 }
 
@@ -193,7 +194,7 @@ TEST(EscPreset, AcceptedWithoutProofIsNotKnown)
     const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
     ASSERT_FALSE(outcome.result);
     EXPECT_EQ(outcome.result.error(), (Refusal{RefusalKind::device,
-                                               RefusalId::escPresetUnproven,
+                                               EscRefusalId::presetUnproven,
                                                {QStringLiteral("03GP00001300"), std::int64_t{0x1300}}}));
     EXPECT_EQ(outcome.eepromWrites, 1);
 }
@@ -217,7 +218,7 @@ TEST(EscPreset, ThePresetValueProvesNothingWhereItWasNotReadBefore)
     beginToTurnWithTheCommand(bench);
     const Outcome &outcome = bench.finish(SetPreset{.value = 0x1300});
     ASSERT_FALSE(outcome.result);
-    EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
+    EXPECT_EQ(outcome.result.error().id, EscRefusalId::writeUnknown);
 }
 
 TEST(EscPreset, WithoutAnAnswerItIsFoundDoneAndNeverRepeated)
@@ -240,7 +241,7 @@ TEST(EscPreset, WithoutAnAnswerItIsFoundNotDone)
         bench.next("GP", Fate::lost);
         const Outcome &outcome = bench.finish(SetPreset{.value = value});
         ASSERT_FALSE(outcome.result);
-        EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteNotDone) << value;
+        EXPECT_EQ(outcome.result.error().id, EscRefusalId::writeNotDone) << value;
         EXPECT_EQ(bench.count("GP"), 1);
         EXPECT_EQ(outcome.positionAfter, 0x1235);
         EXPECT_EQ(outcome.eepromWrites, 0);
@@ -256,7 +257,7 @@ TEST(EscPreset, WithoutAnAnswerItMayStayUnknown)
     bench.next("GP", Fate::lost);
     const Outcome &outcome = bench.finish(SetPreset{.value = 0x1235});
     ASSERT_FALSE(outcome.result);
-    EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
+    EXPECT_EQ(outcome.result.error().id, EscRefusalId::writeUnknown);
     EXPECT_EQ(outcome.result.error().arguments,
               (std::vector<RefusalArgument>{QStringLiteral("03GP00001235")}));
     EXPECT_EQ(bench.count("GP"), 1);
@@ -271,7 +272,7 @@ TEST(EscPreset, WhatContradictsItselfIsUnknown)
     bench.runUntil([&] { return bench.count("GP") == 1; });
     bench.has["S"] = "00800000"; // says that the preset was taken, but the position did not move
     bench.runUntil([&] { return bench.outcome.has_value(); });
-    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escWriteUnknown);
+    EXPECT_EQ(bench.outcome->result.error().id, EscRefusalId::writeUnknown);
 }
 
 TEST(EscPreset, SilenceAfterwardsLeavesItUnknown)
@@ -284,7 +285,7 @@ TEST(EscPreset, SilenceAfterwardsLeavesItUnknown)
     bench.isOn = false;
     bench.runUntil([&] { return bench.outcome.has_value(); });
     ASSERT_FALSE(bench.outcome->result);
-    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escWriteUnknown);
+    EXPECT_EQ(bench.outcome->result.error().id, EscRefusalId::writeUnknown);
     EXPECT_EQ(bench.outcome->eepromWrites, 1);
     EXPECT_EQ(bench.value(Parameter::preset), std::nullopt);
 }
@@ -310,7 +311,7 @@ TEST(EscPreset, IsRefused)
     bench.answerNext("GP", "05");
     const Outcome &outcome = bench.finish(SetPreset{.value = wanted});
     ASSERT_FALSE(outcome.result);
-    EXPECT_EQ(outcome.result.error().id, RefusalId::escOutOfRange);
+    EXPECT_EQ(outcome.result.error().id, EscRefusalId::outOfRange);
     EXPECT_EQ(outcome.eepromWrites, 0);
 }
 

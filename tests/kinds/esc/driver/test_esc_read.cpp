@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/driver/esc_fraction_bits.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "tests/kinds/esc/driver/esc_bench.h"
 
 #include <gtest/gtest.h>
@@ -87,7 +88,7 @@ TEST(EscRead, ReadsThatNeverAgreeAreRefusedAndTheOthersRead)
         bench.answerNext("D", answer);
     const Outcome &outcome = bench.finish(ReadParameters{{Parameter::steps, Parameter::lowerLimit}});
     ASSERT_FALSE(outcome.result);
-    EXPECT_EQ(outcome.result.error().id, RefusalId::escReadsDisagree);
+    EXPECT_EQ(outcome.result.error().id, EscRefusalId::readsDisagree);
     EXPECT_EQ(outcome.result.error().arguments,
               (std::vector<RefusalArgument>{Parameter::steps, std::int64_t{0x362}, std::int64_t{0x363}}));
     EXPECT_EQ(outcome.read, (ParameterValues{{Parameter::lowerLimit, 0x100}}));
@@ -98,7 +99,7 @@ TEST(EscRead, ReadsThatNeverAgreeAreRefusedAndTheOthersRead)
 TEST(EscRead, ACommandTheEncoderDoesNotKnowLeavesTheOthers)
 {
     for (const auto &[answer, id] :
-         {std::pair("03", RefusalId::escCommandUnknown), std::pair("05", RefusalId::escOutOfRange)}) {
+         {std::pair("03", EscRefusalId::commandUnknown), std::pair("05", EscRefusalId::outOfRange)}) {
         EscBench bench;
         bench.settle();
         bench.has["T"] = answer;
@@ -150,7 +151,7 @@ TEST(EscRead, TheFormatOfTheScalingFactorIsDetermined)
     const auto refused = fractionBitsOf(bench.finish(fractionBitsJob()));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error(), (Refusal{RefusalKind::device,
-                                        RefusalId::escFactorFitsNothing,
+                                        EscRefusalId::factorFitsNothing,
                                         {Word{0x12345678}, std::int64_t{8000}, std::int64_t{0x1F40000}}}));
     bench.isOn = false;
     EXPECT_EQ(fractionBitsOf(bench.finish(fractionBitsJob())).error().id, RefusalId::escNoAnswer);

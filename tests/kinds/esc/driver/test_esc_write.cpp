@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "tests/kinds/esc/driver/esc_bench.h"
 
 #include <gtest/gtest.h>
@@ -213,7 +214,7 @@ TEST(EscWrite, TheFactorGoesAlongAlthoughItIsThere)
 TEST(EscWrite, WhatIsRefusedEndsTheJobAndTheEncoderKeepsWhatItHad)
 {
     for (const auto &[answer, id] :
-         {std::pair("03", RefusalId::escCommandUnknown), std::pair("05", RefusalId::escOutOfRange)}) {
+         {std::pair("03", EscRefusalId::commandUnknown), std::pair("05", EscRefusalId::outOfRange)}) {
         EscBench bench;
         bench.settle();
         bench.answerNext("GL", answer);
@@ -236,7 +237,7 @@ TEST(EscWrite, WhatWasAcceptedBeforeARefusalIsReadBack)
     bench.answerNext("GF", "05");
     const Outcome &outcome = bench.finish(writingAll({{Parameter::steps, 4096}}));
     ASSERT_FALSE(outcome.result);
-    EXPECT_EQ(outcome.result.error().id, RefusalId::escOutOfRange);
+    EXPECT_EQ(outcome.result.error().id, EscRefusalId::outOfRange);
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::steps, 4096}}));
     EXPECT_EQ(bench.value(Parameter::steps), 4096);
     EXPECT_EQ(bench.value(Parameter::scalingFactor), 0x20000000) << "refused, so it is as it was";
@@ -289,7 +290,7 @@ TEST(EscWrite, WithoutAnAnswerTheEncoderIsReadNotDone)
     const Outcome &outcome =
         bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
     ASSERT_FALSE(outcome.result);
-    EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteNotDone);
+    EXPECT_EQ(outcome.result.error().id, EscRefusalId::writeNotDone);
     EXPECT_EQ(outcome.result.error().arguments,
               (std::vector<RefusalArgument>{QStringLiteral("03GL00000200")}));
     EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L", "03L"})) << "never sent twice";
@@ -310,7 +311,7 @@ TEST(EscWrite, WithoutAnAnswerAndUnreadableNothingIsKnown)
         const Outcome &outcome =
             bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {Parameter::direction, 0}}));
         ASSERT_FALSE(outcome.result);
-        EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
+        EXPECT_EQ(outcome.result.error().id, EscRefusalId::writeUnknown);
         EXPECT_EQ(bench.jobLog(), (Lines{"03GL00000200", "03L"}));
         EXPECT_EQ(bench.value(Parameter::lowerLimit), std::nullopt) << "neither old nor new is claimed";
         EXPECT_EQ(outcome.eepromWrites, 1) << "it may have been stored";
@@ -343,7 +344,7 @@ TEST(EscWrite, WhatCouldNotBeSentIsNotSentWhenTheEncoderIsBack)
     bench.isOn = true;
     bench.runUntil([&] { return bench.outcome.has_value(); });
     ASSERT_FALSE(bench.outcome->result);
-    EXPECT_EQ(bench.outcome->result.error().id, RefusalId::escNotSentInTime);
+    EXPECT_EQ(bench.outcome->result.error().id, EscRefusalId::notSentInTime);
     EXPECT_EQ(bench.count("GL"), 0);
     EXPECT_EQ(bench.outcome->eepromWrites, 0);
 }
@@ -362,7 +363,7 @@ TEST(EscWrite, TheOldScalingIsNoProofThatItWasNotWritten)
         const Outcome &outcome =
             bench.finish(writingAll({{Parameter::lowerLimit, 0x200}, {parameter, value}}));
         ASSERT_FALSE(outcome.result);
-        EXPECT_EQ(outcome.result.error().id, RefusalId::escWriteUnknown);
+        EXPECT_EQ(outcome.result.error().id, EscRefusalId::writeUnknown);
         EXPECT_EQ(outcome.eepromWrites, 2) << "with that of the limit";
         EXPECT_EQ(bench.eepromWrites, 2);
         EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::lowerLimit, 0x200}}));

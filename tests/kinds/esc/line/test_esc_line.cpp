@@ -4,6 +4,7 @@
 #include "jobs/values_to_write.h"
 #include "kinds/esc/driver/esc_driver.h"
 #include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "vocabulary/refusal_text.h"
 
@@ -90,7 +91,7 @@ TEST_F(EscLine, GoesOnWhenTheAdapterIsBack)
     simulated->setUnplugged(false);
     line.advance(2s);
     EXPECT_TRUE(line.isRunning());
-    EXPECT_EQ(messages, (std::vector<MessageCode>{MessageId::portLost, MessageId::portBack}));
+    EXPECT_EQ(messages, (std::vector<MessageCode>{EscMessageId::portLost, EscMessageId::portBack}));
     EXPECT_EQ(encoder().latest().state, EncoderState::operation);
     EXPECT_GT(encoder().latest().at, before + 1min);
     EXPECT_EQ(encoder().known(Parameter::serialNumber)->value, 4711);

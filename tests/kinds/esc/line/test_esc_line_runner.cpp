@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/line/esc_line_runner.h"
+#include "kinds/esc/protocol/esc_messages.h"
 #include "tests/kinds/esc/line/scripted_line.h"
 
 #include <algorithm>
@@ -220,7 +221,7 @@ TEST_F(EscLineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
         if (const auto *outcome = what ? std::get_if<Outcome>(what) : nullptr)
             why.push_back(outcome->result.error());
     }
-    EXPECT_EQ(told, (std::vector<MessageCode>{MessageId::portLost}));
+    EXPECT_EQ(told, (std::vector<MessageCode>{EscMessageId::portLost}));
     const Refusal lost{RefusalKind::link, RefusalId::portLost, {QStringLiteral("scripted line")}};
     EXPECT_EQ(why, (std::vector{lost})); // about the job
     EXPECT_FALSE(runner.takeLatest()->connected);
@@ -233,7 +234,7 @@ TEST_F(EscLineRunnerTest, TellsOnceThatThePortIsGoneAndOpensItAgain)
     run(100ms);
     const auto back = messages();
     ASSERT_EQ(back.size(), 1U);
-    EXPECT_EQ(back.front().id, MessageId::portBack);
+    EXPECT_EQ(back.front().id, EscMessageId::portBack);
     EXPECT_EQ(link.opened, 2);
     EXPECT_EQ(link.sentTexts().back(), "05P");
     EXPECT_TRUE(runner.takeLatest()->connected);
@@ -277,7 +278,7 @@ TEST_F(EscLineRunnerTest, AnotherAdapterIsNotUsedUnasked)
     EXPECT_TRUE(latest->connected);
     EXPECT_FALSE(latest->whyLost);
     EXPECT_FALSE(latest->otherAdapter);
-    EXPECT_EQ(messages().front().id, MessageId::portBack);
+    EXPECT_EQ(messages().front().id, EscMessageId::portBack);
 }
 
 TEST_F(EscLineRunnerTest, WithoutLowLatencyAnAnswerMayComeLater)
@@ -289,7 +290,7 @@ TEST_F(EscLineRunnerTest, WithoutLowLatencyAnAnswerMayComeLater)
     poll();
     run(5s);
     const auto told = messages();
-    EXPECT_EQ(std::ranges::count(told, MessageId::lowLatencyRefused, &Message::id), 1);
+    EXPECT_EQ(std::ranges::count(told, EscMessageId::lowLatencyRefused, &Message::id), 1);
     const auto latest = runner.takeLatest();
     EXPECT_EQ(latest->lowLatency, LowLatency::refused);
     EXPECT_EQ(latest->figures.timeOuts, 0U);

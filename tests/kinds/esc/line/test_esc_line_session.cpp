@@ -2,6 +2,8 @@
 #include "bus/bus_outline.h"
 #include "catalog/catalog.h"
 #include "kinds/esc/line/esc_line_session.h"
+#include "kinds/esc/protocol/esc_messages.h"
+#include "kinds/esc/protocol/esc_refusals.h"
 #include "tests/kinds/esc/line/scripted_line.h"
 #include "vocabulary/refusal_text.h"
 
@@ -146,7 +148,7 @@ TEST_F(EscLineSessionTest, RefusesAddressesThatCannotBe)
 {
     EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineClosed);
     ASSERT_TRUE(line->open({}, {}, EscLineSession::Start::watching, EscLineSession::Drive::byHand));
-    EXPECT_EQ(line->add({32}, rs485).error().id, RefusalId::lineAddressWrong);
+    EXPECT_EQ(line->add({32}, rs485).error().id, EscRefusalId::lineAddressWrong);
     EXPECT_EQ(line->add({5}, QStringLiteral("fraba-ocd-ib")).error().id, RefusalId::unknownDevice);
     ASSERT_TRUE(line->add({5}, rs485));
     EXPECT_EQ(line->add({5}, rs485).error().id, RefusalId::lineAddressTaken);
@@ -166,13 +168,13 @@ TEST_F(EscLineSessionTest, TheMasterAddressIsForAnEncoderThatIsAlone)
     EXPECT_EQ(line->encoder(place)->latest().position, 0x1235);
     EXPECT_EQ(line->add({5}, rs485).error(),
               (Refusal{RefusalKind::badInput,
-                       RefusalId::lineAddressNotAlone,
+                       EscRefusalId::lineAddressNotAlone,
                        {QStringLiteral("00h (0)"), QStringLiteral("esc:05")}}));
     ASSERT_TRUE(line->remove(place));
     ASSERT_TRUE(line->add({5}, rs485));
     EXPECT_EQ(line->add(EscLineAddress::master(), rs485).error(),
               (Refusal{RefusalKind::badInput,
-                       RefusalId::lineAddressNotAlone,
+                       EscRefusalId::lineAddressNotAlone,
                        {QStringLiteral("00h (0)"), QStringLiteral("esc:05")}}));
 }
 
@@ -289,8 +291,8 @@ TEST_F(EscLineSessionTest, SaysThatItWasOpenedAndClosed)
     ASSERT_TRUE(line->open({}, {}, EscLineSession::Start::watching, EscLineSession::Drive::byHand));
     line->close();
     ASSERT_GE(messages.size(), 2U);
-    EXPECT_EQ(messages.front().id, MessageId::lineOpened);
-    EXPECT_EQ(messages.back().id, MessageId::lineClosed);
+    EXPECT_EQ(messages.front().id, EscMessageId::lineOpened);
+    EXPECT_EQ(messages.back().id, EscMessageId::lineClosed);
     EXPECT_FALSE(line->isOpen());
 }
 
