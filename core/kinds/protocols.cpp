@@ -20,8 +20,8 @@
 #include "kinds/interbus/words/bus_fault.h"
 #include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/k3_cam_effect.h"
-#include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
+#include "kinds/interbus/words/word_refusals.h"
 #include "vocabulary/families.h"
 #include "vocabulary/place.h"
 #include "vocabulary/texts_of_kinds.h"
@@ -79,7 +79,7 @@ namespace {
 
 std::vector<const RefusalFamily *> &familiesOfRefusals()
 {
-    static std::vector<const RefusalFamily *> families{&commonRefusals, &escRefusals};
+    static std::vector<const RefusalFamily *> families{&commonRefusals, &escRefusals, &wordRefusals};
     return families;
 }
 
@@ -146,9 +146,9 @@ QString textOfTyped(const std::vector<RefusalArgument> &typed)
     return esc::typedText(typed);
 }
 
-QString effectInCamMode(std::optional<Word> out)
+QStringList textsWithCamEffect(const std::vector<RefusalArgument> &arguments)
 {
-    return k3::camModeEffect(out.value_or(k3::initialisePreset));
+    return k3::camWordTexts(arguments);
 }
 
 const Protocol &protocolOf(const DeviceDescription &device)

@@ -118,23 +118,14 @@ enum class RefusalId : std::uint8_t {
     eepromStoreError,       // Baumer 13
     batteryLow,             // Baumer 14
     codeDiscFault,          // Baumer 15
-    readOutUnknown,         // A4xxxxxx: code, Word IN
     manufacturerError,      // 980000xx: code, Word IN
     noValidPosition,        // 80000000
     otherDeviceError,       // number, Word IN
     noAnswer,               // seconds, Word OUT, Word IN
     noAnswerAtGateway,      // the same: its registers may be others
     verificationFailed,     // Parameter, wanted, read
-    unknownState,           // Word IN
-    restarted,              // Word IN: parameterization ended without run
-    camWordRefused,         // Word OUT, Word IN: the text says what the word does
-    camsInParameterization, // Word OUT, Word IN: a parameterization that was already open before the job
     takenAsCamWord,         // Word OUT, Word IN: in cam mode, which nobody knew; the text says what it does
     modeNotSwitched,        // Word IN: of a parameterization
-    camPositionAboveRange,  // cam, Word IN; or Word IN alone if the cam is not known
-    lostInCamMode,          // error 3 in cam mode: Word IN
-    camVerificationFailed,  // program
-    serviceRefused,         // service number, Word IN
     magnetOutOfRange,       // Word IN
     noValuesFromBefore,     // place
     notSaidWhetherSame,     // place
@@ -178,7 +169,6 @@ enum class RefusalId : std::uint8_t {
     registersLate,        // the same; answers come too late
     registersRefused,     // link, registers, code of the exception
     registersGarbled,     // link, registers, what was wrong (wrongAnswerKey())
-    wordsTorn,            // Word IN: one of the answers that do not agree
     outAreaTooShort,      // link, registers
     outputsBlocked,       // link, registers
     notConnected,         // place

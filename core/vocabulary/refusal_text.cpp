@@ -8,7 +8,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -288,11 +287,6 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Error 15: the encoder reads a faulty value from its code disc (IN %1). Send run; "
                           "if the error comes back, replace the encoder.")},
-    SentenceRow{
-        RefusalId::readOutUnknown, "readOutUnknown",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder does not know the read-out code %1 (IN %2). Check which encoder it "
-                          "is, and whether it has what you want to read.")},
     SentenceRow{RefusalId::manufacturerError, "manufacturerError",
                 QT_TRANSLATE_NOOP(
                     "Refusal", "The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
@@ -320,25 +314,6 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 was written as %2 but read back as %3. Read the encoder before you rely on "
                           "it, and write again.")},
-    SentenceRow{RefusalId::unknownState, "unknownState",
-                QT_TRANSLATE_NOOP("Refusal", "The encoder shows a state that no manual describes (IN %1). "
-                                             "Send run, or switch the encoder off and on.")},
-    SentenceRow{RefusalId::restarted, "restarted",
-                QT_TRANSLATE_NOOP(
-                    "Refusal",
-                    "The encoder left parameterization before run was sent or answered, as after a loss "
-                    "of power (IN %1). It may have kept its old values: check its supply and write again.")},
-    SentenceRow{
-        RefusalId::camWordRefused, "camWordRefused",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder refused the word %1, which %2 in cam mode (IN %3). It kept the old "
-                          "value: compare the cam program with the encoder, and check which encoder it is.")},
-    SentenceRow{
-        RefusalId::camsInParameterization, "camsInParameterization",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder took no cam word (OUT %1, IN %2): it was in a parameterization that "
-                          "was begun before. Run was not sent, since it makes valid what was confirmed "
-                          "there. End that parameterization first, then try again.")},
     SentenceRow{
         RefusalId::takenAsCamWord, "takenAsCamWord",
         QT_TRANSLATE_NOOP("Refusal",
@@ -350,27 +325,6 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP(
                     "Refusal", "The encoder does not show the mode: it is in parameterization (IN %1). End "
                                "that first, with run, then try again.")},
-    SentenceRow{
-        RefusalId::camPositionAboveRange, "camPositionAboveRange",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Error 98000004: a start or stop of cam %1 is above the largest position (IN %2). "
-                          "Give a position within the total range.")},
-    SentenceRow{
-        RefusalId::lostInCamMode, "lostInCamMode",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Error 3: the encoder has lost its parameters (IN %1). In cam mode it takes none: "
-                          "switch it to position mode, write parameters 1 to 4 there or reset it to factory "
-                          "settings, and compare the cam programs.")},
-    SentenceRow{
-        RefusalId::camVerificationFailed, "camVerificationFailed",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "Cam program %1 was written but read back differently. Compare it before you rely "
-                          "on it, and write again.")},
-    SentenceRow{
-        RefusalId::serviceRefused, "serviceRefused",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The encoder refused service %1 (IN %2). Nothing was changed: check the value and "
-                          "write it again.")},
     SentenceRow{
         RefusalId::magnetOutOfRange, "magnetOutOfRange",
         QT_TRANSLATE_NOOP("Refusal",
@@ -520,11 +474,6 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP("Refusal", "%1 refuses %2 with exception %3: %4")},
     SentenceRow{RefusalId::registersGarbled, "registersGarbled",
                 QT_TRANSLATE_NOOP("Refusal", "The answer of %1 to %2 is wrong: %3")},
-    SentenceRow{RefusalId::wordsTorn, "wordsTorn",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The encoder seems to answer differently each time (IN %1): the gateway "
-                                  "puts halves of different words together. Set a longer copy time in "
-                                  "the settings of the gateway, then read again.")},
     SentenceRow{
         RefusalId::outAreaTooShort, "outAreaTooShort",
         QT_TRANSLATE_NOOP("Refusal",
@@ -576,23 +525,7 @@ static_assert(areInOrder(refusalRows, &SentenceRow::id, RefusalId::stoppedInWrit
 // The word, what it does, and what to do instead.
 QString wordText(const Refusal &refusal)
 {
-    QStringList parts = argumentTexts(refusal.arguments);
-    const auto *word = refusal.arguments.empty() ? nullptr : std::get_if<Word>(&refusal.arguments.front());
-    parts.resize(std::max<qsizetype>(parts.size(), 1));
-    parts.insert(1, effectInCamMode(word ? std::optional(*word) : std::nullopt));
-    return rowText(refusal, parts);
-}
-
-QString camPositionText(const Refusal &refusal)
-{
-    const bool isKnown = refusal.arguments.size() > 1;
-    return sentence(
-        refusalPattern(isKnown
-                           ? refusal.id.row().text
-                           : QT_TRANSLATE_NOOP("Refusal", "Error 98000004: a start or stop of a cam is above "
-                                                          "the largest position (IN %1). Compare the cam "
-                                                          "programs with the total range.")),
-        argumentTexts(refusal.arguments));
+    return rowText(refusal, textsWithCamEffect(refusal.arguments));
 }
 
 // With a second figure, what is shown may be a speed.
@@ -712,13 +645,10 @@ QString commonRefusalText(const Refusal &refusal)
         return suspectsText(refusal);
     case RefusalId::parametersLost:
         return lostText(refusal);
-    case RefusalId::camPositionAboveRange:
-        return camPositionText(refusal);
     case RefusalId::presetNotKnown:
         return presetNotKnownText(refusal);
     case RefusalId::modeNotKnown:
     case RefusalId::inCamMode:
-    case RefusalId::camWordRefused:
     case RefusalId::takenAsCamWord:
         return wordText(refusal);
     case RefusalId::camFileBroken:

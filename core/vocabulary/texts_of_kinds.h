@@ -14,8 +14,9 @@ namespace codewheel {
 QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter);
 // The arguments of a refusal of registers of a gateway, for its sentence.
 QStringList textsOfRegisters(const Refusal &refusal);
-// What an OUT word does in cam mode: "sets the start of cam 0 to 0". Without one, that of a preset.
-QString effectInCamMode(std::optional<Word> out);
+// The arguments of a refusal of an OUT word, and behind the word what it does in cam mode: "sets the start of
+// cam 0 to 0". Without a word, what a preset does.
+QStringList textsWithCamEffect(const std::vector<RefusalArgument> &arguments);
 // What was done to a simulated bus, in a sentence; nothing: no kind knows its key.
 std::optional<QString> textOfTrainingAct(const TrainingAct &act);
 // What was typed on a line and written, from its text and the fraction bits of a scaling factor: "05: set

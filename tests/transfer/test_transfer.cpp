@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/word_refusals.h"
 #include "tests/transfer/transfer_bus.h"
 #include "vocabulary/refusal_text.h"
 
@@ -236,7 +237,7 @@ TEST_F(Transfer, AnEncoderThatLosesPowerInTheMiddleIsNamedAndTheNextOneIsWritten
     training.controls->powerCycle(baumer.node);
     advance();
     const TransferAccount account = accountOf(buses, TransferKind::write, plan, round.results());
-    EXPECT_EQ(account.encoders[0].why->id, RefusalId::restarted);
+    EXPECT_EQ(account.encoders[0].why->id, WordRefusalId::restarted);
     EXPECT_EQ(account.encoders[0].rows[0].became, Became::notDone);
     EXPECT_EQ(account.encoders[0].eepromWrites, 1); // it had confirmed one
     EXPECT_EQ(account.encoders[1].rows[0].became, Became::written);

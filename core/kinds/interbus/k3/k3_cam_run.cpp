@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/k3/k3_cam_plan.h"
 #include "kinds/interbus/words/k3_cam_fields.h"
+#include "kinds/interbus/words/word_refusals.h"
 
 #include <algorithm>
 
@@ -35,7 +36,8 @@ std::optional<Refusal> K3CamRun::readOutDone(const K3Step &step, Word in)
     setValue(told, field, k3::data(in)); // active cams without the bits that belong to none
     if (valueOf(told, field) == *step.expected)
         return std::nullopt;
-    return Refusal{RefusalKind::device, RefusalId::camVerificationFailed, {std::int64_t{step.camProgram}}};
+    return Refusal{
+        RefusalKind::device, WordRefusalId::camVerificationFailed, {std::int64_t{step.camProgram}}};
 }
 
 void K3CamRun::tell(unsigned program, CamField field, std::int64_t data)

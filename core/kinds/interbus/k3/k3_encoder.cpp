@@ -2,6 +2,7 @@
 #include "kinds/interbus/k3/k3_encoder.h"
 
 #include "jobs/position_scale.h"
+#include "kinds/interbus/words/word_refusals.h"
 
 #include <utility>
 
@@ -164,7 +165,7 @@ Result<void> K3Encoder::checkState(const Job &job, Word in) const
     if (state == EncoderState::parameterization)
         return refuse(RefusalKind::busy, RefusalId::inParameterization, {in});
     if (state == EncoderState::unknown)
-        return refuse(RefusalKind::device, RefusalId::unknownState, {in});
+        return refuse(RefusalKind::device, WordRefusalId::unknownState, {in});
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include "kinds/interbus/k3/k3_reading.h"
 #include "kinds/interbus/words/k3_cam_fields.h"
 #include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/word_refusals.h"
 
 namespace codewheel {
 namespace {
@@ -18,24 +19,25 @@ std::optional<Refusal> camRefusal(const K3Circumstances &at, Word in)
     const K3Step &step = at.step;
     const unsigned number = k3::number(in);
     if (at.foundParameterizing && onlyAsksForCams(step) && number == wrongCommand)
-        return Refusal{RefusalKind::device, RefusalId::camsInParameterization, {step.out, in}};
+        return Refusal{RefusalKind::device, WordRefusalId::camsInParameterization, {step.out, in}};
     if (k3::isCamReadOutRequest(step.out)) {
         if (stateOf(in, at.device.dialect.as<k3::Dialect>()) == EncoderState::readOut ||
             number == wrongCommand)
-            return Refusal{RefusalKind::device, RefusalId::readOutUnknown, {step.out, in}};
+            return Refusal{RefusalKind::device, WordRefusalId::readOutUnknown, {step.out, in}};
         return std::nullopt;
     }
     const bool inCamMode = step.kind == StepKind::camParameter || step.inCamMode || at.inCamMode;
     const auto field = inCamMode ? fieldSetBy(step.out) : std::nullopt;
     if (field && in == aboveLargestPosition)
-        return Refusal{RefusalKind::device, RefusalId::camPositionAboveRange, {std::int64_t{field->cam}, in}};
+        return Refusal{
+            RefusalKind::device, WordRefusalId::camPositionAboveRange, {std::int64_t{field->cam}, in}};
     if (at.device.capabilities.cams && in == aboveLargestPosition)
-        return Refusal{RefusalKind::device, RefusalId::camPositionAboveRange, {in}};
+        return Refusal{RefusalKind::device, WordRefusalId::camPositionAboveRange, {in}};
     const bool wasAsked = inCamMode && step.out != k3::normalRunning;
     if ((wasAsked || k3::isProgramWord(step.out)) && (number == wrongData || number == wrongCommand))
-        return Refusal{RefusalKind::device, RefusalId::camWordRefused, {step.out, in}};
+        return Refusal{RefusalKind::device, WordRefusalId::camWordRefused, {step.out, in}};
     if (inCamMode && number == lost)
-        return Refusal{RefusalKind::device, RefusalId::lostInCamMode, {in}};
+        return Refusal{RefusalKind::device, WordRefusalId::lostInCamMode, {in}};
     return std::nullopt;
 }
 
@@ -70,7 +72,8 @@ Refusal k3Refusal(const K3Circumstances &at, Word in)
         return *std::move(aboutCams);
     if (at.step.kind == StepKind::readOut || k3::isReadOutRequest(at.step.out)) {
         if (stateOf(in, at.device.dialect.as<k3::Dialect>()) == EncoderState::readOut)
-            return {RefusalKind::device, RefusalId::readOutUnknown, {std::int64_t{at.step.out & 0xFFFF}, in}};
+            return {
+                RefusalKind::device, WordRefusalId::readOutUnknown, {std::int64_t{at.step.out & 0xFFFF}, in}};
     }
     const unsigned number = k3::number(in);
     const DeviceError *error = at.device.findError(number);

@@ -7,6 +7,7 @@
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/position_code.h"
 #include "kinds/interbus/words/word_reach.h"
+#include "kinds/interbus/words/word_refusals.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -258,7 +259,7 @@ void K3Run::readAgain(const K3Step &step)
 {
     constexpr int mostOften = 4; // one after the other (assumed)
     if (++m_readAgain > mostOften) {
-        fail({RefusalKind::link, RefusalId::wordsTorn, {m_reading.in}});
+        fail({RefusalKind::link, WordRefusalId::wordsTorn, {m_reading.in}});
         return;
     }
     K3Steps between;
@@ -314,7 +315,7 @@ void K3Run::stepFailed(WordAnswer how, Word in)
         fail(isInvalid ? noValidPosition() : noAnswer(in, m_encoder.timing.timeOut));
     } else {
         dropConfirmed();
-        fail({RefusalKind::device, RefusalId::restarted, {in}});
+        fail({RefusalKind::device, WordRefusalId::restarted, {in}});
     }
 }
 
@@ -383,7 +384,7 @@ Result<void> K3Run::resultAt(Word in)
         return tl::unexpected(*m_notSet);
     if (job<SwitchMode>() != nullptr && k3::isConfirmation(in))
         return tl::unexpected(notSwitched(in));
-    return m_cams.dropLost() ? refuse(RefusalKind::device, RefusalId::restarted, {in}) : Result<void>();
+    return m_cams.dropLost() ? refuse(RefusalKind::device, WordRefusalId::restarted, {in}) : Result<void>();
 }
 
 LeftMode K3Run::modeNow() const

@@ -2,6 +2,7 @@
 // How a job ends before its end: by the user, by a restart of the encoder, by what comes late.
 #include "kinds/interbus/k3/k3_run.h"
 #include "kinds/interbus/words/k3_cam_fields.h"
+#include "kinds/interbus/words/word_refusals.h"
 
 #include <algorithm>
 #include <utility>
@@ -142,7 +143,7 @@ void K3Run::lookForRestart(Word in)
         return;
     dropConfirmed();
     if (job<SendWords>() == nullptr && !leavesOff() && !m_failure)
-        fail({RefusalKind::device, RefusalId::restarted, {in}});
+        fail({RefusalKind::device, WordRefusalId::restarted, {in}});
 }
 
 void K3Run::dropConfirmed()

@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/la66/la66_reading.h"
 #include "kinds/interbus/words/la66_word.h"
+#include "kinds/interbus/words/word_refusals.h"
 
 #include <algorithm>
 #include <utility>
@@ -163,7 +164,7 @@ void La66Run::fail(Refusal why)
 
 Refusal La66Run::refusalFor(Word in) const
 {
-    return {RefusalKind::device, RefusalId::serviceRefused, {std::int64_t{la66::service(in)}, in}};
+    return {RefusalKind::device, WordRefusalId::serviceRefused, {std::int64_t{la66::service(in)}, in}};
 }
 
 // No later service went well.

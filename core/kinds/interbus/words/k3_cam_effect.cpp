@@ -2,9 +2,12 @@
 #include "kinds/interbus/words/k3_cam_effect.h"
 
 #include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/k3_word.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace codewheel::k3 {
 namespace {
@@ -14,8 +17,7 @@ QString translated(const char *text)
     return QCoreApplication::translate("Refusal", text);
 }
 
-} // namespace
-
+// "sets the start of cam 0 to 0"
 QString camModeEffect(Word word)
 {
     const QString cam = argumentText(std::int64_t{k3::number(word)});
@@ -35,6 +37,17 @@ QString camModeEffect(Word word)
     if (k3::isCamConfiguration(word))
         return translated(QT_TRANSLATE_NOOP("Refusal", "changes which cams are active"));
     return translated(QT_TRANSLATE_NOOP("Refusal", "is a wrong command"));
+}
+
+} // namespace
+
+QStringList camWordTexts(const std::vector<RefusalArgument> &arguments)
+{
+    QStringList parts = argumentTexts(arguments);
+    const auto *word = arguments.empty() ? nullptr : std::get_if<Word>(&arguments.front());
+    parts.resize(std::max<qsizetype>(parts.size(), 1));
+    parts.insert(1, camModeEffect(word != nullptr ? *word : initialisePreset));
+    return parts;
 }
 
 } // namespace codewheel::k3

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "vocabulary/word.h"
+#include "vocabulary/refusal.h"
 
-#include <QString>
+#include <QStringList>
 
 namespace codewheel::k3 {
 
-// What the word does in cam mode: "sets the start of cam 0 to 0".
-QString camModeEffect(Word word);
+// The arguments of a refusal of an OUT word, and behind the word what it does in cam mode: "sets the start of
+// cam 0 to 0". Without a word, what a preset does.
+QStringList camWordTexts(const std::vector<RefusalArgument> &arguments);
 
 } // namespace codewheel::k3

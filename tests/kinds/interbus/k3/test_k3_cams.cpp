@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/word_refusals.h"
 #include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>
@@ -127,9 +128,9 @@ TEST_F(K3Cams, AnEncoderThatDoesNotAnswerAReadOutOfCamsGetsNoCamWord)
                   {0x8000'0000, pos},
                   {0x0000'0000, pos},
                   {0x0000'0000, pos}});
-    EXPECT_EQ(
-        refusal(),
-        (Refusal{RefusalKind::device, RefusalId::readOutUnknown, {Word{0x2020'0000}, Word{0x8400'0000}}}));
+    EXPECT_EQ(refusal(), (Refusal{RefusalKind::device,
+                                  WordRefusalId::readOutUnknown,
+                                  {Word{0x2020'0000}, Word{0x8400'0000}}}));
     EXPECT_EQ(m_table.driver().reading().mode, std::nullopt);
 }
 
@@ -171,31 +172,31 @@ INSTANTIATE_TEST_SUITE_P(Manual106, K3CamError,
                                                      with(2, {9000, 0, false}),
                                                      0x4400'2328,
                                                      0x9800'0004,
-                                                     RefusalId::camPositionAboveRange,
+                                                     WordRefusalId::camPositionAboveRange,
                                                      {std::int64_t{2}, Word{0x9800'0004}}},
                                          CamErrorRow{"stopAbove",
                                                      with(7, {0, 9000, false}),
                                                      0x6E00'2328,
                                                      0x9800'0004,
-                                                     RefusalId::camPositionAboveRange,
+                                                     WordRefusalId::camPositionAboveRange,
                                                      {std::int64_t{7}, Word{0x9800'0004}}},
                                          CamErrorRow{"wrongData",
                                                      with(0, {}, 25),
                                                      0x2010'0019,
                                                      0x8200'0000,
-                                                     RefusalId::camWordRefused,
+                                                     WordRefusalId::camWordRefused,
                                                      {Word{0x2010'0019}, Word{0x8200'0000}}},
                                          CamErrorRow{"wrongCommand",
                                                      with(5, {1, 0, false}),
                                                      0x4A00'0001,
                                                      0x8400'0000,
-                                                     RefusalId::camWordRefused,
+                                                     WordRefusalId::camWordRefused,
                                                      {Word{0x4A00'0001}, Word{0x8400'0000}}},
                                          CamErrorRow{"parametersLost",
                                                      with(5, {1, 0, false}),
                                                      0x4A00'0001,
                                                      0x8600'0000,
-                                                     RefusalId::lostInCamMode,
+                                                     WordRefusalId::lostInCamMode,
                                                      {Word{0x8600'0000}}},
                                          CamErrorRow{"anotherOfTheManufacturer",
                                                      with(5, {1, 0, false}),
@@ -239,7 +240,8 @@ TEST_F(K3Cams, AProgramThatReadsBackDifferentlyEndsTheJob)
                   {0x0000'0000, posInCamMode}});
     answer(0x2020'0010, 0x02);
     m_table.play({{0x0000'0000, posInCamMode}, {0x0000'0000, posInCamMode}});
-    EXPECT_EQ(refusal(), (Refusal{RefusalKind::device, RefusalId::camVerificationFailed, {std::int64_t{1}}}));
+    EXPECT_EQ(refusal(),
+              (Refusal{RefusalKind::device, WordRefusalId::camVerificationFailed, {std::int64_t{1}}}));
     EXPECT_TRUE(m_table.outcome()->camsWritten.empty());
 }
 
@@ -379,7 +381,7 @@ TEST_F(K3Cams, NoRunIsSentIntoAParameterizationOfOthers)
                   {0x0000'0000, 0x8400'0000},
                   {0x0000'0000, 0x8400'0000}});
     EXPECT_EQ(refusal(), (Refusal{RefusalKind::device,
-                                  RefusalId::camsInParameterization,
+                                  WordRefusalId::camsInParameterization,
                                   {Word{0x2020'0000}, Word{0x8400'0000}}}));
     EXPECT_EQ(m_table.outcome()->leftIn, EncoderState::error);
     EXPECT_EQ(m_table.outcome()->eepromWrites, 0);
@@ -418,7 +420,7 @@ TEST_F(K3Cams, APowerLossInTheParameterizationIsNoticedBeforeTheNextWord)
                   {0x6600'0213, 0x0000'0000}, // no power
                   {0x0000'0000, 0x0000'0000},
                   {0x0000'0000, posInCamMode}});
-    EXPECT_EQ(refusal().id, RefusalId::restarted);
+    EXPECT_EQ(refusal().id, WordRefusalId::restarted);
     ASSERT_TRUE(m_table.cams(1));
     EXPECT_EQ(m_table.cams(1)->program, CamProgram{}) << "as it was read, and saved";
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manuals' own tables, row by row and with the delay of a real encoder, as the user's words.
+#include "kinds/interbus/words/word_refusals.h"
 #include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>
@@ -151,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(ErrorRow{"wrongData", 0x8200'0000, RefusalId::wrongParameterData},
                     ErrorRow{"unknownNumber", 0x8400'0000, RefusalId::unknownParameterNumber},
                     ErrorRow{"parametersLost", 0x8600'0000, RefusalId::parametersLost},
-                    ErrorRow{"aboveLargest", 0x9800'0004, RefusalId::camPositionAboveRange},
+                    ErrorRow{"aboveLargest", 0x9800'0004, WordRefusalId::camPositionAboveRange},
                     ErrorRow{"manufacturer", 0x9800'0007, RefusalId::manufacturerError}),
     [](const auto &row) { return row.param.name; });
 

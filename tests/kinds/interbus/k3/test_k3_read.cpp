@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/words/k3_word.h"
+#include "kinds/interbus/words/word_refusals.h"
 #include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>
@@ -106,7 +107,7 @@ TEST(K3Read, AnUnknownReadOutIsNamed)
     ASSERT_FALSE(table.outcome()->result);
     EXPECT_EQ(
         table.outcome()->result.error(),
-        (Refusal{RefusalKind::device, RefusalId::readOutUnknown, {std::int64_t{12}, Word{0xA400'000C}}}));
+        (Refusal{RefusalKind::device, WordRefusalId::readOutUnknown, {std::int64_t{12}, Word{0xA400'000C}}}));
 }
 
 TEST(K3Read, AnEncoderThatDoesNotAnswerTimesOutAndOutIsClearedAgain)
@@ -210,7 +211,7 @@ TEST_F(TornReads, AnswersThatNeverAgreeAreNotBelievedNorAskedForEver)
     table.play({{0x0000'0000, pos}, {0x0000'0000, pos}});
     ASSERT_TRUE(table.outcome());
     ASSERT_FALSE(table.outcome()->result);
-    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::wordsTorn);
+    EXPECT_EQ(table.outcome()->result.error().id, WordRefusalId::wordsTorn);
     EXPECT_EQ(table.known(Parameter::serialNumber), std::nullopt);
 }
 

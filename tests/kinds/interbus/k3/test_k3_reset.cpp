@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Set encoder to default" (FRABA manual 10.1), "reset to factory settings" (Baumer manual 5): 0E000000, run.
+#include "kinds/interbus/words/word_refusals.h"
 #include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>
@@ -128,7 +129,7 @@ TEST(K3Reset, IsNotDoneByAnEncoderThatRestartedBeforeRun)
     table.repeat(2, {0x0000'0000, pos});
     ASSERT_TRUE(table.outcome());
     ASSERT_FALSE(table.outcome()->result);
-    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::restarted);
+    EXPECT_EQ(table.outcome()->result.error().id, WordRefusalId::restarted);
     EXPECT_EQ(table.known(Parameter::steps), std::nullopt);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/word_refusals.h"
 #include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>
@@ -334,7 +335,7 @@ TEST(K3Write, AnEncoderThatRestartsMustConfirmAllAgain)
                 {0x0000'0000, 0xC000'0000}});
     ASSERT_TRUE(table.outcome());
     EXPECT_EQ(table.outcome()->result.error(),
-              (Refusal{RefusalKind::device, RefusalId::restarted, {Word{0x0000'0000}}}));
+              (Refusal{RefusalKind::device, WordRefusalId::restarted, {Word{0x0000'0000}}}));
     EXPECT_TRUE(table.outcome()->written.empty());
 }
 
@@ -348,7 +349,7 @@ TEST(K3Write, ChecksAtStartUpAfterRunAreNoOperation)
     EXPECT_FALSE(table.known(Parameter::steps));
     table.play({{0x8000'0000, 0xC000'0000}, {0x0000'0000, 0xC000'0000}, {0x0000'0000, pos}});
     ASSERT_TRUE(table.outcome());
-    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::restarted);
+    EXPECT_EQ(table.outcome()->result.error().id, WordRefusalId::restarted);
     EXPECT_FALSE(table.known(Parameter::steps));
 }
 

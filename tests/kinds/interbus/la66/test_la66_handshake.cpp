@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/words/word_refusals.h"
 #include "tests/kinds/interbus/words/driver_table.h"
 
 #include <gtest/gtest.h>
@@ -200,7 +201,7 @@ TEST(La66Driver, ARefusedServiceIsNamedAndOutGoesBack)
     ASSERT_FALSE(table.outcome()->result);
     EXPECT_EQ(
         table.outcome()->result.error(),
-        (Refusal{RefusalKind::device, RefusalId::serviceRefused, {std::int64_t{2}, Word{0xE200'C350}}}));
+        (Refusal{RefusalKind::device, WordRefusalId::serviceRefused, {std::int64_t{2}, Word{0xE200'C350}}}));
     EXPECT_EQ(table.outcome()->eepromWrites, 0);
     EXPECT_EQ(table.known(Parameter::measuringLength), std::nullopt);
 }
@@ -314,7 +315,7 @@ TEST(La66Driver, ARefusedWordOfTheUserEndsTheSequenceWhereItIs)
     table.play({{0, pos}, {0x4300'0001, pos}, {0x4300'0001, pos}, {0xC300'0001, 0xE300'0001}});
     table.repeat(5, {0xC300'0001, 0xE300'0001});
     ASSERT_TRUE(table.outcome());
-    EXPECT_EQ(table.outcome()->result.error().id, RefusalId::serviceRefused);
+    EXPECT_EQ(table.outcome()->result.error().id, WordRefusalId::serviceRefused);
     EXPECT_EQ(table.outcome()->leftIn, EncoderState::service);
 }
 

@@ -3,6 +3,7 @@
 #include "kinds/interbus/la66/la66_driver.h"
 #include "kinds/interbus/ring/ring_watch.h"
 #include "kinds/interbus/simulator/simulated_la66.h"
+#include "kinds/interbus/words/word_refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -186,7 +187,7 @@ TEST(La66Jobs, AnInvalidWordIsRefusedByTheEncoderItself)
     ASSERT_FALSE(rod.outcome->result);
     EXPECT_EQ(
         rod.outcome->result.error(),
-        (Refusal{RefusalKind::device, RefusalId::serviceRefused, {std::int64_t{2}, Word{0xE200'0000}}}));
+        (Refusal{RefusalKind::device, WordRefusalId::serviceRefused, {std::int64_t{2}, Word{0xE200'0000}}}));
     rod.outcome.reset();
     rod.begin(EndParameterization{});
     rod.finish();
