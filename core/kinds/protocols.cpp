@@ -10,7 +10,8 @@
 #include "kinds/esc/protocol/esc_refusals.h"
 #include "kinds/esc/protocol/esc_rules.h"
 #include "kinds/esc/simulator/line_training_acts.h"
-#include "kinds/interbus/gateway/register_texts.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/gateway/offer_messages.h"
 #include "kinds/interbus/k3/k3_protocol.h"
 #include "kinds/interbus/k3/k3_rules.h"
 #include "kinds/interbus/la66/la66_protocol.h"
@@ -79,13 +80,14 @@ namespace {
 
 std::vector<const RefusalFamily *> &familiesOfRefusals()
 {
-    static std::vector<const RefusalFamily *> families{&commonRefusals, &escRefusals, &wordRefusals};
+    static std::vector<const RefusalFamily *> families{&commonRefusals, &escRefusals, &wordRefusals,
+                                                       &gatewayRefusals};
     return families;
 }
 
 std::vector<const MessageFamily *> &familiesOfMessages()
 {
-    static std::vector<const MessageFamily *> families{&commonMessages, &escMessages};
+    static std::vector<const MessageFamily *> families{&commonMessages, &escMessages, &offerMessages};
     return families;
 }
 
@@ -126,11 +128,6 @@ const ProtocolRules &protocolRules(Profile profile)
 QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter)
 {
     return busFaultText(codeAndParameter);
-}
-
-QStringList textsOfRegisters(const Refusal &refusal)
-{
-    return registerRefusalTexts(refusal);
 }
 
 std::optional<QString> textOfTrainingAct(const TrainingAct &act)

@@ -111,17 +111,6 @@ enum class MessageId : std::uint8_t {
     recordingGoesOn,          // file, values lost meanwhile
     recordingEnded,           // file, its size in bytes
     training,                 // what the trainer did: a TrainingAct
-    offerBegun,               // where a simulated ring is offered to others: "127.0.0.1:1502"
-    offerEnded,               // where it was offered; so for the next four
-    offerEndedWithRing,       // the ring was closed
-    offerEndedWithStructure,  // another ring was read in
-    offerEndedWithProject,    // another project was opened
-    offerEndedWithRealRing,   // a real ring is used now
-    clientCame,               // address of a client of the offered ring
-    clientLeft,               // address, requests, writes
-    clientRefused,            // address
-    clientsPassed,            // of many in a short time: how many came, left, were refused
-    seatRestarted,            // unit
 };
 extern const MessageFamily commonMessages;
 constexpr const MessageFamily &familyOf(MessageId)

@@ -264,40 +264,9 @@ constexpr std::array messageRows{
     SentenceRow{MessageId::recordingEnded, "recordingEnded",
                 QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
     SentenceRow{MessageId::training, "training", "%1"},
-    SentenceRow{MessageId::offerBegun, "offerBegun",
-                QT_TRANSLATE_NOOP("Message", "Offered to others at %1 by Modbus.")},
-    SentenceRow{MessageId::offerEnded, "offerEnded",
-                QT_TRANSLATE_NOOP("Message", "No longer offered to others at %1.")},
-    SentenceRow{MessageId::offerEndedWithRing, "offerEndedWithRing",
-                QT_TRANSLATE_NOOP("Message", "The ring was disconnected, so it is no longer offered at %1.")},
-    SentenceRow{MessageId::offerEndedWithStructure, "offerEndedWithStructure",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The ring has other devices now, in other registers, so it is no "
-                                  "longer offered at %1. Offer it again.")},
-    SentenceRow{MessageId::offerEndedWithProject, "offerEndedWithProject",
-                QT_TRANSLATE_NOOP("Message", "Another project was opened, so nothing is offered at %1 any "
-                                             "more. Offer it again.")},
-    SentenceRow{MessageId::offerEndedWithRealRing, "offerEndedWithRealRing",
-                QT_TRANSLATE_NOOP("Message", "This ring is a real one now, so nothing is offered at %1 any "
-                                             "more.")},
-    SentenceRow{MessageId::clientCame, "clientCame",
-                QT_TRANSLATE_NOOP("Message", "%1 is connected to the offered ring.")},
-    SentenceRow{
-        MessageId::clientLeft, "clientLeft",
-        QT_TRANSLATE_NOOP("Message", "%1 has left the offered ring (requests: %2, of them writes: %3).")},
-    SentenceRow{MessageId::clientRefused, "clientRefused",
-                QT_TRANSLATE_NOOP("Message",
-                                  "%1 was disconnected: the offered ring has as many clients as it "
-                                  "can have.")},
-    SentenceRow{MessageId::clientsPassed, "clientsPassed",
-                QT_TRANSLATE_NOOP("Message",
-                                  "More clients of the offered ring in a short time: %1 came, %2 left, "
-                                  "%3 were refused.")},
-    SentenceRow{MessageId::seatRestarted, "seatRestarted",
-                QT_TRANSLATE_NOOP("Message", "The ring of seat %1 starts afresh, with factory settings.")},
 };
 
-static_assert(areInOrder(messageRows, &SentenceRow::id, MessageId::seatRestarted));
+static_assert(areInOrder(messageRows, &SentenceRow::id, MessageId::training));
 
 // Either position may be missing.
 QString presetText(const Message &message)

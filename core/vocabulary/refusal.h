@@ -75,10 +75,6 @@ enum class RefusalId : std::uint8_t {
     passwordInAddress,     //
     noSizeOnServer,        //
     recordingEmpty,        // file
-    linkSettingWrong,      // setting, the text given, what is allowed
-    linkSettingUnknown,    // setting, the settings there are
-    registerMapWrong,      // sentence about what is wrong
-    gatewayHasNoDevices,   //
     // notSupported
     parameterNotSupported,          // Parameter, device name
     readingNotSupported,            // device name
@@ -95,9 +91,6 @@ enum class RefusalId : std::uint8_t {
     jobNotSupported,                // device name
     onlyRecorded,                   //
     masterServiceNotSupported,      // text of the service
-    watchdogNotSet,                 //
-    outNotReadBack,                 //
-    noIdCycle,                      //
     encodersDiffer,                 // place, device name, place, device name
     // busy
     jobRunning,         // place
@@ -109,7 +102,6 @@ enum class RefusalId : std::uint8_t {
     noConfiguration,    //
     eepromBudgetUsed,   // place, writes by this program, budget
     eepromLimitPassed,  // place, writes by this program, limit
-    outNotOurs,         // place, Word OUT of ours, Word OUT found there
     // device
     wrongParameterData,     // error 1: Parameter or number, Word IN; several where it came late
     unknownParameterNumber, // error 2; Word OUT before IN where the mode of the encoder was not seen
@@ -140,10 +132,6 @@ enum class RefusalId : std::uint8_t {
     ringDiffers,          // place, configured, found
     busFault,             // error code (Word), diagnostic parameter (Word): vocabulary/texts_of_kinds.h
     notInRing,            // place
-    wordNotSteady,        // place
-    ringStands,           // status register of the gateway
-    ringFailed,           // the same
-    ringFailedAt,         // status register of the gateway, text of the place
     databaseFailed,       // file, reason
     recordingGone,        // file
     damagedBlocks,        // file, blocks of samples
@@ -163,14 +151,6 @@ enum class RefusalId : std::uint8_t {
     serverPortTaken,      // port
     serverPortPrivileged, // port
     serverAddressNotOurs, // address
-    realRingNotOffered,   //
-    closedRingNotOffered, //
-    registersUnanswered,  // link, registers (registersKey()), tries
-    registersLate,        // the same; answers come too late
-    registersRefused,     // link, registers, code of the exception
-    registersGarbled,     // link, registers, what was wrong (wrongAnswerKey())
-    outAreaTooShort,      // link, registers
-    outputsBlocked,       // link, registers
     notConnected,         // place
     deviceDiffers,        // place, planned, connected
     serialDiffers,        // place, serial number on the label, serial number reported by the encoder
@@ -179,7 +159,6 @@ enum class RefusalId : std::uint8_t {
     alarmStop,      //
     busStopped,     //
     computerSlept,  //
-    outsOfOther,    // somebody else writes to the outputs of the bus
     stoppedInWrite, // command: whether it was carried out is not known
 };
 extern const RefusalFamily commonRefusals;

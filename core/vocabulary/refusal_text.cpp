@@ -131,15 +131,6 @@ constexpr std::array refusalRows{
                                              "to a size.")},
     SentenceRow{RefusalId::recordingEmpty, "recordingEmpty",
                 QT_TRANSLATE_NOOP("Refusal", "Nothing is recorded in %1 as yet.")},
-    SentenceRow{RefusalId::linkSettingWrong, "linkSettingWrong",
-                QT_TRANSLATE_NOOP("Refusal", "The setting %1 of the link cannot be \"%2\". Allowed: %3.")},
-    SentenceRow{RefusalId::linkSettingUnknown, "linkSettingUnknown",
-                QT_TRANSLATE_NOOP("Refusal", "The link has no setting \"%1\". Its settings are: %2.")},
-    SentenceRow{RefusalId::registerMapWrong, "registerMapWrong",
-                QT_TRANSLATE_NOOP("Refusal", "%1 Change the registers of the link.")},
-    SentenceRow{RefusalId::gatewayHasNoDevices, "gatewayHasNoDevices",
-                QT_TRANSLATE_NOOP("Refusal", "The project has no devices on this ring, and a gateway cannot "
-                                             "say which there are. Enter them in the bus structure first.")},
     // notSupported
     SentenceRow{
         RefusalId::parameterNotSupported, "parameterNotSupported",
@@ -190,18 +181,6 @@ constexpr std::array refusalRows{
             "Refusal",
             "This link does not reach the master: %1 is not possible. It shows the process data only.")},
     SentenceRow{
-        RefusalId::watchdogNotSet, "watchdogNotSet",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "No register is set that acknowledges the watchdog of this gateway. Enter it and "
-                          "its value, by the manual of the gateway, in the connection.")},
-    SentenceRow{RefusalId::outNotReadBack, "outNotReadBack",
-                QT_TRANSLATE_NOOP("Refusal", "The OUT words cannot be read back: what is there now is not "
-                                             "known. Operate replaces it.")},
-    SentenceRow{RefusalId::noIdCycle, "noIdCycle",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "A gateway cannot say which devices are in the ring: the project "
-                                  "does. Enter them there.")},
-    SentenceRow{
         RefusalId::encodersDiffer, "encodersDiffer",
         QT_TRANSLATE_NOOP(
             "Refusal", "%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.")},
@@ -243,9 +222,6 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1: this program has written %2 times to its EEPROM; beyond %3 its "
                                   "manual guarantees nothing. Type the place to write nevertheless.")},
-    SentenceRow{RefusalId::outNotOurs, "outNotOurs",
-                QT_TRANSLATE_NOOP("Refusal", "Somebody else writes to %1: OUT is %3 there instead of %2. The "
-                                             "bus is in Watch now. Stop the other program or PLC first.")},
     // device
     SentenceRow{
         RefusalId::wrongParameterData, "wrongParameterData",
@@ -372,24 +348,6 @@ constexpr std::array refusalRows{
         RefusalId::notInRing, "notInRing",
         QT_TRANSLATE_NOOP("Refusal",
                           "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
-    SentenceRow{RefusalId::wordNotSteady, "wordNotSteady",
-                QT_TRANSLATE_NOOP(
-                    "Refusal", "No two reads of IN of %1 agree, so it is not known what it shows. Check the "
-                               "word order, and where its registers begin. If they are right, its shaft is "
-                               "too fast for this gateway: stop it, or make the poll interval shorter.")},
-    SentenceRow{RefusalId::ringStands, "ringStands",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The gateway says that its ring does not run (status register %1): what it "
-                                  "shows is old. Start the ring at its master.")},
-    SentenceRow{RefusalId::ringFailed, "ringFailed",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The gateway says that its ring has failed (status register %1): what it "
-                                  "shows is old. Look at the display of its master.")},
-    SentenceRow{
-        RefusalId::ringFailedAt, "ringFailedAt",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "The gateway says that its ring has failed (status register %1): what it "
-                          "shows is old. The place it names is %2: check plugs, shields and 24 V there.")},
     SentenceRow{RefusalId::databaseFailed, "databaseFailed",
                 QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
     SentenceRow{RefusalId::recordingGone, "recordingGone",
@@ -458,32 +416,6 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP("Refusal",
                                   "This computer does not have the address %1. Take one of its own, "
                                   "or 0.0.0.0 for all it has.")},
-    SentenceRow{RefusalId::realRingNotOffered, "realRingNotOffered",
-                QT_TRANSLATE_NOOP("Refusal", "A real ring is never offered to others, only a training bus.")},
-    SentenceRow{RefusalId::closedRingNotOffered, "closedRingNotOffered",
-                QT_TRANSLATE_NOOP("Refusal", "The ring of this window is not connected. Connect it, or give "
-                                             "each seat a ring of its own.")},
-    SentenceRow{RefusalId::registersUnanswered, "registersUnanswered",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "%1 does not answer (%2, tries: %3). Check unit number, settings "
-                                  "of the line, and supply.")},
-    SentenceRow{RefusalId::registersLate, "registersLate",
-                QT_TRANSLATE_NOOP("Refusal", "%1 answers too late (%2, tries: %3): what comes is for earlier "
-                                             "requests. Set a longer time-out.")},
-    SentenceRow{RefusalId::registersRefused, "registersRefused",
-                QT_TRANSLATE_NOOP("Refusal", "%1 refuses %2 with exception %3: %4")},
-    SentenceRow{RefusalId::registersGarbled, "registersGarbled",
-                QT_TRANSLATE_NOOP("Refusal", "The answer of %1 to %2 is wrong: %3")},
-    SentenceRow{
-        RefusalId::outAreaTooShort, "outAreaTooShort",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 does not have all OUT registers of the ring as planned (%2), though it has "
-                          "the first. Compare the bus structure with the ring, and the first register of OUT "
-                          "with the manual of the gateway.")},
-    SentenceRow{RefusalId::outputsBlocked, "outputsBlocked",
-                QT_TRANSLATE_NOOP(
-                    "Refusal", "%1 does not carry out %2 (exception 4). The watchdog of its outputs may have "
-                               "tripped: acknowledge it, then go to Operate again.")},
     SentenceRow{RefusalId::notConnected, "notConnected",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1 is not connected. Connect its bus, and look which devices are "
@@ -510,10 +442,6 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "The job ended because the computer slept. Check in which state the encoder is, "
                           "and change to Operate before you write again.")},
-    SentenceRow{RefusalId::outsOfOther, "outsOfOther",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Somebody else writes to the outputs of this bus: it is in Watch "
-                                  "now.")},
     SentenceRow{RefusalId::stoppedInWrite, "stoppedInWrite",
                 QT_TRANSLATE_NOOP(
                     "Refusal", "The job ended after %1 was sent and before it was answered: it is not known "
@@ -665,13 +593,6 @@ QString commonRefusalText(const Refusal &refusal)
         return rowText(refusal, {faultOfBusText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:
         return labelKeyText(refusal);
-    case RefusalId::registersUnanswered:
-    case RefusalId::registersLate:
-    case RefusalId::registersRefused:
-    case RefusalId::registersGarbled:
-    case RefusalId::outAreaTooShort:
-    case RefusalId::outputsBlocked:
-        return rowText(refusal, textsOfRegisters(refusal));
     default:
         return rowText(refusal);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A minute on a bad network, in real time: a gateway link on a real port, with libmodbus at the other end.
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/links/modbus_port.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/links/faulty_relay.h"
@@ -93,7 +94,7 @@ protected:
         const auto exchanged = link->exchange(out, in);
         isOpen = exchanged.has_value();
         if (!exchanged) {
-            EXPECT_NE(exchanged.error().id, RefusalId::outNotOurs) << "nobody else writes";
+            EXPECT_NE(exchanged.error().id, GatewayRefusalId::outNotOurs) << "nobody else writes";
         }
         for (std::size_t i = 0; i < in.size(); ++i) {
             EXPECT_TRUE(!link->age(i) || isOf(i, in[i])) << i << ' ' << std::hex << in[i];

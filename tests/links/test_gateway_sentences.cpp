@@ -2,6 +2,7 @@
 // The table "What it says" of the manual: each of its sentences is said of a peer that has just this fault,
 // on a real port, and of no row nobody knows what says it.
 #include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/links/modbus_port.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/links/crooked_peer.h"
@@ -37,7 +38,7 @@ std::string firstSaid(const GatewaySettings &settings)
         return refusalText(opened.error()).toStdString();
     std::vector<Word> in(encodersTold);
     const auto back = link.readBackOut();
-    if (!back && back.error().id != RefusalId::outNotReadBack)
+    if (!back && back.error().id != GatewayRefusalId::outNotReadBack)
         return refusalText(back.error()).toStdString();
     const std::vector<Word> out(encodersTold, 1);
     for (const Instant end = link.now() + longEnough; link.now() < end;) {

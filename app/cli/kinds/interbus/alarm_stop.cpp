@@ -5,6 +5,7 @@
 #include "cli/call/subcommand.h"
 #include "cli/kinds/interbus/gateway_access.h"
 #include "cli/kinds/interbus/sent_zeros_text.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "vocabulary/refusal_text.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ bool isFailureOfZeros(const Message &message)
 
 bool isHindrance(const Message &message)
 {
-    return message.refusal && message.refusal->id != RefusalId::outNotReadBack; // zerosSent says so
+    return message.refusal && message.refusal->id != GatewayRefusalId::outNotReadBack; // zerosSent says so
 }
 
 // What the ring tells about zeros while they are on their way.

@@ -7,6 +7,7 @@
 #include "cli/encoder/jobs.h"
 #include "cli/kinds/interbus/gateway_link_kind.h"
 #include "kinds/interbus/gateway/gateway_check_text.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/register_refusal.h"
 #include "kinds/interbus/links/modbus_port.h"
 #include "kinds/interbus/plan/ring_plan.h"
@@ -202,7 +203,8 @@ Checked<Answer> acknowledgeWatchdog(const GatewayAccess &ring)
 {
     const GatewaySettings &gateway = ring.gateway();
     if (!gateway.watchdogRegister)
-        return tl::unexpected(complaintAbout({RefusalKind::notSupported, RefusalId::watchdogNotSet, {}}));
+        return tl::unexpected(
+            complaintAbout({RefusalKind::notSupported, GatewayRefusalId::watchdogNotSet, {}}));
     if (const auto map = mapOf(ring.devices(), gateway); !map)
         return tl::unexpected(complaintAbout(map.error()));
     ModbusPort port(gateway);

@@ -7,6 +7,7 @@
 #include "doctor/hindrance_of_refusal.h"
 #include "doctor/port_hindrances.h"
 #include "kinds/interbus/gateway/gateway_link.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/register_texts.h"
 #include "kinds/interbus/links/modbus_port.h"
 #include "kinds/interbus/plan/gateway_plan.h"
@@ -42,7 +43,7 @@ bool asksForDevices(const Subcommand &command)
 
 Complaint noIdCycle()
 {
-    return complaintAbout({RefusalKind::notSupported, RefusalId::noIdCycle, {}});
+    return complaintAbout({RefusalKind::notSupported, GatewayRefusalId::noIdCycle, {}});
 }
 
 tl::unexpected<Complaint> needsProject(const GatewaySettings &gateway)
@@ -84,7 +85,7 @@ Complaint aboutOpening(const Refusal &why)
 Complaint complaintAtGateway(const Refusal &why)
 {
     Complaint complaint = complaintAbout(why);
-    if (why.id == RefusalId::outputsBlocked)
+    if (why.id == GatewayRefusalId::outputsBlocked)
         complaint.text = sentence(
             CommandLine::tr("%1 does not carry out %2 (exception 4). The watchdog of its outputs may "
                             "have tripped: acknowledge it with codewheel-cli gateway "
@@ -123,7 +124,7 @@ GatewayAccess::GatewayAccess(Behind behind, const GatewaySettings &gateway, cons
     QObject::connect(&this->ring(), &RingSession::refused, &m_scope,
                      [this](const Refusal &why) { m_refusal = why; });
     QObject::connect(&this->ring(), &RingSession::messaged, &m_scope, [this](const Message &message) {
-        m_outIsUnknown |= message.refusal && message.refusal->id == RefusalId::outNotReadBack;
+        m_outIsUnknown |= message.refusal && message.refusal->id == GatewayRefusalId::outNotReadBack;
     });
 }
 
@@ -201,7 +202,8 @@ Checked<void> GatewayAccess::contact(const Call &call, const ProjectDevice &plan
 Checked<void> GatewayAccess::inContact(const Call &call, Place place)
 {
     if (std::exchange(m_outIsUnknown, false))
-        call.terminal.complain(refusalText({RefusalKind::notSupported, RefusalId::outNotReadBack, {}}));
+        call.terminal.complain(
+            refusalText({RefusalKind::notSupported, GatewayRefusalId::outNotReadBack, {}}));
     const EncoderSession *encoder = ring().encoder(place);
     const Instant end = ring().now() + exchangesOfContact * longestTurn();
     const auto isSilent = [&] {
@@ -214,7 +216,8 @@ Checked<void> GatewayAccess::inContact(const Call &call, Place place)
         return tl::unexpected(*standstill);
     if (!isSilent())
         return {};
-    return tl::unexpected(complaintAbout({RefusalKind::link, RefusalId::wordNotSteady, {place.shown()}}));
+    return tl::unexpected(
+        complaintAbout({RefusalKind::link, GatewayRefusalId::wordNotSteady, {place.shown()}}));
 }
 
 bool GatewayAccess::startThread()
@@ -266,8 +269,8 @@ Instant GatewayAccess::longestTurn() const
 // A job ends with the bus, or does not begin after it has gone back to Watch; what the bus says is why.
 Complaint GatewayAccess::complaint(const Refusal &why) const
 {
-    const bool isOfBus =
-        why.id == RefusalId::outsOfOther || why.id == RefusalId::busStopped || why.id == RefusalId::watchOnly;
+    const bool isOfBus = why.id == GatewayRefusalId::outsOfOther || why.id == RefusalId::busStopped ||
+                         why.id == RefusalId::watchOnly;
     Complaint told = complaintAtGateway(why);
     if (isOfBus && m_refusal)
         told = complaintAtGateway(*m_refusal);

@@ -4,6 +4,8 @@
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/gateway/offer_messages.h"
 #include "kinds/interbus/plan/gateway_project.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "kinds/interbus/simulator/standing_faults.h"
@@ -50,15 +52,15 @@ RingOffer::RingOffer(RingAtWork &ring)
     connect(ring.bus(), &RingSession::stateChanged, this, &RingOffer::followBus);
     connect(ring.bus(), &RingSession::structureChanged, this, [this] {
         if (offersWindowsRing())
-            endAs(MessageId::offerEndedWithStructure);
+            endAs(OfferMessageId::offerEndedWithStructure);
     });
     connect(&ring, &RingAtWork::linkChanged, this, [this] {
         if (isOn() && !m_ring.bus()->isSimulated())
-            endAs(MessageId::offerEndedWithRealRing);
+            endAs(OfferMessageId::offerEndedWithRealRing);
     });
     connect(&ring.project(), &ProjectDocument::replaced, this, [this] {
         if (isOn())
-            endAs(MessageId::offerEndedWithProject);
+            endAs(OfferMessageId::offerEndedWithProject);
     });
 }
 
@@ -71,13 +73,13 @@ RingOffer::~RingOffer()
 void RingOffer::followBus()
 {
     if (offersWindowsRing() && !m_ring.isStartingAfresh() && m_ring.bus()->state() == BusState::closed)
-        endAs(MessageId::offerEndedWithRing);
+        endAs(OfferMessageId::offerEndedWithRing);
 }
 
 void RingOffer::goOnWith(const RingStructure &afresh)
 {
     if (offersWindowsRing() && servedTable(afresh) != servedTable(m_ring.bus()->structure()))
-        endAs(MessageId::offerEndedWithStructure);
+        endAs(OfferMessageId::offerEndedWithStructure);
 }
 
 std::optional<Refusal> RingOffer::whyNot() const
@@ -85,8 +87,9 @@ std::optional<Refusal> RingOffer::whyNot() const
     const bool isReal = m_ring.bus()->state() == BusState::closed
                             ? !plansTraining(m_ring.project().project(), m_ring.id())
                             : !m_ring.bus()->isSimulated();
-    return isReal ? std::optional(Refusal{RefusalKind::notSupported, RefusalId::realRingNotOffered, {}})
-                  : std::nullopt;
+    return isReal
+               ? std::optional(Refusal{RefusalKind::notSupported, GatewayRefusalId::realRingNotOffered, {}})
+               : std::nullopt;
 }
 
 // Where it listens is decided first: what is refused starts no ring.
@@ -97,7 +100,7 @@ Result<void> RingOffer::begin(const OfferWish &wish)
     if (auto why = whyNot())
         return tl::unexpected(*std::move(why));
     if (!wish.hasSeats && !m_ring.isOpen())
-        return refuse(RefusalKind::link, RefusalId::closedRingNotOffered);
+        return refuse(RefusalKind::link, GatewayRefusalId::closedRingNotOffered);
     m_guests = std::make_shared<RingGuests>();
     m_seats = {};
     for (int unit = 1; wish.hasSeats && unit <= wish.seats; ++unit)
@@ -118,7 +121,7 @@ Result<void> RingOffer::begin(const OfferWish &wish)
     if (!wish.hasSeats)
         m_ring.bus()->offerTo(m_guests);
     tell({.severity = reachesOthers(wish.address) ? Severity::attention : Severity::information,
-          .id = MessageId::offerBegun,
+          .id = OfferMessageId::offerBegun,
           .arguments = {place().address}});
     Q_EMIT changed();
     return {};
@@ -144,7 +147,7 @@ QString RingOffer::endsForClients() const
 void RingOffer::end()
 {
     if (isOn())
-        endAs(MessageId::offerEnded);
+        endAs(OfferMessageId::offerEnded);
 }
 
 void RingOffer::endAs(MessageCode why)
@@ -153,7 +156,7 @@ void RingOffer::endAs(MessageCode why)
         tell(message);
     const QString address = place().address;
     stop();
-    tell({.severity = why == MessageId::offerEnded ? Severity::information : Severity::attention,
+    tell({.severity = why == OfferMessageId::offerEnded ? Severity::information : Severity::attention,
           .id = why,
           .arguments = {address}});
     Q_EMIT changed();
@@ -245,7 +248,7 @@ QString RingOffer::restartsForClients(int unit) const
 void RingOffer::restart(int unit)
 {
     m_seats.replace(static_cast<std::size_t>(unit - 1), m_ring.makeSeat());
-    tell({.id = MessageId::seatRestarted, .arguments = {std::int64_t{unit}}});
+    tell({.id = OfferMessageId::seatRestarted, .arguments = {std::int64_t{unit}}});
 }
 
 void RingOffer::takeFrame()

@@ -2,6 +2,7 @@
 #include "kinds/interbus/gateway/gateway_check.h"
 
 #include "kinds/interbus/gateway/gateway_check_text.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "kinds/interbus/gateway/map_reading.h"
 #include "kinds/interbus/gateway/register_refusal.h"
@@ -48,7 +49,7 @@ RegisterBlock spanOf(const std::vector<RegisterBlock> &blocks)
 Result<GatewayMap> mapOf(const std::vector<CheckedDevice> &devices, const GatewaySettings &settings)
 {
     if (devices.empty())
-        return refuse(RefusalKind::badInput, RefusalId::gatewayHasNoDevices);
+        return refuse(RefusalKind::badInput, GatewayRefusalId::gatewayHasNoDevices);
     return GatewayMap::of(checkedRing(devices), settings);
 }
 

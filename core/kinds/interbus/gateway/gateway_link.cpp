@@ -2,6 +2,7 @@
 #include "kinds/interbus/gateway/gateway_link.h"
 
 #include "kinds/interbus/gateway/gateway_device_state.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "kinds/interbus/gateway/register_refusal.h"
 #include "vocabulary/sentence.h"
@@ -43,7 +44,7 @@ Result<RingStructure> GatewayLink::open()
     close();
     m_hurriesToZeros = false;
     if (m_ring.empty())
-        return refuse(RefusalKind::badInput, RefusalId::gatewayHasNoDevices);
+        return refuse(RefusalKind::badInput, GatewayRefusalId::gatewayHasNoDevices);
     auto map = GatewayMap::of(m_ring, m_settings);
     if (!map)
         return tl::unexpected(map.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OUT on a gateway: reading it back, and writing it.
 #include "kinds/interbus/gateway/gateway_device_state.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "kinds/interbus/gateway/register_refusal.h"
 #include "kinds/interbus/words/device_number.h"
@@ -100,7 +101,7 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
 {
     if (!m_map)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    const auto notRead = refuse(RefusalKind::notSupported, RefusalId::outNotReadBack);
+    const auto notRead = refuse(RefusalKind::notSupported, GatewayRefusalId::outNotReadBack);
     if (!m_readsBack)
         return notRead;
     if (auto shown = waitUntilOwnWordsShow(); !shown)
@@ -110,7 +111,7 @@ Result<std::vector<Word>> GatewayLink::readBackOut()
     for (int refusals = 1; !read && cannotReadBack(read.error()); ++refusals) {
         if (refusals == refusalsOfReadBack) {
             if (canReadSomeOut())
-                return refuse(RefusalKind::link, RefusalId::outAreaTooShort,
+                return refuse(RefusalKind::link, GatewayRefusalId::outAreaTooShort,
                               {read.error().arguments[0], read.error().arguments[1]});
             m_readsBack = false;
             m_written.clear();
@@ -132,7 +133,7 @@ Result<void> GatewayLink::acknowledgeWatchdog()
     if (!m_map)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
     if (!m_settings.watchdogRegister)
-        return refuse(RefusalKind::notSupported, RefusalId::watchdogNotSet);
+        return refuse(RefusalKind::notSupported, GatewayRefusalId::watchdogNotSet);
     const auto value = static_cast<Register>(m_settings.watchdogValue);
     const RegisterBlock its{*m_settings.watchdogRegister, 1};
     const auto done = transact([&] { return m_port->write(its.first, std::span(&value, 1)); }, false);
@@ -269,7 +270,7 @@ Result<void> GatewayLink::readWhetherOurs()
     }
     const std::size_t device = suspects.front();
     return refuse(
-        RefusalKind::busy, RefusalId::outNotOurs,
+        RefusalKind::busy, GatewayRefusalId::outNotOurs,
         {DeviceNumber::of(m_ring[device].number).toString(), m_devices[device].own.word(), there[device]});
 }
 
@@ -352,7 +353,7 @@ Result<void> GatewayLink::writeBlocks(Overwrites overwrites)
 bool GatewayLink::writesLess(const Refusal &why, const RegisterBlock &block)
 {
     constexpr std::int64_t illegalValue = 3;
-    const bool isTooMuch = why.id == RefusalId::registersRefused && why.arguments.size() > 2 &&
+    const bool isTooMuch = why.id == GatewayRefusalId::registersRefused && why.arguments.size() > 2 &&
                            why.arguments[2] == RefusalArgument(illegalValue);
     const int less = block.count / 2 / GatewayMap::wordRegisters * GatewayMap::wordRegisters;
     if (!isTooMuch || m_settings.writesWithRead || less < GatewayMap::wordRegisters)

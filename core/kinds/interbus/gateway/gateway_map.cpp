@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/gateway_map.h"
 
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "vocabulary/sentence.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 tl::unexpected<Refusal> mapWrong(const QString &text)
 {
-    return refuse(RefusalKind::badInput, RefusalId::registerMapWrong, {text});
+    return refuse(RefusalKind::badInput, GatewayRefusalId::registerMapWrong, {text});
 }
 
 // Each device's registers, and after them the first one that belongs to no device.

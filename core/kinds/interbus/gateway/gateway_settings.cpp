@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/gateway_settings.h"
 
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "vocabulary/sentence.h"
 
@@ -208,7 +209,7 @@ bool isOf(const Setting &setting, Transport transport)
 
 tl::unexpected<Refusal> settingWrong(const QString &name, const QString &text, const QString &allowed)
 {
-    return refuse(RefusalKind::badInput, RefusalId::linkSettingWrong, {name, text, allowed});
+    return refuse(RefusalKind::badInput, GatewayRefusalId::linkSettingWrong, {name, text, allowed});
 }
 
 } // namespace
@@ -257,7 +258,7 @@ Result<void> applySettings(GatewaySettings &settings, const std::map<QString, QS
             return isOf(its, settings.transport) && name == QLatin1String(its.name);
         });
         if (setting == all.end())
-            return refuse(RefusalKind::badInput, RefusalId::linkSettingUnknown,
+            return refuse(RefusalKind::badInput, GatewayRefusalId::linkSettingUnknown,
                           {name, settingNames(settings.transport).join(QStringLiteral(", "))});
         if (!setting->take(wanted, text))
             return settingWrong(name, text, setting->allowed);

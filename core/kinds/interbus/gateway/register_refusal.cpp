@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/register_refusal.h"
 
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/register_texts.h"
 
 namespace codewheel {
@@ -48,8 +49,8 @@ bool isNotCarriedOut(const RegisterError &error)
 
 bool isNotCarriedOut(const Refusal &refusal)
 {
-    return refusal.id == RefusalId::outputsBlocked ||
-           (refusal.id == RefusalId::registersRefused &&
+    return refusal.id == GatewayRefusalId::outputsBlocked ||
+           (refusal.id == GatewayRefusalId::registersRefused &&
             isRefusal(std::get<std::int64_t>(refusal.arguments[2])));
 }
 
@@ -65,15 +66,16 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
     switch (error.kind) {
     case RegisterError::Kind::noAnswer:
         return {RefusalKind::link,
-                error.isLate ? RefusalId::registersLate : RefusalId::registersUnanswered,
+                error.isLate ? GatewayRefusalId::registersLate : GatewayRefusalId::registersUnanswered,
                 {port, registers, std::int64_t{tries}}};
     case RegisterError::Kind::exception:
         if (error.exception == exceptionOfFailure && function >= firstFunctionThatWrites)
-            return {RefusalKind::link, RefusalId::outputsBlocked, {port, registers}};
-        return {
-            RefusalKind::link, RefusalId::registersRefused, {port, registers, std::int64_t{error.exception}}};
+            return {RefusalKind::link, GatewayRefusalId::outputsBlocked, {port, registers}};
+        return {RefusalKind::link,
+                GatewayRefusalId::registersRefused,
+                {port, registers, std::int64_t{error.exception}}};
     case RegisterError::Kind::wrongAnswer:
-        return {RefusalKind::link, RefusalId::registersGarbled, {port, registers, error.text}};
+        return {RefusalKind::link, GatewayRefusalId::registersGarbled, {port, registers, error.text}};
     case RegisterError::Kind::closed:
         return {RefusalKind::link, RefusalId::connectionClosed, {port}};
     case RegisterError::Kind::unplugged:
@@ -86,7 +88,7 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
 
 bool isOfMap(const Refusal &refusal)
 {
-    if (refusal.id != RefusalId::registersRefused)
+    if (refusal.id != GatewayRefusalId::registersRefused)
         return false;
     const auto code = std::get<std::int64_t>(refusal.arguments[2]);
     return code >= firstExceptionOfMap && code <= lastExceptionOfMap;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/register_texts.h"
 
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
 #include "vocabulary/sentence.h"
 
@@ -182,10 +183,10 @@ QStringList registerRefusalTexts(const Refusal &refusal)
     parts[registersAt] = registersText(parts[registersAt]);
     if (parts.size() != detailAt + 1)
         return parts;
-    if (refusal.id == RefusalId::registersGarbled)
+    if (refusal.id == GatewayRefusalId::registersGarbled)
         parts[detailAt] = wrongAnswerText(parts[detailAt]);
     if (const auto *code = std::get_if<std::int64_t>(&refusal.arguments[detailAt]);
-        code != nullptr && refusal.id == RefusalId::registersRefused)
+        code != nullptr && refusal.id == GatewayRefusalId::registersRefused)
         parts << whyRefused(static_cast<int>(*code), registers);
     return parts;
 }

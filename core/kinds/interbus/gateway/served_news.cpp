@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/served_news.h"
 
+#include "kinds/interbus/gateway/offer_messages.h"
+
 #include <utility>
 
 namespace codewheel {
@@ -16,20 +18,21 @@ Message messageOf(const ClientNews &news)
     const ServedClient &client = news.client;
     switch (news.what) {
     case ClientNews::What::came:
-        return {.id = MessageId::clientCame, .arguments = {client.address}};
+        return {.id = OfferMessageId::clientCame, .arguments = {client.address}};
     case ClientNews::What::left:
-        return {.id = MessageId::clientLeft,
+        return {.id = OfferMessageId::clientLeft,
                 .arguments = {client.address, shownCount(client.requests), shownCount(client.writes)}};
     case ClientNews::What::refused:
         break;
     }
-    return {.severity = Severity::attention, .id = MessageId::clientRefused, .arguments = {client.address}};
+    return {
+        .severity = Severity::attention, .id = OfferMessageId::clientRefused, .arguments = {client.address}};
 }
 
 Message summaryOf(const ClientCounts &more)
 {
     return {.severity = more.refused > 0 ? Severity::attention : Severity::information,
-            .id = MessageId::clientsPassed,
+            .id = OfferMessageId::clientsPassed,
             .arguments = {shownCount(more.came), shownCount(more.left), shownCount(more.refused)}};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/data_check.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/ring/participant.h"
 #include "kinds/interbus/ring/told_ring.h"
 #include "vocabulary/instant.h"
@@ -69,7 +70,7 @@ public:
     // Its watchdog has set its outputs to 0 since nobody wrote for a while: they are to be written again.
     virtual Result<void> acknowledgeWatchdog()
     {
-        return refuse(RefusalKind::notSupported, RefusalId::watchdogNotSet);
+        return refuse(RefusalKind::notSupported, GatewayRefusalId::watchdogNotSet);
     }
     // What the peer says of its ring; empty: nothing.
     virtual std::optional<ToldRing> toldRing() const { return std::nullopt; }

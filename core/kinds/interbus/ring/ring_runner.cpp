@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/ring/ring_runner_private.h"
 #include "kinds/interbus/ring/send_permission.h"
 #include "vocabulary/hex.h"
@@ -339,9 +340,9 @@ void RingRunner::Private::lookAtToldRing()
 void RingRunner::Private::fail(const Refusal &why)
 {
     const bool masterTellsIt = master && master->status().state != MasterState::run;
-    if (why.id == RefusalId::outNotOurs)
+    if (why.id == GatewayRefusalId::outNotOurs)
         giveWay(why);
-    else if (why.id == RefusalId::outputsBlocked && zerosAreDue)
+    else if (why.id == GatewayRefusalId::outputsBlocked && zerosAreDue)
         zerosAreBlockedBy(why);
     else if (why.kind != RefusalKind::stopped && !masterTellsIt)
         loseLink(why);
@@ -359,7 +360,7 @@ void RingRunner::Private::zeroAtRest()
 // Somebody else writes to the same outputs. Both would move the machine in turn, so we stop.
 void RingRunner::Private::giveWay(const Refusal &why)
 {
-    endJobs(RefusalId::outsOfOther);
+    endJobs(GatewayRefusalId::outsOfOther);
     goOnWithWhatWasExchanged();
     ring.operate = false;
     refuseOfRing(why);

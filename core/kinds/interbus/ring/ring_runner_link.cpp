@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A link that is opened, lost and back, and the ring that is found then.
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/ring/ring_runner_private.h"
 #include "vocabulary/hex.h"
 
@@ -23,7 +24,7 @@ Result<RingFound> RingRunner::Private::find()
     if (!there)
         return tl::unexpected(there.error());
     auto out = link.readBackOut();
-    if (!out && out.error().id == RefusalId::outNotReadBack) {
+    if (!out && out.error().id == GatewayRefusalId::outNotReadBack) {
         auto nothing = found(*std::move(there), {});
         nothing.outIsKnown = false;
         return nothing;
@@ -51,7 +52,7 @@ void RingRunner::Private::loseLink(const Refusal &why)
     leaveRun(MasterState::busFail, ofLink(why));
     ring.operate = false;
     ring.whyLost = ofLink(why);
-    ring.outputsAreBlocked = ring.outputsAreBlocked || why.id == RefusalId::outputsBlocked;
+    ring.outputsAreBlocked = ring.outputsAreBlocked || why.id == GatewayRefusalId::outputsBlocked;
     refuseOfRing(*ring.whyLost);
     if (zerosAreDue)
         tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
@@ -185,7 +186,7 @@ void RingRunner::Private::forgetDevices()
 void RingRunner::Private::tellOutIsUnknown()
 {
     Message message{.severity = Severity::attention};
-    message.refusal = Refusal{RefusalKind::notSupported, RefusalId::outNotReadBack, {}};
+    message.refusal = Refusal{RefusalKind::notSupported, GatewayRefusalId::outNotReadBack, {}};
     tellOfRing(std::move(message));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/hex_code.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/ring/ring_session_private.h"
 #include "kinds/interbus/ring/ring_strangers.h"
 #include "kinds/interbus/ring/send_permission.h"
@@ -109,7 +110,7 @@ std::vector<Word> RingSession::Private::outNow() const
 
 void RingSession::Private::noteForeign(const Refusal &why)
 {
-    if (why.id != RefusalId::outNotOurs)
+    if (why.id != GatewayRefusalId::outNotOurs)
         return;
     const auto device = indexOf(NodeId(std::get<QString>(why.arguments[0]).toStdString()));
     const Word word = std::get<Word>(why.arguments[2]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/ring/link_figures.h"
 #include "kinds/interbus/ring/master_status.h"
 #include "kinds/interbus/ring/told_ring.h"
@@ -73,7 +74,7 @@ struct Snapshot : RingState
     Refusal whyOutOfSight(std::size_t device, const QString &place) const
     {
         return {RefusalKind::link,
-                isUnsettled(device) ? RefusalId::wordNotSteady : RefusalId::notInRing,
+                isUnsettled(device) ? RefusalCode(GatewayRefusalId::wordNotSteady) : RefusalId::notInRing,
                 {place}};
     }
 };

@@ -2,6 +2,7 @@
 #include "kinds/interbus/ring/told_ring.h"
 
 #include "catalog/hex_code.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 
 namespace codewheel {
 
@@ -10,11 +11,11 @@ Refusal ToldRing::whyItStands() const
     constexpr int statusDigits = 4;
     const QString shown = hexCode(status, statusDigits);
     if (!hasFailed)
-        return {RefusalKind::link, RefusalId::ringStands, {shown}};
+        return {RefusalKind::link, GatewayRefusalId::ringStands, {shown}};
     const auto where = place ? faultPlaceOf(*place) : std::nullopt;
     if (!where)
-        return {RefusalKind::link, RefusalId::ringFailed, {shown}};
-    return {RefusalKind::link, RefusalId::ringFailedAt, {shown, faultPlaceText(*where)}};
+        return {RefusalKind::link, GatewayRefusalId::ringFailed, {shown}};
+    return {RefusalKind::link, GatewayRefusalId::ringFailedAt, {shown, faultPlaceText(*where)}};
 }
 
 } // namespace codewheel

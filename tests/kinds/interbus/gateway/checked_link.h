@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "tests/support/faulty_register_port.h"
 #include "tests/support/passing_link.h"
 #include "tests/support/simulated_gateway.h"
@@ -41,7 +42,7 @@ public:
     Result<std::vector<Word>> readBackOut() override
     {
         auto words = PassingLink::readBackOut();
-        EXPECT_TRUE(words || words.error().id != RefusalId::outNotReadBack);
+        EXPECT_TRUE(words || words.error().id != GatewayRefusalId::outNotReadBack);
         m_isReadBack = words.has_value();
         return words;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "kinds/interbus/gateway/gateway_check.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/words/device_number.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 
@@ -125,10 +126,10 @@ TEST_F(GatewayCheckTest, ARingThatHasFailedIsNamedWithThePlaceOfTheFault)
     settings.faultBits = 4;
     bank->input[100] = 0x0084;
     bank->input[101] = 0x0200;
-    EXPECT_EQ(whyOf(run(frabaRing(2))[5]), RefusalId::ringFailed) << "nothing tells where";
+    EXPECT_EQ(whyOf(run(frabaRing(2))[5]), GatewayRefusalId::ringFailed) << "nothing tells where";
     settings.placeRegister = 101;
     const auto finding = run(frabaRing(2))[5];
-    EXPECT_EQ(whyOf(finding), RefusalId::ringFailedAt);
+    EXPECT_EQ(whyOf(finding), GatewayRefusalId::ringFailedAt);
     EXPECT_TRUE(finding.sentence.contains(QStringLiteral("2.0"))) << finding.sentence.toStdString();
 }
 
@@ -154,7 +155,7 @@ TEST_F(GatewayCheckTest, ASilentUnitEndsTheCheck)
     const auto findings = run(frabaRing(1));
     EXPECT_EQ(outcomesOf(findings), (std::vector{passed, passed, failed, skipped, skipped, skipped}));
     EXPECT_EQ(port.reads, settings.retries + 1);
-    EXPECT_EQ(whyOf(findings[2]), RefusalId::registersUnanswered);
+    EXPECT_EQ(whyOf(findings[2]), GatewayRefusalId::registersUnanswered);
 }
 
 TEST_F(GatewayCheckTest, ALostAnswerIsAskedForAgain)
@@ -178,7 +179,7 @@ TEST_F(GatewayCheckTest, AShortImageIsSaidWithTheFirstDeviceThatIsMissing)
     const auto findings = run(frabaRing(4));
     EXPECT_EQ(outcomesOf(findings),
               (std::vector{passed, passed, passed, failed, passed, passed, passed, passed, failed}));
-    EXPECT_EQ(whyOf(findings[3]), RefusalId::registersRefused);
+    EXPECT_EQ(whyOf(findings[3]), GatewayRefusalId::registersRefused);
     EXPECT_TRUE(findings[3].sentence.contains(QStringLiteral("4.0"))) << findings[3].sentence.toStdString();
     EXPECT_TRUE(findings[8].shown.has_value());
 }
@@ -202,9 +203,9 @@ TEST_F(GatewayCheckTest, AnImageThatCannotBeIsSaid)
 {
     settings.inArea = RegisterArea::holding; // where OUT is
     const auto findings = run(frabaRing(1));
-    EXPECT_EQ(whyOf(findings[3]), RefusalId::registerMapWrong);
+    EXPECT_EQ(whyOf(findings[3]), GatewayRefusalId::registerMapWrong);
     EXPECT_EQ(outcomesOf(findings), (std::vector{passed, passed, passed, failed, skipped, skipped}));
-    EXPECT_EQ(whyOf(run({})[3]), RefusalId::gatewayHasNoDevices);
+    EXPECT_EQ(whyOf(run({})[3]), GatewayRefusalId::gatewayHasNoDevices);
 }
 
 TEST_F(GatewayCheckTest, TheOtherWordOrderIsRecognized)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 24 hours of faults on the way to a gateway, in virtual time.
 #include "journal/ledger_keeper.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "kinds/interbus/simulator/simulated_ring.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"
@@ -185,7 +186,7 @@ private:
     void expectThatNothingIsLeftUnsaid()
     {
         const bool isNamed = std::ranges::any_of(m_session.messages, [](const Message &message) {
-            return message.refusal && message.refusal->id == RefusalId::outNotOurs;
+            return message.refusal && message.refusal->id == GatewayRefusalId::outNotOurs;
         });
         for (std::size_t i = 0; i < faultyEncoders; ++i) {
             const Word out = m_session.gateway->out()[i];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 
 #include <gtest/gtest.h>
@@ -103,7 +104,7 @@ TEST_F(GatewayLinkTest, AForeignWordIsNamedAndNotOverwritten)
     const auto exchanged = link->exchange(out, in);
     ASSERT_FALSE(exchanged);
     EXPECT_EQ(exchanged.error(), (Refusal{RefusalKind::busy,
-                                          RefusalId::outNotOurs,
+                                          GatewayRefusalId::outNotOurs,
                                           {QStringLiteral("2.0"), Word{0}, Word{0x8000'0000}}}));
     EXPECT_EQ(bank->writes, writes);
     EXPECT_EQ(link->readBackOut(), (std::vector<Word>{0x0200'00FF, 0x8000'0000}));
@@ -146,7 +147,7 @@ TEST_F(GatewayLinkTest, AGatewayThatDoesNotTellOutWorksWithoutIt)
     makeOpen(1);
     const auto back = link->readBackOut();
     ASSERT_FALSE(back);
-    EXPECT_EQ(back.error().id, RefusalId::outNotReadBack);
+    EXPECT_EQ(back.error().id, GatewayRefusalId::outNotReadBack);
     EXPECT_TRUE(link->watch(out, in));
 }
 
@@ -159,7 +160,7 @@ TEST_F(GatewayLinkTest, AnOutAreaThatIsShorterThanTheRingIsRefused)
         makeOpen(devices);
         const auto back = link->readBackOut();
         ASSERT_FALSE(back);
-        EXPECT_EQ(back.error().id, RefusalId::outAreaTooShort);
+        EXPECT_EQ(back.error().id, GatewayRefusalId::outAreaTooShort);
         EXPECT_EQ(bank->writes, 0);
     }
 }
@@ -203,7 +204,7 @@ TEST_F(GatewayLinkTest, ABusyGatewayIsWaitedForUntilThePatienceEnds)
         const Instant begun = link->now();
         const auto exchanged = link->exchange(out, in);
         ASSERT_FALSE(exchanged);
-        EXPECT_EQ(exchanged.error().id, RefusalId::registersRefused);
+        EXPECT_EQ(exchanged.error().id, GatewayRefusalId::registersRefused);
         EXPECT_GE(link->now() - begun, 2s);
         EXPECT_LT(link->now() - begun, 2200ms);
     }
@@ -215,7 +216,7 @@ TEST_F(GatewayLinkTest, AnImageThatIsTooShortIsNoticedWhenConnecting)
     make(3);
     const auto opened = link->open();
     ASSERT_FALSE(opened);
-    EXPECT_EQ(opened.error().id, RefusalId::registersRefused);
+    EXPECT_EQ(opened.error().id, GatewayRefusalId::registersRefused);
 }
 
 TEST_F(GatewayLinkTest, WithoutDevicesThereIsNothingToExchange)
@@ -223,7 +224,7 @@ TEST_F(GatewayLinkTest, WithoutDevicesThereIsNothingToExchange)
     make(0);
     const auto opened = link->open();
     ASSERT_FALSE(opened);
-    EXPECT_EQ(opened.error().id, RefusalId::gatewayHasNoDevices);
+    EXPECT_EQ(opened.error().id, GatewayRefusalId::gatewayHasNoDevices);
 }
 
 TEST_F(GatewayLinkTest, AWordThatNeverAgreesIsNotUpToDate)

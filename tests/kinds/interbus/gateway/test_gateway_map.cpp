@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/gateway_map.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +98,7 @@ TEST(GatewayMap, AreasThatOverlapOrEndTooFarAreRefused)
     const RingStructure ring = structureOf(k3Ring(4));
     const auto refused = [&](const GatewaySettings &settings) {
         const auto map = GatewayMap::of(ring, settings);
-        return !map && map.error().id == RefusalId::registerMapWrong;
+        return !map && map.error().id == GatewayRefusalId::registerMapWrong;
     };
     EXPECT_FALSE(refused({}));
     EXPECT_TRUE(refused({.inArea = RegisterArea::holding}));

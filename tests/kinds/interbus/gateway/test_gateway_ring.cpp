@@ -3,6 +3,7 @@
 #include "bus/bus_outline.h"
 #include "bus/word_channel.h"
 #include "history/encoder_history.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "tests/support/faulty_register_port.h"
 #include "tests/support/gateway_session.h"
 #include "tests/support/passing_port.h"
@@ -116,7 +117,7 @@ TEST_F(GatewayRing, SomebodyElsesWordIsNamedAndTheBusGivesWay)
     EXPECT_EQ(whyOf(*outcome), "outsOfOther");
     EXPECT_FALSE(ring->bus->isOperating());
     const auto told = std::ranges::find_if(ring->messages, [](const Message &message) {
-        return message.refusal && message.refusal->id == RefusalId::outNotOurs;
+        return message.refusal && message.refusal->id == GatewayRefusalId::outNotOurs;
     });
     ASSERT_NE(told, ring->messages.end());
     EXPECT_EQ(told->refusal->arguments,
@@ -152,7 +153,7 @@ TEST_F(GatewayRing, APlcThatWritesAgainAndAgainIsNoticedEachTime)
             ring->gateway->setOut(0, foreignWord + static_cast<Word>(k));
             ring->bus->advance(10ms);
         }
-        EXPECT_TRUE(isTold(RefusalId::outNotOurs)) << i;
+        EXPECT_TRUE(isTold(GatewayRefusalId::outNotOurs)) << i;
         EXPECT_FALSE(ring->bus->isOperating());
     }
     EXPECT_EQ(outThere(), foreignWord + 19);
@@ -267,7 +268,7 @@ TEST_F(GatewayRing, ALostOrClosedLinkExchangesNothing)
 TEST_F(GatewayRing, OutThatCannotBeReadBackIsNotKnownUntilItIsAskedFor)
 {
     open(EncoderBus::Start::watching, {.settings = {.readsBack = false}});
-    EXPECT_TRUE(isTold(RefusalId::outNotReadBack));
+    EXPECT_TRUE(isTold(GatewayRefusalId::outNotReadBack));
     ring->gateway->setOut(1, 0x4000'0001); // by a controller
     const auto known = [this] {
         std::vector<bool> each;
@@ -313,7 +314,7 @@ TEST_F(GatewayRing, ASingleExceptionDoesNotSwitchReadingBackOff)
     ring->bus->advance(60s);
     giveLinkBack();
     EXPECT_TRUE(ring->bus->latest().devices.front().outIsKnown);
-    EXPECT_FALSE(isTold(RefusalId::outNotReadBack));
+    EXPECT_FALSE(isTold(GatewayRefusalId::outNotReadBack));
 }
 
 TEST_F(GatewayRing, TwoRingsOnTwoGatewaysHaveNothingToDoWithEachOther)
@@ -485,7 +486,7 @@ TEST_F(TrippedWatchdog, IsNamedAndAcknowledgedWhenTheUserSaysSo)
 {
     open({.watchdogRegister = WatchdogPort::at, .watchdogValue = WatchdogPort::value});
     EXPECT_TRUE(std::ranges::any_of(session->messages, [](const Message &message) {
-        return message.refusal && message.refusal->id == RefusalId::outputsBlocked;
+        return message.refusal && message.refusal->id == GatewayRefusalId::outputsBlocked;
     }));
     EXPECT_TRUE(isOffered());
     EXPECT_EQ(session->bus->outline().state(), (StateWord{Role::fault, QStringLiteral("outputs blocked")}));
@@ -509,7 +510,7 @@ TEST_F(TrippedWatchdog, ThatHasNoRegisterCannotBeAcknowledged)
     EXPECT_TRUE(isOffered());
     session->bus->acknowledgeWatchdog();
     session->bus->advance(1s);
-    EXPECT_EQ(session->lastRefusal()->id, RefusalId::watchdogNotSet);
+    EXPECT_EQ(session->lastRefusal()->id, GatewayRefusalId::watchdogNotSet);
     EXPECT_EQ(control->acknowledged, 0);
 }
 
@@ -714,7 +715,7 @@ TEST(SlowGatewayRing, AnAlarmStopNamesTheWordThatSomebodyElseHasJustWritten)
     slow.gateway->setOut(0, foreignWord);
     const auto isSeen = [&] {
         const auto last = slow.lastRefusal();
-        return last && last->id == RefusalId::outNotOurs;
+        return last && last->id == GatewayRefusalId::outNotOurs;
     };
     const Instant written = slow.bus->now();
     while (!isSeen() && slow.bus->now() < written + 60s)

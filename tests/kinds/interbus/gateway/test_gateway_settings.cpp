@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_settings.h"
 
 #include <QStringList>
@@ -63,7 +64,7 @@ TEST(GatewaySettings, ASettingThatIsWrongIsRefusedAndNothingIsTaken)
         GatewaySettings settings;
         const auto applied = applySettings(settings, texts);
         ASSERT_FALSE(applied) << texts.begin()->first.toStdString();
-        EXPECT_EQ(applied.error().id, RefusalId::linkSettingWrong);
+        EXPECT_EQ(applied.error().id, GatewayRefusalId::linkSettingWrong);
         EXPECT_EQ(settings, GatewaySettings());
     }
 }
@@ -74,7 +75,7 @@ TEST(GatewaySettings, ASettingThatThereIsNotIsRefusedWithThoseThereAre)
     for (const char *name : {"baud", "speed", ""}) { // one of RTU, none, nothing
         const auto applied = applySettings(tcp, {{QLatin1String(name), QStringLiteral("1")}});
         ASSERT_FALSE(applied) << name;
-        EXPECT_EQ(applied.error().id, RefusalId::linkSettingUnknown);
+        EXPECT_EQ(applied.error().id, GatewayRefusalId::linkSettingUnknown);
         EXPECT_EQ(applied.error().arguments,
                   (std::vector<RefusalArgument>{
                       QLatin1String(name),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A gateway whose status register has a meaning that is set: what it says of its ring decides what is shown.
 #include "bus/bus_outline.h"
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "tests/support/gateway_session.h"
 #include "tests/support/passing_port.h"
 
@@ -97,7 +98,7 @@ TEST_F(ToldRingBehindGateway, ThatHasFailedLooksSoEverywhere)
     EXPECT_TRUE(faults().front().text.contains(QStringLiteral("0084h")));
     EXPECT_EQ(running().outcome, DataCheck::Outcome::differs);
     const Refusal why{RefusalKind::link,
-                      RefusalId::ringFailedAt,
+                      GatewayRefusalId::ringFailedAt,
                       {QStringLiteral("0084h"), faultPlaceText({.number = "3.0"_ring.node})}};
     EXPECT_EQ(session.lastRefusal(), why) << "the messages say it once";
     EXPECT_EQ(session.encoder(toldFraba).start(ReadParameters{{Parameter::steps}}).error(), why);
@@ -109,7 +110,7 @@ TEST_F(ToldRingBehindGateway, ThatStandsStillIsOldAsWell)
     say(ringStands);
     EXPECT_FALSE(isLive());
     EXPECT_EQ(session.bus->outline().state(), (StateWord{Role::fault, QStringLiteral("ring stands still")}));
-    EXPECT_EQ(session.lastRefusal()->id, RefusalId::ringStands);
+    EXPECT_EQ(session.lastRefusal()->id, GatewayRefusalId::ringStands);
 }
 
 TEST_F(ToldRingBehindGateway, ThatRunsAgainIsLiveAgain)
@@ -164,7 +165,7 @@ TEST_F(ToldRingBehindGateway, EndsTheJobsThatItInterrupts)
     session.bus->advance(30ms);
     say(busFailed);
     ASSERT_TRUE(outcome);
-    EXPECT_EQ(outcome->result.error().id, RefusalId::ringFailed);
+    EXPECT_EQ(outcome->result.error().id, GatewayRefusalId::ringFailed);
     EXPECT_EQ(outcome->leftIn, EncoderState::unknown);
 }
 
@@ -175,7 +176,7 @@ TEST_F(ToldRingBehindGateway, ThatWasConnectedAsItStoodIsNeverLive)
     open(EncoderBus::Start::watching);
     EXPECT_EQ(session.countOf(MessageId::busStarted), 0u) << "it does not run";
     EXPECT_FALSE(isLive());
-    EXPECT_EQ(session.lastRefusal()->id, RefusalId::ringFailed);
+    EXPECT_EQ(session.lastRefusal()->id, GatewayRefusalId::ringFailed);
 }
 
 } // namespace

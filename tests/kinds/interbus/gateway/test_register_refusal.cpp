@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of registers, in the language of the moment it is shown in: messages are stored.
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/register_refusal.h"
 #include "kinds/interbus/gateway/register_texts.h"
 #include "vocabulary/refusal_text.h"
@@ -90,12 +91,12 @@ TEST(RegisterRefusal, OfAnEarlierVersionIsShownAsItWasStored)
 {
     EXPECT_EQ(
         refusalText({RefusalKind::link,
-                     RefusalId::registersGarbled,
+                     GatewayRefusalId::registersGarbled,
                      {QStringLiteral("10.0.0.5:502"), QStringLiteral("function 4, register 1"),
                       QStringLiteral("it is not Modbus")}}),
         QStringLiteral("The answer of 10.0.0.5:502 to function 4, register 1 is wrong: it is not Modbus"));
     EXPECT_EQ(refusalText({RefusalKind::link,
-                           RefusalId::registersRefused,
+                           GatewayRefusalId::registersRefused,
                            {QStringLiteral("10.0.0.5:502"), QStringLiteral("function 4, register 1"),
                             std::int64_t{6}, QStringLiteral("it is busy.")}}),
               QStringLiteral("10.0.0.5:502 refuses function 4, register 1 with exception 6: it is busy."));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the user is told of the clients of an offered ring, and where its devices are in the registers.
 #include "catalog/catalog.h"
+#include "kinds/interbus/gateway/offer_messages.h"
 #include "kinds/interbus/gateway/served_news.h"
 #include "kinds/interbus/gateway/served_table.h"
 
@@ -46,13 +47,13 @@ TEST_F(ServedNewsTest, FewAreToldOneByOne)
 {
     EXPECT_THAT(idsAt(0s), IsEmpty());
     const auto id = clients.come(QStringLiteral("10.0.0.7:50000"), {});
-    EXPECT_THAT(idsAt(1s), ElementsAre(MessageId::clientCame));
+    EXPECT_THAT(idsAt(1s), ElementsAre(OfferMessageId::clientCame));
     EXPECT_EQ(said[0].arguments, std::vector<RefusalArgument>{QStringLiteral("10.0.0.7:50000")});
     const ServedWord word{NodeId("1.0"), 7, {}};
     clients.took(*id, 1, {.pdu = {}, .isWrite = true, .written = word}, {});
     clients.took(*id, 1, {.pdu = {}}, {});
     clients.leave(*id);
-    EXPECT_THAT(idsAt(2s), ElementsAre(MessageId::clientLeft));
+    EXPECT_THAT(idsAt(2s), ElementsAre(OfferMessageId::clientLeft));
     EXPECT_EQ(said[0].arguments, (std::vector<RefusalArgument>{QStringLiteral("10.0.0.7:50000"),
                                                                std::int64_t{2}, std::int64_t{1}}));
 }
@@ -62,7 +63,7 @@ TEST_F(ServedNewsTest, OfAThousandOnlyTheSumIsTold)
     comeAndGo(1'000); // more than the news that are kept
     EXPECT_EQ(idsAt(0s).size(), ServedNews::mostAlone);
     EXPECT_THAT(idsAt(9s), IsEmpty());
-    EXPECT_THAT(idsAt(10s), ElementsAre(MessageId::clientsPassed));
+    EXPECT_THAT(idsAt(10s), ElementsAre(OfferMessageId::clientsPassed));
     const auto alone = static_cast<std::int64_t>(ServedNews::mostAlone) / 2;
     EXPECT_EQ(said[0].arguments, counts(1'000 - alone, 1'000 - alone, 0));
     EXPECT_EQ(said[0].severity, Severity::information);
@@ -77,7 +78,7 @@ TEST_F(ServedNewsTest, ASumAfterAnother)
     idsAt(10s);
     comeAndGo(200);
     EXPECT_EQ(idsAt(11s).size(), ServedNews::mostAlone - 1) << "the sum was one of them";
-    EXPECT_THAT(idsAt(20s), ElementsAre(MessageId::clientsPassed));
+    EXPECT_THAT(idsAt(20s), ElementsAre(OfferMessageId::clientsPassed));
     const auto told = static_cast<std::int64_t>(ServedNews::mostAlone - 1);
     EXPECT_EQ(said[0].arguments, counts(200 - (told + 1) / 2, 200 - told / 2, 0));
 }
@@ -87,9 +88,9 @@ TEST_F(ServedNewsTest, ThoseThatAreRefusedAreAnAttention)
     for (std::size_t i = 0; i < 100; ++i)
         clients.come(QStringLiteral("127.0.0.1:5"), {});
     idsAt(0s);
-    EXPECT_EQ(said.back().id, MessageId::clientRefused);
+    EXPECT_EQ(said.back().id, OfferMessageId::clientRefused);
     EXPECT_EQ(said.back().severity, Severity::attention);
-    EXPECT_THAT(idsAt(10s), ElementsAre(MessageId::clientsPassed));
+    EXPECT_THAT(idsAt(10s), ElementsAre(OfferMessageId::clientsPassed));
     EXPECT_EQ(said[0].arguments, counts(0, 0, 92));
     EXPECT_EQ(said[0].severity, Severity::attention);
 }

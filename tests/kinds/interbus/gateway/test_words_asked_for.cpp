@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever happens on the way to a gateway: nothing is sent that nobody asked for, and what we have sent
 // ourselves is not taken for somebody else's.
+#include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/kinds/interbus/gateway/watched_registers.h"
@@ -111,7 +112,7 @@ TEST_F(WordsAskedFor, WhatTheGatewayShowsLateIsOursHoweverFastItWasReplaced)
     operate();
     post(command::SetOut{0, askedWord}, 30ms);
     post(command::SetOut{0, 0}, 2s);
-    EXPECT_EQ(countOf(RefusalId::outNotOurs), 0u);
+    EXPECT_EQ(countOf(GatewayRefusalId::outNotOurs), 0u);
     EXPECT_TRUE(latest.operate);
     EXPECT_EQ(outOf(0), 0u);
 }
@@ -125,7 +126,7 @@ TEST_F(WordsAskedFor, AMomentInWatchDoesNotBringBackWhatWasReplaced)
     EXPECT_EQ(latest.devices[0].out, askedWord);
     post(command::SetOperate{true}, 2s);
     EXPECT_EQ(outOf(0), askedWord);
-    EXPECT_EQ(countOf(RefusalId::outNotOurs), 0u);
+    EXPECT_EQ(countOf(GatewayRefusalId::outNotOurs), 0u);
     EXPECT_TRUE(latest.operate);
 }
 
@@ -145,7 +146,7 @@ TEST_F(WordsAskedFor, AQuickReconnectionDoesNotBringBackWhatWasStopped)
     EXPECT_EQ(latest.devices[0].out, 0u);
     post(command::SetOperate{true}, 2s);
     EXPECT_EQ(outOf(0), 0u);
-    EXPECT_EQ(countOf(RefusalId::outNotOurs), 0u);
+    EXPECT_EQ(countOf(GatewayRefusalId::outNotOurs), 0u);
 }
 
 TEST_F(WordsAskedFor, OutOfAnEncoderWhoseWordIsInDoubtIsKnownAllTheSame)
@@ -248,7 +249,7 @@ private:
         events.clear();
         runner->turn(runner->now() + 10ms);
         turned();
-        const bool isForeign = countOf(RefusalId::outNotOurs) > 0;
+        const bool isForeign = countOf(GatewayRefusalId::outNotOurs) > 0;
         EXPECT_FALSE(isForeign && m_isLate) << "there is nobody else";
         if (isForeign)
             giveUp();
