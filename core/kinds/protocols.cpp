@@ -17,8 +17,9 @@
 #include "kinds/interbus/la66/la66_protocol.h"
 #include "kinds/interbus/la66/la66_rules.h"
 #include "kinds/interbus/position/position_rules.h"
+#include "kinds/interbus/ring/ring_messages.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
-#include "kinds/interbus/words/bus_fault.h"
 #include "kinds/interbus/words/device_number.h"
 #include "kinds/interbus/words/k3_cam_effect.h"
 #include "kinds/interbus/words/profiles.h"
@@ -81,13 +82,14 @@ namespace {
 std::vector<const RefusalFamily *> &familiesOfRefusals()
 {
     static std::vector<const RefusalFamily *> families{&commonRefusals, &escRefusals, &wordRefusals,
-                                                       &gatewayRefusals};
+                                                       &gatewayRefusals, &ringRefusals};
     return families;
 }
 
 std::vector<const MessageFamily *> &familiesOfMessages()
 {
-    static std::vector<const MessageFamily *> families{&commonMessages, &escMessages, &offerMessages};
+    static std::vector<const MessageFamily *> families{&commonMessages, &escMessages, &offerMessages,
+                                                       &ringMessages};
     return families;
 }
 
@@ -123,11 +125,6 @@ const ProtocolRules &protocolRules(Profile profile)
     static const ProtocolRules ofNone;
     const ProtocolKind *kind = kindOf(profile);
     return kind != nullptr ? kind->rules : ofNone;
-}
-
-QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter)
-{
-    return busFaultText(codeAndParameter);
 }
 
 std::optional<QString> textOfTrainingAct(const TrainingAct &act)

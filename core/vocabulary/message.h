@@ -22,16 +22,6 @@ enum class MessageId : std::uint8_t {
     refused,           // see Message::refusal
     busStarted,        //
     busStopped,        //
-    alarmStop,         // all OUT words set to 0
-    zerosAsked,        // on a gateway: they are on their way
-    zerosReadBack,     // of the ALARM STOP, on a gateway
-    zerosOverwritten,  // they were sent, but something else was read back: text of what is where
-    zerosSent,         // and cannot be read back
-    zerosWait,         // the link is lost: they go out first once it is back
-    zerosLate,         // they were asked for a second ago, and have not arrived: what was in OUT before
-    zerosUnheard,      // sent over a lost link; nobody knows whether they arrived
-    zerosBeforeRing,   // they are on the gateway, whose ring stands still
-    zerosGivenUp,      // disconnected before they arrived
     operateOn,         // writing is allowed
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed
@@ -49,68 +39,50 @@ enum class MessageId : std::uint8_t {
     writesInDoubt,     // EEPROM writes that this may have cost, beside those counted
     outLeft,           // the words of which OUT may still hold one, as texts
     leftInParameterization,
-    stillInParameterization,  // as it was before the job
-    leftInService,            // LA-66: IN still holds the answer to a service
-    leftInMode,               // the mode: vocabulary/mode_text.h; it gives no position
-    leftInUnknownMode,        //
-    onlyZeroSinceRun,         // success that would look the same from an encoder without power
-    deviceFault,              // error number, Word IN; Message::refusal names it where the device is known
-    deviceFaultGone,          //
-    valuesForgotten,          // the encoder lost its parameters: what was known no longer holds
-    lateCycles,               // number since the last message; from earlier versions, today only a figure
-    modeSwitched,             // the mode: vocabulary/mode_text.h
-    modeSentToZero,           // the same: IN is 00000000, so it may have no supply
-    resetWaitsForRun,         // the reset was confirmed, and run was not sent
-    resetDone,                // EEPROM writes
-    camsRead,                 // number of programs
-    camsWritten,              // texts of the programs joined, EEPROM writes
-    deviceNamed,              // name of the device
-    serialNumberDiffers,      // the one in the project, the one that was read
-    connected,                // link
-    disconnected,             //
-    busFault,                 // error code (Word), diagnostic parameter (Word): vocabulary/texts_of_kinds.h
-    busFaultGone,             //
-    peripheralFault,          // error code (Word), diagnostic parameter (Word)
-    peripheralFaultConfirmed, //
-    crcErrors,                // segment, errors since the last message, errors since the start
-    segmentOff,               // segment
-    segmentOn,                // segment
-    diagnosticsConfirmed,     //
-    ringRead,                 // devices
-    configurationActivated,   // file name
-    configurationKept,        // file name, devices
-    configurationFound,       // file name, devices
-    configurationNone,        //
-    ringAsConfigured,         // devices
-    ringDiffers,              // differences
-    faultPlan,                // the step: a TrainingAct
-    projectOpened,            // file
-    projectSaved,             // file
-    projectRecovered,         // file
-    eepromThreeQuarters,      // writes by this program, budget
-    eepromBudgetUsed,         // writes by this program, budget
-    valuesStored,             // encoders, values
-    transferDone,             // encoders, values written, values that were already there, EEPROM writes
-    transferCancelled,        // likewise
-    transferCancelledSet,     // likewise, then the position that was set all the same
-    encoderReplaced,          // serial number before, serial number now (either may be empty)
-    valuesRestored,           // the time they date from (ISO 8601, UTC), values
-    reportSaved,              // file
-    oldMessagesDropped,       // messages
-    notKept,                  // file, reason
-    keptBeside,               // ledger, reason, the file kept beside it
-    databasePutAside,         // file, its new name
-    linkBack,                 // of a ring
-    ringRunsAgain,            // as its gateway says
-    watchdogAcknowledged,     // of a gateway
-    encoderSilent,            // tries without an answer
-    encoderAnswers,           //
-    recordingBegun,           // file
-    recordingWaits,           // file
-    recordingTriggered,       // file
-    recordingGoesOn,          // file, values lost meanwhile
-    recordingEnded,           // file, its size in bytes
-    training,                 // what the trainer did: a TrainingAct
+    stillInParameterization, // as it was before the job
+    leftInService,           // LA-66: IN still holds the answer to a service
+    leftInMode,              // the mode: vocabulary/mode_text.h; it gives no position
+    leftInUnknownMode,       //
+    onlyZeroSinceRun,        // success that would look the same from an encoder without power
+    deviceFault,             // error number, Word IN; Message::refusal names it where the device is known
+    deviceFaultGone,         //
+    valuesForgotten,         // the encoder lost its parameters: what was known no longer holds
+    lateCycles,              // number since the last message; from earlier versions, today only a figure
+    modeSwitched,            // the mode: vocabulary/mode_text.h
+    modeSentToZero,          // the same: IN is 00000000, so it may have no supply
+    resetWaitsForRun,        // the reset was confirmed, and run was not sent
+    resetDone,               // EEPROM writes
+    camsRead,                // number of programs
+    camsWritten,             // texts of the programs joined, EEPROM writes
+    deviceNamed,             // name of the device
+    serialNumberDiffers,     // the one in the project, the one that was read
+    connected,               // link
+    disconnected,            //
+    crcErrors,               // segment, errors since the last message, errors since the start
+    projectOpened,           // file
+    projectSaved,            // file
+    projectRecovered,        // file
+    eepromThreeQuarters,     // writes by this program, budget
+    eepromBudgetUsed,        // writes by this program, budget
+    valuesStored,            // encoders, values
+    transferDone,            // encoders, values written, values that were already there, EEPROM writes
+    transferCancelled,       // likewise
+    transferCancelledSet,    // likewise, then the position that was set all the same
+    encoderReplaced,         // serial number before, serial number now (either may be empty)
+    valuesRestored,          // the time they date from (ISO 8601, UTC), values
+    reportSaved,             // file
+    oldMessagesDropped,      // messages
+    notKept,                 // file, reason
+    keptBeside,              // ledger, reason, the file kept beside it
+    databasePutAside,        // file, its new name
+    encoderSilent,           // tries without an answer
+    encoderAnswers,          //
+    recordingBegun,          // file
+    recordingWaits,          // file
+    recordingTriggered,      // file
+    recordingGoesOn,         // file, values lost meanwhile
+    recordingEnded,          // file, its size in bytes
+    training,                // what the trainer did: a TrainingAct
 };
 extern const MessageFamily commonMessages;
 constexpr const MessageFamily &familyOf(MessageId)

@@ -5,7 +5,6 @@
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
-#include "vocabulary/texts_of_kinds.h"
 #include "vocabulary/training_act.h"
 
 #include <QCoreApplication>
@@ -23,47 +22,6 @@ constexpr std::array messageRows{
     SentenceRow{MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
     SentenceRow{MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
     SentenceRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
-    SentenceRow{MessageId::alarmStop, "alarmStop",
-                QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
-    SentenceRow{MessageId::zerosAsked, "zerosAsked",
-                QT_TRANSLATE_NOOP("Message", "ALARM STOP: 00000000 is sent to all devices of the ring.")},
-    SentenceRow{MessageId::zerosReadBack, "zerosReadBack",
-                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
-                                             "read back as 00000000.")},
-    SentenceRow{MessageId::zerosOverwritten, "zerosOverwritten",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The zeros of the ALARM STOP were sent, but OUT was read back as "
-                                  "something else: %1. Somebody else may write to it: stop the "
-                                  "machine by its own means.")},
-    SentenceRow{MessageId::zerosSent, "zerosSent",
-                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
-                                             "cannot be read back on this link.")},
-    SentenceRow{MessageId::zerosWait, "zerosWait",
-                QT_TRANSLATE_NOOP(
-                    "Message", "The link is lost, and nothing says whether the zeros of the ALARM STOP have "
-                               "arrived: they are sent again and again, and once it is back. Stop the "
-                               "machine by its own means.")},
-    SentenceRow{MessageId::zerosLate, "zerosLate",
-                QT_TRANSLATE_NOOP(
-                    "Message",
-                    "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. "
-                    "The program goes on trying. Stop the machine by its own means. In OUT when it was last "
-                    "seen: %1.")},
-    SentenceRow{MessageId::zerosUnheard, "zerosUnheard",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The zeros of the ALARM STOP were sent over the lost link, but nothing "
-                                  "acknowledges them: it is not known whether they arrived. Stop the "
-                                  "machine by its own means.")},
-    SentenceRow{MessageId::zerosBeforeRing, "zerosBeforeRing",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The zeros of the ALARM STOP are in the gateway, but its ring stands "
-                                  "still: the devices may not have got them. Stop the machine by its "
-                                  "own means.")},
-    SentenceRow{MessageId::zerosGivenUp, "zerosGivenUp",
-                QT_TRANSLATE_NOOP("Message",
-                                  "Disconnected before the zeros of the ALARM STOP had arrived: they are "
-                                  "not sent any more. OUT may be as it was. Stop the machine by its own "
-                                  "means.")},
     SentenceRow{MessageId::operateOn, "operateOn",
                 QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
     SentenceRow{MessageId::watchOn, "watchOn",
@@ -166,37 +124,9 @@ constexpr std::array messageRows{
                                   "which encoder it is, and correct the project.")},
     SentenceRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
     SentenceRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
-    SentenceRow{MessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
-    SentenceRow{MessageId::busFaultGone, "busFaultGone",
-                QT_TRANSLATE_NOOP("Message", "The bus fault is cleared. Start the bus again.")},
-    SentenceRow{MessageId::peripheralFault, "peripheralFault",
-                QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
-    SentenceRow{MessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
-                QT_TRANSLATE_NOOP("Message", "The peripheral fault was confirmed.")},
     SentenceRow{MessageId::crcErrors, "crcErrors",
                 QT_TRANSLATE_NOOP(
                     "Message", "CRC errors in segment %1: %2 since the last message, %3 since the start.")},
-    SentenceRow{MessageId::segmentOff, "segmentOff",
-                QT_TRANSLATE_NOOP("Message", "Segment %1 was switched off.")},
-    SentenceRow{MessageId::segmentOn, "segmentOn",
-                QT_TRANSLATE_NOOP("Message", "Segment %1 was switched on.")},
-    SentenceRow{MessageId::diagnosticsConfirmed, "diagnosticsConfirmed",
-                QT_TRANSLATE_NOOP("Message", "The diagnostics were confirmed.")},
-    SentenceRow{MessageId::ringRead, "ringRead",
-                QT_TRANSLATE_NOOP("Message", "The ring was read in: %1 devices.")},
-    SentenceRow{MessageId::configurationActivated, "configurationActivated",
-                QT_TRANSLATE_NOOP("Message", "The master activated its configuration %1.")},
-    SentenceRow{MessageId::configurationKept, "configurationKept",
-                QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 now (%2 devices).")},
-    SentenceRow{MessageId::configurationFound, "configurationFound",
-                QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 (%2 devices).")},
-    SentenceRow{MessageId::configurationNone, "configurationNone",
-                QT_TRANSLATE_NOOP("Message", "The master keeps no configuration.")},
-    SentenceRow{MessageId::ringAsConfigured, "ringAsConfigured",
-                QT_TRANSLATE_NOOP("Message", "The ring is as the project says: %1 devices.")},
-    SentenceRow{MessageId::ringDiffers, "ringDiffers",
-                QT_TRANSLATE_NOOP("Message", "The ring differs from the project (lines: %1). Compare them.")},
-    SentenceRow{MessageId::faultPlan, "faultPlan", QT_TRANSLATE_NOOP("Message", "Fault plan: %1")},
     SentenceRow{MessageId::projectOpened, "projectOpened",
                 QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
     SentenceRow{MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
@@ -243,12 +173,6 @@ constexpr std::array messageRows{
     SentenceRow{
         MessageId::databasePutAside, "databasePutAside",
         QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
-    SentenceRow{MessageId::linkBack, "linkBack",
-                QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
-    SentenceRow{MessageId::ringRunsAgain, "ringRunsAgain",
-                QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
-    SentenceRow{MessageId::watchdogAcknowledged, "watchdogAcknowledged",
-                QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
     SentenceRow{MessageId::encoderSilent, "encoderSilent",
                 QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
     SentenceRow{MessageId::encoderAnswers, "encoderAnswers",
@@ -284,16 +208,6 @@ QString presetText(const Message &message)
             messagePattern(QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before.")),
             {before});
     return rowText(message, {before, after});
-}
-
-// When it was switched off, the place of a bus fault went with it.
-QString segmentWithFaultText(const Message &message)
-{
-    const std::vector<RefusalArgument> fault(message.arguments.begin() + 1, message.arguments.end());
-    return sentence(messagePattern(QT_TRANSLATE_NOOP(
-                        "Message", "Segment %1 is switched off, and the place of the bus fault with "
-                                   "it: %2. The fault may still be there. Start the bus again.")),
-                    {argumentText(message.arguments.front()), faultOfBusText(fault)});
 }
 
 std::span<const RefusalArgument> argumentsFrom(const Message &message, std::size_t first)
@@ -353,7 +267,6 @@ QStringList messageParts(const Message &message)
     case MessageId::leftInMode:
         return {modeText(message.arguments)};
     case MessageId::training:
-    case MessageId::faultPlan:
         return {trainingActText(message.arguments)};
     case MessageId::parametersWritten:
     case MessageId::writtenUnscaled:
@@ -381,15 +294,6 @@ QString commonMessageText(const Message &message)
     const QStringList parts = messageParts(message);
     if (message.id == MessageId::presetDone)
         return presetText(message);
-    if (message.id == MessageId::busFault || message.id == MessageId::peripheralFault)
-        return rowText(message, {faultOfBusText(message.arguments)});
-    if (message.id == MessageId::segmentOff && parts.size() > 1)
-        return segmentWithFaultText(message);
-    if (message.id == MessageId::ringRead &&
-        message.arguments == std::vector<RefusalArgument>{std::int64_t{0}})
-        return messagePattern(
-            QT_TRANSLATE_NOOP("Message", "No device answered when the ring was read in. Check the cable to "
-                                         "the first device, and its supply."));
     if (message.id == MessageId::deviceFault && message.refusal)
         return sentence(
             messagePattern(QT_TRANSLATE_NOOP("Message", "The encoder reports error %1, %3 (IN %2).")),

@@ -56,7 +56,6 @@ enum class RefusalId : std::uint8_t {
     labelKeyNotUnderstood, // the key, the part (empty: it ends too early), what may stand there (empty:
                            // nothing)
     deviceFileBroken,      // file with line and key, reason
-    deviceCodeDiffers,     // place, its device code, device name, device code of that device
     deviceOfOtherBus,      // place, device name
     fileNotReadable,       // file, reason of the system
     fileNotWritten,        // file, reason of the system
@@ -64,7 +63,6 @@ enum class RefusalId : std::uint8_t {
     fileTooLarge,          // file, its size in MB, largest in MB
     projectFileBroken,     // file, line, key, reason
     projectFileNewer,      // file, its version, ours
-    faultPlanBroken,       // file, line, key, reason
     structureBroken,       // text of the rule that would be broken
     noSuchProjectDevice,   // place, places there are
     projectEmpty,          //
@@ -90,7 +88,6 @@ enum class RefusalId : std::uint8_t {
     sendingNotSupported,            // device name: it has no OUT word
     jobNotSupported,                // device name
     onlyRecorded,                   //
-    masterServiceNotSupported,      // text of the service
     encodersDiffer,                 // place, device name, place, device name
     // busy
     jobRunning,         // place
@@ -98,8 +95,6 @@ enum class RefusalId : std::uint8_t {
     watchOnly,          // place
     notRunning,         // place: the bus is stopped
     inParameterization, // Word IN: found that way, not caused by this job
-    masterStateWrong,   // text of the service, text of the state
-    noConfiguration,    //
     eepromBudgetUsed,   // place, writes by this program, budget
     eepromLimitPassed,  // place, writes by this program, limit
     // device
@@ -130,8 +125,6 @@ enum class RefusalId : std::uint8_t {
     // link
     linkFailed,           // text of the link
     ringDiffers,          // place, configured, found
-    busFault,             // error code (Word), diagnostic parameter (Word): vocabulary/texts_of_kinds.h
-    notInRing,            // place
     databaseFailed,       // file, reason
     recordingGone,        // file
     damagedBlocks,        // file, blocks of samples

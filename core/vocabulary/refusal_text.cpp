@@ -75,11 +75,6 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. Allowed there: %3.")},
     SentenceRow{RefusalId::deviceFileBroken, "deviceFileBroken",
                 QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
-    SentenceRow{
-        RefusalId::deviceCodeDiffers, "deviceCodeDiffers",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder "
-                          "of the same device code.")},
     SentenceRow{RefusalId::deviceOfOtherBus, "deviceOfOtherBus",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "The %2 belongs to another kind of bus: it cannot be the device at %1.")},
@@ -101,9 +96,6 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1 was saved by a newer Codewheel (version %2 of the file; this one "
                                   "reads up to %3). Open it with that one. Nothing was changed.")},
-    SentenceRow{RefusalId::faultPlanBroken, "faultPlanBroken",
-                QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
-                QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
     SentenceRow{RefusalId::structureBroken, "structureBroken",
                 QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
     SentenceRow{RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
@@ -176,11 +168,6 @@ constexpr std::array refusalRows{
     SentenceRow{RefusalId::onlyRecorded, "onlyRecorded",
                 QT_TRANSLATE_NOOP("Refusal", "This is a recording: nothing is sent.")},
     SentenceRow{
-        RefusalId::masterServiceNotSupported, "masterServiceNotSupported",
-        QT_TRANSLATE_NOOP(
-            "Refusal",
-            "This link does not reach the master: %1 is not possible. It shows the process data only.")},
-    SentenceRow{
         RefusalId::encodersDiffer, "encodersDiffer",
         QT_TRANSLATE_NOOP(
             "Refusal", "%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.")},
@@ -209,11 +196,6 @@ constexpr std::array refusalRows{
         QT_TRANSLATE_NOOP("Refusal",
                           "Nothing was written: the encoder is in parameterization already (IN %1). End that "
                           "first, with run.")},
-    SentenceRow{RefusalId::masterStateWrong, "masterStateWrong",
-                QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
-    SentenceRow{RefusalId::noConfiguration, "noConfiguration",
-                QT_TRANSLATE_NOOP(
-                    "Refusal", "The master has no stored configuration. Read in the ring, or download one.")},
     SentenceRow{RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1: this program has written %2 times to its EEPROM; its manual "
@@ -343,11 +325,6 @@ constexpr std::array refusalRows{
     SentenceRow{RefusalId::ringDiffers, "ringDiffers",
                 QT_TRANSLATE_NOOP(
                     "Refusal", "%1: configured is %2, found was %3. Compare, and take over what is right.")},
-    SentenceRow{RefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
-    SentenceRow{
-        RefusalId::notInRing, "notInRing",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
     SentenceRow{RefusalId::databaseFailed, "databaseFailed",
                 QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
     SentenceRow{RefusalId::recordingGone, "recordingGone",
@@ -520,14 +497,6 @@ QString suspectsText(const Refusal &refusal)
                     {suspects.join(either), in});
 }
 
-// A file that is no JSON at all has no key.
-QString brokenFileText(const Refusal &refusal)
-{
-    const QStringList parts = argumentTexts(refusal.arguments);
-    const SentenceRow &row = refusal.id.row();
-    return sentence(refusalPattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
-}
-
 // The system's message ends without a full stop.
 QString fileText(const Refusal &refusal)
 {
@@ -551,7 +520,7 @@ QString lostText(const Refusal &refusal)
     return refusal.arguments.empty()
                ? refusalPattern(QT_TRANSLATE_NOOP("Refusal", "The encoder has lost its parameters, and gives "
                                                              "no position. Write them again."))
-               : rowText(refusal, argumentTexts(refusal.arguments));
+               : rowText(refusal);
 }
 
 // A name rather than a number: not grouped.
@@ -581,7 +550,6 @@ QString commonRefusalText(const Refusal &refusal)
         return wordText(refusal);
     case RefusalId::camFileBroken:
     case RefusalId::projectFileBroken:
-    case RefusalId::faultPlanBroken:
         return brokenFileText(refusal);
     case RefusalId::fileNotReadable:
     case RefusalId::fileNotWritten:
@@ -589,8 +557,6 @@ QString commonRefusalText(const Refusal &refusal)
     case RefusalId::portLost:
     case RefusalId::portNotFound:
         return lostPortText(refusal);
-    case RefusalId::busFault:
-        return rowText(refusal, {faultOfBusText(refusal.arguments)});
     case RefusalId::labelKeyNotUnderstood:
         return labelKeyText(refusal);
     default:
@@ -617,6 +583,13 @@ QString rowText(const Refusal &refusal, const QStringList &parts)
 QString rowText(const Refusal &refusal)
 {
     return rowText(refusal, argumentTexts(refusal.arguments));
+}
+
+QString brokenFileText(const Refusal &refusal)
+{
+    const QStringList parts = argumentTexts(refusal.arguments);
+    const SentenceRow &row = refusal.id.row();
+    return sentence(refusalPattern(parts.value(2).isEmpty() ? row.textWithoutArguments : row.text), parts);
 }
 
 QString refusalText(const Refusal &refusal)

@@ -20,9 +20,11 @@ QString messageKey(MessageCode code);
 // with these parts; and any other pattern of its context, translated.
 QString rowText(const Refusal &refusal);
 QString rowText(const Refusal &refusal, const QStringList &parts);
-QString refusalPattern(const char *text);
 QString rowText(const Message &message);
 QString rowText(const Message &message, const QStringList &parts);
+QString refusalPattern(const char *text);
 QString messagePattern(const char *text);
+// Of a file with a mistake, from its line and key: a file that is no JSON at all has no key.
+QString brokenFileText(const Refusal &refusal);
 
 } // namespace codewheel

@@ -10,8 +10,6 @@
 // Texts about what only one kind can read. kinds/protocols.cpp has them.
 namespace codewheel {
 
-// The name of a fault of a bus from its code and parameter: "0BB1 – peripheral fault at 3.0".
-QString faultOfBusText(const std::vector<RefusalArgument> &codeAndParameter);
 // The arguments of a refusal of an OUT word, and behind the word what it does in cam mode: "sets the start of
 // cam 0 to 0". Without a word, what a preset does.
 QStringList textsWithCamEffect(const std::vector<RefusalArgument> &arguments);

@@ -2,6 +2,7 @@
 #include "journal/stored_message.h"
 #include "kinds/esc/protocol/esc_messages.h"
 #include "kinds/esc/simulator/line_training_acts.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "tests/support/places.h"
 #include "vocabulary/families.h"
@@ -87,7 +88,7 @@ TEST(StoredMessage, KeepsKeysOfWhatATrainerDidAndOfAMode)
         {MessageId::training, actAtSeat(2, {}, faultAct(TrainingFault::crcErrors, NodeId("3.0"), 7)),
          R"(["seat",2,"","fault","crcErrors","3.0",7])",
          "Seat 2: 3.0: CRC errors in the segment, 7 of 1000 cycles"},
-        {MessageId::faultPlan, faultAct(TrainingFault::wireBreak, NodeId("3.0"), 0),
+        {RingMessageId::faultPlan, faultAct(TrainingFault::wireBreak, NodeId("3.0"), 0),
          R"(["fault","wireBreak","3.0",0])", "Fault plan: 3.0: Wire break before it is over"},
         {MessageId::training, lineAct(LineAct::bytesLost, {std::int64_t{5}}), R"(["bytesLost",5])",
          "Lost bytes: 5 of 1000."},

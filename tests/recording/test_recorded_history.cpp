@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the trend gets of a recording is what it would get of the values in memory, at another time and place.
 // place.
+#include "kinds/interbus/ring/ring_messages.h"
 #include "recording/recording_archive.h"
 #include "tests/recording/recording_file.h"
 #include "tests/recording/some_motion.h"
@@ -38,8 +39,8 @@ protected:
             if (piece % 5 == 4)
                 at += 100s; // the bus was stopped
         }
-        writer->add(RecordedMessage{noon + 2s, {.place = recordedPlace, .id = MessageId::alarmStop}});
-        writer->add(RecordedMessage{noon + 3s, {.place = {}, .id = MessageId::alarmStop}});
+        writer->add(RecordedMessage{noon + 2s, {.place = recordedPlace, .id = RingMessageId::alarmStop}});
+        writer->add(RecordedMessage{noon + 3s, {.place = {}, .id = RingMessageId::alarmStop}});
         writer->add(RecordedNote{noon + 1s, QStringLiteral("knocked")});
         end = at;
         (void)writer->end();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/ring_messages.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/words/bus_fault.h"
 #include "vocabulary/refusal_text.h"
 
@@ -40,9 +42,9 @@ TEST(ABusFault, OfAnotherCodeIsItsNumberAndWhereToLookItUp)
 TEST(ABusFault, IsNamedTheSameInMessageAndRefusal)
 {
     const std::vector<RefusalArgument> arguments{Word{0x0BB1}, Word{0x0300}};
-    EXPECT_EQ(messageText({.id = MessageId::busFault, .arguments = arguments}).toStdString(),
+    EXPECT_EQ(messageText({.id = RingMessageId::busFault, .arguments = arguments}).toStdString(),
               "Bus fault: 0BB1 – peripheral fault at 3.0.");
-    EXPECT_EQ(refusalText({RefusalKind::link, RefusalId::busFault, arguments}).toStdString(),
+    EXPECT_EQ(refusalText({RefusalKind::link, RingRefusalId::busFault, arguments}).toStdString(),
               "The bus does not run: 0BB1 – peripheral fault at 3.0.");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/protocol/esc_messages.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/training_bus_session.h"
 #include "vocabulary/refusal_text.h"
@@ -193,7 +194,7 @@ TEST(MessageModel, CountsWhatWasNotSeen)
     MessageModel messages(store);
     messages.add(training("information"), noon);
     EXPECT_EQ(messages.unseen(), 0);
-    messages.add({.severity = Severity::attention, .id = MessageId::alarmStop}, noon);
+    messages.add({.severity = Severity::attention, .id = RingMessageId::alarmStop}, noon);
     messages.add({.severity = Severity::fault, .id = EscMessageId::portLost}, noon);
     EXPECT_EQ(messages.unseen(), 2);
     messages.see();

@@ -6,6 +6,7 @@
 #include "cli/kinds/interbus/gateway_access.h"
 #include "cli/kinds/interbus/sent_zeros_text.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "vocabulary/refusal_text.h"
 
 #include <algorithm>
@@ -117,14 +118,14 @@ Checked<void> openForZeros(GatewayAccess &access, ZerosSayer &sayer, Patience &p
 
 bool isEndOfZeros(const Message &message)
 {
-    return message.id == MessageId::zerosReadBack || message.id == MessageId::zerosSent ||
-           message.id == MessageId::zerosOverwritten || message.id == MessageId::zerosBeforeRing;
+    return message.id == RingMessageId::zerosReadBack || message.id == RingMessageId::zerosSent ||
+           message.id == RingMessageId::zerosOverwritten || message.id == RingMessageId::zerosBeforeRing;
 }
 
 // Zeros that somebody else has overwritten, or that no ring carries on, have not stopped anything.
 bool isFailureOfZeros(const Message &message)
 {
-    return message.id == MessageId::zerosOverwritten || message.id == MessageId::zerosBeforeRing;
+    return message.id == RingMessageId::zerosOverwritten || message.id == RingMessageId::zerosBeforeRing;
 }
 
 bool isHindrance(const Message &message)
@@ -157,8 +158,9 @@ private:
     {
         const auto isSame = [&](const Message &one) { return one.refusal == message.refusal; };
         const bool isNews = isHindrance(message) && std::ranges::none_of(m_messages, isSame);
-        if (message.id == MessageId::zerosOverwritten)
-            std::erase_if(m_messages, [](const Message &one) { return one.id == MessageId::zerosReadBack; });
+        if (message.id == RingMessageId::zerosOverwritten)
+            std::erase_if(m_messages,
+                          [](const Message &one) { return one.id == RingMessageId::zerosReadBack; });
         if (isNews || isEndOfZeros(message))
             m_messages.push_back(message);
     }
@@ -194,14 +196,14 @@ std::vector<Message> inTheirTime(std::vector<Message> messages, const GatewayAcc
 {
     const SentZeros zeros = access.sentZeros();
     for (Message &message : messages) {
-        if (message.id == MessageId::zerosReadBack)
+        if (message.id == RingMessageId::zerosReadBack)
             message.at = zeros.readBackAt.value_or(message.at);
-        if (message.id == MessageId::zerosSent)
+        if (message.id == RingMessageId::zerosSent)
             message.at = zeros.acknowledgedAt.value_or(message.at);
     }
     if (zeros.sentAt)
         messages.push_back(
-            {.at = *zeros.sentAt, .place = access.ring().placeOf(NodeId()), .id = MessageId::zerosAsked});
+            {.at = *zeros.sentAt, .place = access.ring().placeOf(NodeId()), .id = RingMessageId::zerosAsked});
     std::ranges::stable_sort(messages, {}, &Message::at);
     return messages;
 }
@@ -217,7 +219,7 @@ std::optional<Complaint> complaintAboutFailure(const std::vector<Message> &messa
 GatewayStop accountOf(const GatewayAccess &access, const std::vector<Message> &told)
 {
     const SentZeros zeros = access.sentZeros();
-    const bool areOverwritten = std::ranges::count(told, MessageId::zerosOverwritten, &Message::id) > 0;
+    const bool areOverwritten = std::ranges::count(told, RingMessageId::zerosOverwritten, &Message::id) > 0;
     GatewayStop stop{.messages = inTheirTime(told, access),
                      .text = sentZerosText(access, zeros, areOverwritten),
                      .json = sentZerosJson(access, zeros, areOverwritten),

@@ -11,6 +11,7 @@
 #include "cli/kinds/interbus/ring_access.h"
 #include "cli/kinds/interbus/ring_link_kind.h"
 #include "kinds/interbus/plan/ring_plan.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/segment_reach.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -217,7 +218,7 @@ Checked<void> openFor(const Call &call, RingAccess &access, const Action &action
     const QString service =
         call.arguments.rest.isEmpty() ? QStringLiteral("status") : call.arguments.rest.join(u' ');
     return tl::unexpected(
-        complaintAbout({RefusalKind::notSupported, RefusalId::masterServiceNotSupported, {service}}));
+        complaintAbout({RefusalKind::notSupported, RingRefusalId::masterServiceNotSupported, {service}}));
 }
 
 Checked<Told> toldAfter(const Call &call, RingAccess &access, const MasterWish &wish)

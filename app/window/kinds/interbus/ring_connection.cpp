@@ -6,6 +6,7 @@
 #include "kinds/interbus/gateway/gateway_settings.h"
 #include "kinds/interbus/plan/project_take_over.h"
 #include "kinds/interbus/ring/comparison.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/send_permission.h"
 #include "vocabulary/refusal_text.h"
@@ -126,11 +127,11 @@ void RingConnection::tellComparison()
         differences(compareRings(structureOf(m_project.project(), m_ring.id()), m_bus.structure()));
     if (others == 0)
         Q_EMIT told({.severity = Severity::information,
-                     .id = MessageId::ringAsConfigured,
+                     .id = RingMessageId::ringAsConfigured,
                      .arguments = {std::int64_t{devices}}});
     else
         Q_EMIT told({.severity = Severity::attention,
-                     .id = MessageId::ringDiffers,
+                     .id = RingMessageId::ringDiffers,
                      .arguments = {std::int64_t{others}}});
 }
 

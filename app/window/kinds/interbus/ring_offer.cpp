@@ -7,6 +7,7 @@
 #include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/offer_messages.h"
 #include "kinds/interbus/plan/gateway_project.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "kinds/interbus/simulator/standing_faults.h"
 #include "project/bus_kind.h"
@@ -266,7 +267,7 @@ void RingOffer::takePlans()
     for (std::size_t i = 0; i < m_seats.rings().size(); ++i)
         for (const FaultStep &step : m_plans[i].take(m_seats.rings()[i].training.controls->planProgress()))
             tellOfSeat(static_cast<int>(i) + 1, {}, faultAct(step.fault, step.place, step.value),
-                       MessageId::faultPlan);
+                       RingMessageId::faultPlan);
 }
 
 void RingOffer::tell(Message message)

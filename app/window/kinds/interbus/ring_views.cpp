@@ -12,6 +12,7 @@
 #include "app/window/kinds/interbus/ring_operate_warning.h"
 #include "app/window/look/afresh.h"
 #include "app/window/window_actions.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/words/device_number.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/device/device_panel.h"
@@ -128,7 +129,7 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     connect(m_training, &TrainingPanel::acted, this,
             [this](Place place, const TrainingAct &what) { tellTraining(place, what); });
     connect(m_training, &TrainingPanel::planned, this, [this](Place place, const TrainingAct &what) {
-        tellTraining(place, what, MessageId::faultPlan);
+        tellTraining(place, what, RingMessageId::faultPlan);
     });
     connect(m_training, &TrainingPanel::afreshWanted, this, &RingViews::startAfresh);
     onAction(m_actions.connection, [this] { showConnection(); });

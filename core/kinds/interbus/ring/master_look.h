@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/ring/master_text.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/snapshot.h"
 #include "vocabulary/role.h"
 
@@ -21,7 +22,7 @@ inline Role masterRole(const Snapshot &ring)
 inline std::optional<FaultPlace> standstillPlaceOf(const Snapshot &ring)
 {
     if (ring.refusedStart)
-        return ring.refusedStart->id == RefusalId::busFault
+        return ring.refusedStart->id == RingRefusalId::busFault
                    ? faultPlaceOf(diagnosticParameterOf(ring.refusedStart->arguments))
                    : std::nullopt;
     return ring.master ? ring.master->faultPlace() : std::nullopt;

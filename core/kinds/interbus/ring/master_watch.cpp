@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/master_watch.h"
 
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/words/device_number.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ void MasterWatch::lookAtBus(const MasterStatus &status)
     const bool isOther = status.errorCode != m_before.errorCode || status.parameter != m_before.parameter;
     if (failed && (!failedBefore || isOther)) {
         Message message{.severity = Severity::fault,
-                        .id = MessageId::busFault,
+                        .id = RingMessageId::busFault,
                         .arguments = faultArguments(status.errorCode, status.parameter)};
         if (const auto place = status.faultPlace())
             message.place = Place{.node = place->number};
@@ -52,10 +53,10 @@ void MasterWatch::lookAtBus(const MasterStatus &status)
     if (isFaultSwitchedOff(status))
         m_messages.push_back(
             {.severity = Severity::attention,
-             .id = MessageId::segmentOff,
+             .id = RingMessageId::segmentOff,
              .arguments = {std::int64_t{m_off.back()}, Word{m_before.errorCode}, Word{m_before.parameter}}});
     else
-        m_messages.push_back({.id = MessageId::busFaultGone});
+        m_messages.push_back({.id = RingMessageId::busFaultGone});
 }
 
 // While a fault was located, the devices behind it were out of the ring. They are back when it is gone,
@@ -82,10 +83,10 @@ void MasterWatch::lookAtDevices(const MasterStatus &status, const std::vector<No
         if (before) {
             if (!wasConfirmed)
                 continue;
-            message.id = MessageId::peripheralFaultConfirmed;
+            message.id = RingMessageId::peripheralFaultConfirmed;
         } else {
             message.severity = Severity::fault;
-            message.id = MessageId::peripheralFault;
+            message.id = RingMessageId::peripheralFault;
             message.arguments =
                 faultArguments(bus_error::peripheralFault, diagnosticParameterOf({.number = ring[i]}));
         }
@@ -101,7 +102,7 @@ void MasterWatch::lookAtSegments(const MasterStatus &status, Instant now)
         const bool wasOff = before != m_before.segments.end() && before->switchedOff;
         if (segment.switchedOff != wasOff) {
             m_messages.push_back({.severity = Severity::attention,
-                                  .id = wasOff ? MessageId::segmentOn : MessageId::segmentOff,
+                                  .id = wasOff ? RingMessageId::segmentOn : RingMessageId::segmentOff,
                                   .arguments = {std::int64_t{segment.segment}}});
             std::erase(m_off, segment.segment);
             if (!wasOff)

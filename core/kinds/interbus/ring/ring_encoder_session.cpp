@@ -3,6 +3,7 @@
 
 #include "bus/word_channel.h"
 #include "jobs/values_to_write.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/send_permission.h"
@@ -45,7 +46,7 @@ bool RingEncoderSession::isOfThisRing() const
 Result<void> RingEncoderSession::mayStart(const Job &job) const
 {
     if (!isOfThisRing())
-        return refuse(RefusalKind::link, RefusalId::notInRing, {place().shown()});
+        return refuse(RefusalKind::link, RingRefusalId::notInRing, {place().shown()});
     if (auto can = checkLink(job); !can) // in Watch, too: Operate would not help
         return can;
     return maySend(m_bus.latest(), index(), place().shown(), RefusalId::jobRunning);

@@ -4,7 +4,9 @@
 #include "kinds/interbus/ring/encoder_faults.h"
 #include "kinds/interbus/ring/master_look.h"
 #include "kinds/interbus/ring/ring_break.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_outline.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/words/device_number.h"
 #include "vocabulary/hex.h"
@@ -117,7 +119,7 @@ Fault refusedStart(const RingSession &bus, const Refusal &why)
 {
     Fault fault = standstill(bus.outline().state(), refusalText(why));
     fault.actions = {FaultAction::start};
-    if (why.id == RefusalId::busFault)
+    if (why.id == RingRefusalId::busFault)
         fault.code = busFaultText(why.arguments);
     if (const auto place = standstillPlaceOf(bus.latest())) {
         const RingBreak cable = breakAt(bus.structure(), *place, cutOffOf(bus));
@@ -137,7 +139,7 @@ Fault lostLink(const RingSession &bus)
                                                   "cable to the master, and whether it is switched on.");
     const QString zeros =
         bus.latest().zerosAreDue
-            ? u' ' + messageText({.id = MessageId::zerosWait}) + u' ' +
+            ? u' ' + messageText({.id = RingMessageId::zerosWait}) + u' ' +
                   sentence(RingFaultText::tr("In OUT when it was last seen: %1."), {bus.outBeforeZeros()})
             : QString();
     return standstill({Role::fault, RingFaultText::tr("link lost")}, why + again + zeros);
@@ -147,7 +149,7 @@ Fault lostLink(const RingSession &bus)
 Fault toldFault(const RingSession &bus, const ToldRing &told)
 {
     const QString zeros =
-        bus.areZerosBeforeRing() ? u' ' + messageText({.id = MessageId::zerosBeforeRing}) : QString();
+        bus.areZerosBeforeRing() ? u' ' + messageText({.id = RingMessageId::zerosBeforeRing}) : QString();
     Fault fault = standstill(bus.outline().state(), refusalText(told.whyItStands()) + zeros);
     if (const auto place = told.place ? faultPlaceOf(*told.place) : std::nullopt)
         fault.node = place->number;
@@ -188,7 +190,7 @@ Fault lateZeros(const RingSession &bus)
 {
     return {.extent = Fault::Extent::bus,
             .shown = {Role::fault, RingFaultText::tr("zeros missing", "of ALARM STOP")},
-            .text = messageText({.id = MessageId::zerosLate, .arguments = {bus.outBeforeZeros()}})};
+            .text = messageText({.id = RingMessageId::zerosLate, .arguments = {bus.outBeforeZeros()}})};
 }
 
 Fault peripheralFault(NodeId node)

@@ -2,6 +2,7 @@
 #include "kinds/interbus/ring/ring_guests.h"
 
 #include "kinds/interbus/ring/master_status.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +12,7 @@ namespace {
 
 Refusal noSuchRing()
 {
-    return {RefusalKind::link, RefusalId::notInRing, {QString()}};
+    return {RefusalKind::link, RingRefusalId::notInRing, {QString()}};
 }
 
 bool isFree(const std::vector<GuestWord> &wanted, const std::vector<bool> &taken)

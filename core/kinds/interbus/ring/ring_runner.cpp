@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_runner_private.h"
 #include "kinds/interbus/ring/send_permission.h"
 #include "vocabulary/hex.h"
@@ -189,7 +190,7 @@ void RingRunner::Private::carryOut(command::AlarmStop)
     zeroOut();
     if (!ring.connected || link.boundsWordsToCycles()) // otherwise RingSession::alarmStop() has told
         tellOfRing({.severity = Severity::attention,
-                    .id = ring.connected ? MessageId::alarmStop : MessageId::zerosWait});
+                    .id = ring.connected ? RingMessageId::alarmStop : RingMessageId::zerosWait});
     if (readingIn)
         endReadIn(refuse(RefusalKind::stopped, RefusalId::alarmStop));
     lookAtMaster();
@@ -301,12 +302,13 @@ bool RingRunner::Private::ringStands() const
 void RingRunner::Private::tellZeros(const ProcessDataLink::ZerosSent &zeros)
 {
     if (zeros.areThere == false)
-        tellOfRing(
-            {.severity = Severity::fault, .id = MessageId::zerosOverwritten, .arguments = {zeros.notZero}});
+        tellOfRing({.severity = Severity::fault,
+                    .id = RingMessageId::zerosOverwritten,
+                    .arguments = {zeros.notZero}});
     else if (zerosAreBeforeRing = ringStands(); zerosAreBeforeRing)
-        tellOfRing({.severity = Severity::fault, .id = MessageId::zerosBeforeRing});
+        tellOfRing({.severity = Severity::fault, .id = RingMessageId::zerosBeforeRing});
     else
-        tellOfRing({.id = zeros.areThere ? MessageId::zerosReadBack : MessageId::zerosSent});
+        tellOfRing({.id = zeros.areThere ? RingMessageId::zerosReadBack : RingMessageId::zerosSent});
 }
 
 // Those that waited for a ring that did not run, unless something else is in OUT by now.
@@ -314,7 +316,7 @@ void RingRunner::Private::tellZerosAtDevices()
 {
     const bool areThere = std::ranges::all_of(image, [](Word word) { return word == 0; });
     if (std::exchange(zerosAreBeforeRing, false) && areThere)
-        tellOfRing({.id = MessageId::zerosReadBack});
+        tellOfRing({.id = RingMessageId::zerosReadBack});
 }
 
 // Only a gateway tells of it. What is on its way to a ring that stands still does not arrive.
@@ -326,7 +328,7 @@ void RingRunner::Private::lookAtToldRing()
     if (stands == stood)
         return;
     if (!stands) {
-        tellOfRing({.id = MessageId::ringRunsAgain});
+        tellOfRing({.id = RingMessageId::ringRunsAgain});
         tellZerosAtDevices();
         forgetDevices();
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A link that is opened, lost and back, and the ring that is found then.
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_runner_private.h"
 #include "vocabulary/hex.h"
 
@@ -55,7 +56,7 @@ void RingRunner::Private::loseLink(const Refusal &why)
     ring.outputsAreBlocked = ring.outputsAreBlocked || why.id == GatewayRefusalId::outputsBlocked;
     refuseOfRing(*ring.whyLost);
     if (zerosAreDue)
-        tellOfRing({.severity = Severity::attention, .id = MessageId::zerosWait});
+        tellOfRing({.severity = Severity::attention, .id = RingMessageId::zerosWait});
     link.close();
     reopenAt = link.now() + betweenOpenings; // the last exchange may have taken long
 }
@@ -72,7 +73,7 @@ void RingRunner::Private::carryOut(command::AcknowledgeWatchdog)
     }
     ring.outputsAreBlocked = false;
     zerosAgainAt = {};
-    tellOfRing({.id = MessageId::watchdogAcknowledged});
+    tellOfRing({.id = RingMessageId::watchdogAcknowledged});
 }
 
 void RingRunner::Private::waitForLink()
@@ -115,7 +116,7 @@ void RingRunner::Private::tryToReopen()
     runsAgain = runsAgain && (!master || master->status().state == MasterState::run);
     outIsKnown = there->outIsKnown;
     ring.told.reset();
-    tellOfRing({.id = MessageId::linkBack});
+    tellOfRing({.id = RingMessageId::linkBack});
     forgetDevices();
     ringIsOther = ringIsOther || !isSameRing(there->structure, structure);
     if (ringIsOther) {
@@ -169,7 +170,7 @@ void RingRunner::Private::tellUnheardWords()
 void RingRunner::Private::tellZerosUnheard()
 {
     if (!std::exchange(sentUnheard, true))
-        tellOfRing({.severity = Severity::fault, .id = MessageId::zerosUnheard});
+        tellOfRing({.severity = Severity::fault, .id = RingMessageId::zerosUnheard});
 }
 
 // They were out of sight, and may be others by now.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/ring_messages.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_runner_private.h"
 #include "kinds/interbus/ring/send_permission.h"
 
@@ -9,8 +11,9 @@ namespace codewheel {
 bool RingRunner::Private::reaches(MasterService service)
 {
     if (!master)
-        refuseOfRing(
-            {RefusalKind::notSupported, RefusalId::masterServiceNotSupported, {masterServiceName(service)}});
+        refuseOfRing({RefusalKind::notSupported,
+                      RingRefusalId::masterServiceNotSupported,
+                      {masterServiceName(service)}});
     return master != nullptr;
 }
 
@@ -68,7 +71,7 @@ void RingRunner::Private::carryOut(command::ReadIn)
     if (readingIn || ringIsOther)
         return;
     if (!reaches(MasterService::createConfiguration)) {
-        endReadIn(refuse(RefusalKind::notSupported, RefusalId::masterServiceNotSupported,
+        endReadIn(refuse(RefusalKind::notSupported, RingRefusalId::masterServiceNotSupported,
                          {masterServiceName(MasterService::createConfiguration)}));
         return;
     }
@@ -106,7 +109,7 @@ void RingRunner::Private::endReadIn(const Result<RingStructure> &read)
     readingIn = false;
     if (read) {
         tellOfRing({.severity = read->empty() ? Severity::attention : Severity::information,
-                    .id = MessageId::ringRead,
+                    .id = RingMessageId::ringRead,
                     .arguments = {static_cast<std::int64_t>(read->size())}});
         ring.state = MasterState::active;
         takeActive(*read);
@@ -131,7 +134,7 @@ void RingRunner::Private::carryOut(command::ConfirmDiagnostics)
     if (!mayUse(MasterService::confirmDiagnostics))
         return;
     if (const auto confirmed = master->confirmDiagnostics(); confirmed) {
-        tellOfRing({.id = MessageId::diagnosticsConfirmed});
+        tellOfRing({.id = RingMessageId::diagnosticsConfirmed});
         masterWatch.confirmedByService();
     } else {
         refuseOfRing(confirmed.error());
@@ -147,7 +150,7 @@ void RingRunner::Private::carryOut(const command::KeepConfiguration &c)
         refuseOfRing(kept.error());
         return;
     }
-    tellOfRing({.id = MessageId::configurationKept,
+    tellOfRing({.id = RingMessageId::configurationKept,
                 .arguments = {c.configuration.fileName,
                               static_cast<std::int64_t>(c.configuration.structure.size())}});
     carryOut(command::AskKeptConfiguration{.onConnecting = false});
@@ -160,15 +163,15 @@ void RingRunner::Private::carryOut(const command::AskKeptConfiguration &c)
     if (!reaches(MasterService::readConfiguration))
         return;
     const auto kept = master->keptConfiguration();
-    if (!kept && kept.error().id != RefusalId::noConfiguration) {
+    if (!kept && kept.error().id != RingRefusalId::noConfiguration) {
         refuseOfRing(kept.error());
         return;
     }
     if (c.onConnecting && kept)
-        tellOfRing({.id = MessageId::configurationFound,
+        tellOfRing({.id = RingMessageId::configurationFound,
                     .arguments = {kept->fileName, static_cast<std::int64_t>(kept->structure.size())}});
     else if (c.onConnecting)
-        tellOfRing({.id = MessageId::configurationNone});
+        tellOfRing({.id = RingMessageId::configurationNone});
     tell(0, MasterEvent(KeptConfigurationTold{kept ? std::optional(*kept) : std::nullopt}));
 }
 

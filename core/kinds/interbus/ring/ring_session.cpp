@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/hex_code.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/ring_messages.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_session_private.h"
 #include "kinds/interbus/ring/ring_strangers.h"
 #include "kinds/interbus/ring/send_permission.h"
@@ -38,8 +40,9 @@ QString sentIn(const Message &message)
 
 bool isAboutZeros(MessageCode id)
 {
-    return id == MessageId::zerosReadBack || id == MessageId::zerosOverwritten ||
-           id == MessageId::zerosSent || id == MessageId::zerosWait || id == MessageId::zerosBeforeRing;
+    return id == RingMessageId::zerosReadBack || id == RingMessageId::zerosOverwritten ||
+           id == RingMessageId::zerosSent || id == RingMessageId::zerosWait ||
+           id == RingMessageId::zerosBeforeRing;
 }
 
 } // namespace
@@ -194,7 +197,7 @@ void RingSession::close()
     if (!d->engine.close())
         return;
     if (d->zerosAskedAt || d->latest().zerosAreDue)
-        tell({.at = d->latest().at, .severity = Severity::fault, .id = MessageId::zerosGivenUp});
+        tell({.at = d->latest().at, .severity = Severity::fault, .id = RingMessageId::zerosGivenUp});
     d->zerosAskedAt.reset();
     d->zerosAreLate = false;
     d->zerosAreBeforeRing = false;
@@ -238,7 +241,7 @@ void RingSession::lookForZeros()
     d->zerosAreLate = true;
     tell({.at = d->link->now(),
           .severity = Severity::fault,
-          .id = MessageId::zerosLate,
+          .id = RingMessageId::zerosLate,
           .arguments = {outBeforeZeros()}});
     Q_EMIT updated();
 }
@@ -402,13 +405,14 @@ void RingSession::dispatch(Message message, std::optional<std::size_t> device)
         d->zerosAskedAt.reset();
         d->zerosAreLate = false;
     }
-    if (message.id == MessageId::zerosBeforeRing || message.id == MessageId::ringRunsAgain)
-        d->zerosAreBeforeRing = message.id == MessageId::zerosBeforeRing;
+    if (message.id == RingMessageId::zerosBeforeRing || message.id == RingMessageId::ringRunsAgain)
+        d->zerosAreBeforeRing = message.id == RingMessageId::zerosBeforeRing;
     if (message.id == MessageId::outLeft && device) // by hand: it is not to be sent again
         if (WordChannel &channel = *d->channels[*device]; hexWord(channel.shownOut()) == sentIn(message))
             channel.unstage();
     tell(message);
-    const bool wasOutOfSight = message.id == MessageId::linkBack || message.id == MessageId::ringRunsAgain;
+    const bool wasOutOfSight =
+        message.id == RingMessageId::linkBack || message.id == RingMessageId::ringRunsAgain;
     if (wasOutOfSight && !isSimulated())
         meetAgain();
     if (isFault)
@@ -431,7 +435,7 @@ Result<void> RingSession::write(const WordChannel &channel, Word word)
 {
     const std::size_t device = d->indexOf(channel.place().node);
     if (device >= d->channels.size() || d->channels[device].get() != &channel)
-        return refuse(RefusalKind::link, RefusalId::notInRing, {channel.place().shown()});
+        return refuse(RefusalKind::link, RingRefusalId::notInRing, {channel.place().shown()});
     const Participant &participant = d->structure[device];
     if (participant.outWords == 0)
         return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported, {channel.place().shown()});
@@ -455,7 +459,7 @@ Result<void> RingSession::canBe(Place place, const DeviceDescription &device) co
         return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
     if (device.deviceCode == there)
         return {};
-    return refuse(RefusalKind::badInput, RefusalId::deviceCodeDiffers,
+    return refuse(RefusalKind::badInput, RingRefusalId::deviceCodeDiffers,
                   {place.shown(), hexCode(there, 4), device.fullName(), hexCode(device.deviceCode, 4)});
 }
 
@@ -544,7 +548,7 @@ std::optional<Participant> RingSession::found(Place place) const
 
 Refusal RingSession::whyNotThere(Place place) const
 {
-    return {RefusalKind::link, RefusalId::notInRing, {place.shown()}};
+    return {RefusalKind::link, RingRefusalId::notInRing, {place.shown()}};
 }
 
 std::map<NodeId, Refusal> RingSession::strangers(const std::vector<Participant> &planned) const
@@ -610,7 +614,7 @@ void RingSession::alarmStop()
         d->outBeforeZeros = d->outNow();
     }
     if (isGateway && d->latest().connected) // at once: the bus thread may hang in a transaction
-        tell({.at = d->link->now(), .severity = Severity::attention, .id = MessageId::zerosAsked});
+        tell({.at = d->link->now(), .severity = Severity::attention, .id = RingMessageId::zerosAsked});
     if (isGateway)
         d->link->hurryToZeros();
     post(command::AlarmStop{});

@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "kinds/interbus/ring/comparison.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -46,7 +47,7 @@ Refusal whyNot(const ComparisonLine &line, const Participant &configured, const 
     const auto found = std::ranges::find(connected, configured.number, &Participant::number);
     const QString place = configured.number.toString();
     if (found == connected.end())
-        return {RefusalKind::link, RefusalId::notInRing, {place}};
+        return {RefusalKind::link, RingRefusalId::notInRing, {place}};
     const QString name = nameOrCode(configured, catalog);
     const Participant *partner = line.connected ? &connected[*line.connected] : nullptr;
     const bool isUncertain =

@@ -4,6 +4,7 @@
 #include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/ring/link_figures.h"
 #include "kinds/interbus/ring/master_status.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/told_ring.h"
 #include "vocabulary/reading.h"
 #include "vocabulary/refusal.h"
@@ -74,7 +75,7 @@ struct Snapshot : RingState
     Refusal whyOutOfSight(std::size_t device, const QString &place) const
     {
         return {RefusalKind::link,
-                isUnsettled(device) ? RefusalCode(GatewayRefusalId::wordNotSteady) : RefusalId::notInRing,
+                isUnsettled(device) ? RefusalCode(GatewayRefusalId::wordNotSteady) : RingRefusalId::notInRing,
                 {place}};
     }
 };

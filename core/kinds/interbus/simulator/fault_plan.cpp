@@ -2,6 +2,7 @@
 #include "kinds/interbus/simulator/fault_plan.h"
 
 #include "catalog/strict_json.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 
 #include <algorithm>
 
@@ -127,7 +128,7 @@ Result<FaultPlan> faultPlanFromJson(const QByteArray &json, const QString &name,
         plan = FaultPlanReader(ring).read(
             JsonObject(root, QString(), {"format", "version", "title", "steps"}, faults));
     if (const auto &fault = faults.first())
-        return refuse(RefusalKind::badInput, RefusalId::faultPlanBroken,
+        return refuse(RefusalKind::badInput, RingRefusalId::faultPlanBroken,
                       {fault->file, std::int64_t{fault->line}, fault->key, fault->reason});
     return plan;
 }

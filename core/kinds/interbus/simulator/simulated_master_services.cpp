@@ -2,6 +2,7 @@
 #include "catalog/hex_code.h"
 #include "kinds/interbus/ring/comparison.h"
 #include "kinds/interbus/ring/master_text.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/simulator/simulated_master.h"
 #include "kinds/interbus/words/device_number.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 tl::unexpected<Refusal> wrongState(MasterService service, MasterState state)
 {
-    return refuse(RefusalKind::busy, RefusalId::masterStateWrong,
+    return refuse(RefusalKind::busy, RingRefusalId::masterStateWrong,
                   {masterServiceName(service), masterStateName(state)});
 }
 
@@ -94,7 +95,8 @@ Result<void> SimulatedMaster::checkRing() const
             return differs(m_configuration[i].number, &m_configuration[i], &found);
     }
     if (const auto there = defect())
-        return refuse(RefusalKind::link, RefusalId::busFault, {Word{there->code}, Word{there->parameter}});
+        return refuse(RefusalKind::link, RingRefusalId::busFault,
+                      {Word{there->code}, Word{there->parameter}});
     return {};
 }
 
@@ -107,7 +109,7 @@ Result<RingStructure> SimulatedMaster::activateConfiguration()
     if (m_loaded)
         useLoaded();
     if (m_configuration.empty())
-        return refuse(RefusalKind::busy, RefusalId::noConfiguration);
+        return refuse(RefusalKind::busy, RingRefusalId::noConfiguration);
     if (auto checked = checkRing(); !checked)
         return tl::unexpected(checked.error());
     enter(MasterState::active);
@@ -203,7 +205,7 @@ void SimulatedMaster::useLoaded()
 Result<KeptConfiguration> SimulatedMaster::keptConfiguration() const
 {
     if (!m_kept)
-        return refuse(RefusalKind::busy, RefusalId::noConfiguration);
+        return refuse(RefusalKind::busy, RingRefusalId::noConfiguration);
     return *m_kept;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/simulated_ring.h"
 
+#include "kinds/interbus/ring/ring_refusals.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -68,7 +70,7 @@ Result<void> SimulatedRing::exchange(std::span<const Word> out, std::span<Word> 
         const MasterStatus &status = m_master.status();
         if (status.state != MasterState::busFail)
             return refuse(RefusalKind::link, RefusalId::notRunning);
-        return refuse(RefusalKind::link, RefusalId::busFault,
+        return refuse(RefusalKind::link, RingRefusalId::busFault,
                       {Word{status.errorCode}, Word{status.parameter}});
     }
     if (!m_master.isWhole() || m_wiring.hasCrcErrors())

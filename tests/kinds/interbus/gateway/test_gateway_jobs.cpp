@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What works on the training ring works behind a gateway that tears words and shows OUT late.
 #include "bus/word_channel.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/support/fraba_appendix.h"
@@ -190,7 +191,7 @@ TEST_P(GatewayJobs, AnAlarmStopInTheMiddleZeroesOut)
             EXPECT_EQ(outcome->result.error().id, RefusalId::alarmStop);
         }
         EXPECT_TRUE(ring.isOutZero());
-        EXPECT_EQ(ring.countOf(MessageId::zerosReadBack), 1u) << after.count();
+        EXPECT_EQ(ring.countOf(RingMessageId::zerosReadBack), 1u) << after.count();
         done(frabaPlace, EndParameterization{});
     }
 }

@@ -4,6 +4,7 @@
 #include "bus/word_channel.h"
 #include "history/encoder_history.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "tests/support/faulty_register_port.h"
 #include "tests/support/gateway_session.h"
 #include "tests/support/passing_port.h"
@@ -170,8 +171,8 @@ TEST_F(GatewayRing, AlarmStopWritesZerosInWatchAndWhileStopped)
         ring->bus->alarmStop();
         ring->bus->advance(100ms);
         EXPECT_TRUE(ring->isOutZero()) << isRunning;
-        EXPECT_EQ(ring->countOf(MessageId::zerosAsked), 1u);
-        EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 1u);
+        EXPECT_EQ(ring->countOf(RingMessageId::zerosAsked), 1u);
+        EXPECT_EQ(ring->countOf(RingMessageId::zerosReadBack), 1u);
         const int writes = ring->gateway->writes();
         ring->bus->advance(1s);
         EXPECT_EQ(ring->gateway->writes(), writes) << "once";
@@ -184,8 +185,8 @@ TEST_F(GatewayRing, ZerosThatAreOverwrittenAreSaidToBe)
     ring->gateway->written = [this] { ring->gateway->setOut(0, foreignWord); };
     ring->bus->alarmStop();
     ring->bus->advance(3s);
-    EXPECT_EQ(ring->countOf(MessageId::zerosOverwritten), 1u);
-    EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 0u);
+    EXPECT_EQ(ring->countOf(RingMessageId::zerosOverwritten), 1u);
+    EXPECT_EQ(ring->countOf(RingMessageId::zerosReadBack), 0u);
 }
 
 TEST_F(GatewayRing, ZerosThatComeLateHaveArrived)
@@ -195,8 +196,8 @@ TEST_F(GatewayRing, ZerosThatComeLateHaveArrived)
     ring->bus->advance(2s);
     ring->bus->alarmStop();
     ring->bus->advance(3s);
-    EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 1u);
-    EXPECT_EQ(ring->countOf(MessageId::zerosOverwritten), 0u);
+    EXPECT_EQ(ring->countOf(RingMessageId::zerosReadBack), 1u);
+    EXPECT_EQ(ring->countOf(RingMessageId::zerosOverwritten), 0u);
 }
 
 TEST_F(GatewayRing, AlarmStopDoesNotWaitForTheNextPoll)
@@ -222,12 +223,12 @@ TEST_F(GatewayRing, TheZerosOfAnAlarmStopGoFirstOnceTheLinkIsBack)
     loseLink();
     ring->bus->alarmStop();
     ring->bus->advance(100ms);
-    EXPECT_EQ(ring->countOf(MessageId::zerosWait), 1u);
-    EXPECT_EQ(ring->countOf(MessageId::zerosAsked), 0u) << "nothing was set to 0";
+    EXPECT_EQ(ring->countOf(RingMessageId::zerosWait), 1u);
+    EXPECT_EQ(ring->countOf(RingMessageId::zerosAsked), 0u) << "nothing was set to 0";
     EXPECT_EQ(outThere(), ownWord);
     giveLinkBack();
     EXPECT_TRUE(ring->isOutZero());
-    EXPECT_EQ(ring->countOf(MessageId::zerosReadBack), 1u);
+    EXPECT_EQ(ring->countOf(RingMessageId::zerosReadBack), 1u);
 }
 
 TEST_F(GatewayRing, ALostLinkMakesEveryValueOldAndComesBackInWatch)
@@ -383,7 +384,7 @@ TEST_F(GatewayThread, AnAlarmStopGoesOutLongBeforeTheNextPoll)
     open({.pollInterval = 10min});
     const std::uint64_t cycle = ring->bus->latest().cycle;
     ring->bus->alarmStop();
-    pumpUntil([this] { return ring->countOf(MessageId::zerosReadBack) == 1; });
+    pumpUntil([this] { return ring->countOf(RingMessageId::zerosReadBack) == 1; });
     EXPECT_LE(ring->bus->latest().cycle, cycle + 2);
     ring->bus->setRunning(false);
     pumpUntil([this] { return !ring->bus->isRunning(); });
@@ -497,7 +498,7 @@ TEST_F(TrippedWatchdog, IsNamedAndAcknowledgedWhenTheUserSaysSo)
     session->bus->acknowledgeWatchdog();
     session->bus->advance(1s);
     EXPECT_EQ(control->acknowledged, 1);
-    EXPECT_EQ(session->countOf(MessageId::watchdogAcknowledged), 1u);
+    EXPECT_EQ(session->countOf(RingMessageId::watchdogAcknowledged), 1u);
     EXPECT_FALSE(isOffered());
     session->bus->setOperate(true);
     session->bus->advance(1s);
@@ -531,13 +532,13 @@ TEST_F(TrippedWatchdog, ZerosOfAnAlarmStopWaitUntilItIsAcknowledged)
     session->bus->alarmStop();
     session->bus->advance(5s);
     EXPECT_EQ(session->bus->state(), BusState::open);
-    EXPECT_EQ(session->countOf(MessageId::linkBack), 0u);
+    EXPECT_EQ(session->countOf(RingMessageId::linkBack), 0u);
     EXPECT_TRUE(isOffered());
     EXPECT_TRUE(session->bus->waitsForZeros());
     EXPECT_EQ(session->bus->channel("1.0"_ring)->out(), 0x2021'0001u) << "that is what the gateway has";
     session->bus->acknowledgeWatchdog();
     session->bus->advance(2s);
-    EXPECT_EQ(session->countOf(MessageId::zerosReadBack), 1u);
+    EXPECT_EQ(session->countOf(RingMessageId::zerosReadBack), 1u);
     EXPECT_TRUE(session->isOutZero());
     EXPECT_FALSE(session->bus->waitsForZeros());
     EXPECT_FALSE(isOffered());
@@ -598,12 +599,12 @@ TEST_F(ZerosOverALostLink, AreSentThoughNobodyAnswers)
     session.bus->alarmStop();
     session.bus->advance(5s);
     EXPECT_TRUE(session.isOutZero());
-    EXPECT_EQ(session.countOf(MessageId::zerosUnheard), 1u) << "told once";
+    EXPECT_EQ(session.countOf(RingMessageId::zerosUnheard), 1u) << "told once";
     EXPECT_TRUE(session.bus->waitsForZeros());
     EXPECT_FALSE(session.bus->channel("1.0"_ring)->outIsKnown());
     *isLate = false;
     session.bus->advance(5s);
-    EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 1u);
+    EXPECT_EQ(session.countOf(RingMessageId::zerosReadBack), 1u);
     EXPECT_FALSE(session.bus->waitsForZeros());
 }
 
@@ -615,13 +616,13 @@ TEST(OverwrittenZeros, AreToldThoughTheyHadArrived)
     session.bus->advance(1s);
     session.bus->alarmStop();
     session.bus->advance(500ms);
-    ASSERT_EQ(session.countOf(MessageId::zerosReadBack), 1u);
+    ASSERT_EQ(session.countOf(RingMessageId::zerosReadBack), 1u);
     session.gateway->setOut(0, 0x2021'0001);
     session.bus->advance(2s);
-    EXPECT_EQ(session.countOf(MessageId::zerosOverwritten), 1u);
+    EXPECT_EQ(session.countOf(RingMessageId::zerosOverwritten), 1u);
     session.gateway->setOut(0, 0x2021'0002);
     session.bus->advance(5s);
-    EXPECT_EQ(session.countOf(MessageId::zerosOverwritten), 1u) << "told once";
+    EXPECT_EQ(session.countOf(RingMessageId::zerosOverwritten), 1u) << "told once";
 }
 
 TEST_F(ZerosOverALostLink, AreGivenUpAloud)
@@ -629,7 +630,7 @@ TEST_F(ZerosOverALostLink, AreGivenUpAloud)
     session.bus->alarmStop();
     session.bus->advance(1s);
     session.bus->close();
-    EXPECT_EQ(session.countOf(MessageId::zerosGivenUp), 1u);
+    EXPECT_EQ(session.countOf(RingMessageId::zerosGivenUp), 1u);
     EXPECT_FALSE(session.bus->waitsForZeros());
 }
 
@@ -638,7 +639,7 @@ TEST_F(ZerosOverALostLink, AreNotSentUnasked)
     session.bus->advance(10s);
     EXPECT_FALSE(session.isOutZero());
     session.bus->close();
-    EXPECT_EQ(session.countOf(MessageId::zerosGivenUp), 0u);
+    EXPECT_EQ(session.countOf(RingMessageId::zerosGivenUp), 0u);
 }
 
 // Hangs in a write until it is released, whoever interrupts it.
@@ -691,16 +692,16 @@ TEST(GatewayThatHangs, ZerosThatHaveNotArrivedAreToldWithinASecondAndTriedOn)
     ASSERT_TRUE(waitFor([&] { return bus.latest().cycle > 3; }));
     control->hangs = true;
     bus.alarmStop();
-    EXPECT_TRUE(waitFor([&] { return session.countOf(MessageId::zerosLate) == 1; }));
+    EXPECT_TRUE(waitFor([&] { return session.countOf(RingMessageId::zerosLate) == 1; }));
     EXPECT_TRUE(bus.areZerosLate());
     EXPECT_TRUE(bus.waitsForZeros());
     EXPECT_TRUE(std::ranges::any_of(bus.outline().faults(), [](const Fault &fault) {
         return fault.shown.role == Role::fault && fault.extent == Fault::Extent::bus;
     }));
     control->hangs = false;
-    EXPECT_TRUE(waitFor([&] { return session.countOf(MessageId::zerosReadBack) == 1; }));
+    EXPECT_TRUE(waitFor([&] { return session.countOf(RingMessageId::zerosReadBack) == 1; }));
     EXPECT_FALSE(bus.areZerosLate());
-    EXPECT_EQ(session.countOf(MessageId::zerosLate), 1u);
+    EXPECT_EQ(session.countOf(RingMessageId::zerosLate), 1u);
     EXPECT_TRUE(std::ranges::is_sorted(session.messages, {}, &Message::at)) << "they arrived after that";
     bus.close();
 }
@@ -724,7 +725,7 @@ TEST(SlowGatewayRing, AnAlarmStopNamesTheWordThatSomebodyElseHasJustWritten)
     EXPECT_GT(slow.messages.back().at, written) << "not from when the exchange began";
     slow.bus->alarmStop();
     EXPECT_EQ(slow.bus->outBeforeZeros(), QStringLiteral("1.0 04000001 (register 0)"));
-    EXPECT_EQ(slow.messages.back().id, MessageId::zerosAsked);
+    EXPECT_EQ(slow.messages.back().id, RingMessageId::zerosAsked);
     slow.bus->advance(10s);
     EXPECT_TRUE(slow.isOutZero());
 }
@@ -784,7 +785,7 @@ TEST(SlowGatewayRing, OnlyTheTransactionUnderWayGoesBeforeZeros)
             EXPECT_EQ(control->reads, 0);
             EXPECT_FALSE(control->written.empty());
             EXPECT_TRUE(std::ranges::all_of(control->written, [](Register half) { return half == 0; }));
-            EXPECT_EQ(slow.countOf(MessageId::zerosReadBack), 1u);
+            EXPECT_EQ(slow.countOf(RingMessageId::zerosReadBack), 1u);
         }
 }
 
@@ -848,7 +849,7 @@ TEST(MuteGatewayRing, ZerosOfALostLinkGoBeforeAnythingIsAsked)
         ASSERT_FALSE(control->alarm);
         EXPECT_EQ(control->calls.front(), 'w') << control->calls;
         EXPECT_TRUE(mute.isOutZero());
-        EXPECT_EQ(mute.countOf(MessageId::zerosUnheard), 1u);
+        EXPECT_EQ(mute.countOf(RingMessageId::zerosUnheard), 1u);
     }
 }
 
@@ -863,7 +864,7 @@ TEST(SlowGatewayRing, ZerosHaveArrivedWhenTheyWereReadBack)
         const Instant asked = slow.bus->now();
         slow.bus->alarmStop();
         slow.bus->advance(10s);
-        const auto told = std::ranges::find(slow.messages, MessageId::zerosReadBack, &Message::id);
+        const auto told = std::ranges::find(slow.messages, RingMessageId::zerosReadBack, &Message::id);
         ASSERT_NE(told, slow.messages.end());
         EXPECT_GE(told->at, asked + 3 * transaction);
         EXPECT_TRUE(std::ranges::is_sorted(slow.messages, {}, &Message::at));

@@ -2,6 +2,7 @@
 // A gateway whose status register has a meaning that is set: what it says of its ring decides what is shown.
 #include "bus/bus_outline.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "tests/support/gateway_session.h"
 #include "tests/support/passing_port.h"
 
@@ -120,7 +121,7 @@ TEST_F(ToldRingBehindGateway, ThatRunsAgainIsLiveAgain)
     say(ringRuns);
     EXPECT_TRUE(isLive());
     EXPECT_TRUE(faults().empty());
-    EXPECT_EQ(session.countOf(MessageId::ringRunsAgain), 1u);
+    EXPECT_EQ(session.countOf(RingMessageId::ringRunsAgain), 1u);
     EXPECT_EQ(whyOf(session.finish(toldFraba, ReadParameters{{Parameter::steps}})), "");
 }
 
@@ -144,13 +145,13 @@ TEST_F(ToldRingBehindGateway, ThatStandsGetsNoZeros)
     say(busFailed);
     session.bus->alarmStop();
     session.bus->advance(1s);
-    EXPECT_EQ(session.countOf(MessageId::zerosBeforeRing), 1u);
-    EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 0u);
+    EXPECT_EQ(session.countOf(RingMessageId::zerosBeforeRing), 1u);
+    EXPECT_EQ(session.countOf(RingMessageId::zerosReadBack), 0u);
     ASSERT_EQ(faults().size(), 1u);
     EXPECT_TRUE(faults().front().text.contains(QStringLiteral("zeros of the ALARM STOP are in the gateway")));
     say(ringRuns);
     EXPECT_FALSE(session.bus->areZerosBeforeRing());
-    EXPECT_EQ(session.countOf(MessageId::zerosReadBack), 1u) << "by now they are at the devices";
+    EXPECT_EQ(session.countOf(RingMessageId::zerosReadBack), 1u) << "by now they are at the devices";
 }
 
 TEST_F(ToldRingBehindGateway, EndsTheJobsThatItInterrupts)

@@ -2,6 +2,7 @@
 // Whatever happens on the way to a gateway: nothing is sent that nobody asked for, and what we have sent
 // ourselves is not taken for somebody else's.
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "tests/kinds/interbus/gateway/gateway_ring.h"
 #include "tests/kinds/interbus/gateway/watched_registers.h"
@@ -186,10 +187,10 @@ TEST_F(WordsAskedFor, ARingThatWasStoppedStaysSoWhenItsLinkIsLostByAnAlarmStop)
     trouble.isAway = true;
     post(command::AlarmStop{}, 100ms);
     EXPECT_FALSE(latest.connected);
-    EXPECT_EQ(countOf(MessageId::zerosWait), 1u);
+    EXPECT_EQ(countOf(RingMessageId::zerosWait), 1u);
     giveLinkBack();
     EXPECT_EQ(outOf(0), 0u);
-    EXPECT_EQ(countOf(MessageId::zerosReadBack), 1u);
+    EXPECT_EQ(countOf(RingMessageId::zerosReadBack), 1u);
     EXPECT_NE(latest.state, MasterState::run);
 }
 
@@ -202,8 +203,8 @@ TEST_F(WordsAskedFor, AnAlarmStopBeforeTheRingIsInUseGoesOutOnceItIs)
     useRing();
     advance(100ms);
     EXPECT_EQ(outOf(1), 0u);
-    EXPECT_EQ(countOf(MessageId::zerosReadBack), 1u);
-    EXPECT_EQ(countOf(MessageId::linkBack), 0u);
+    EXPECT_EQ(countOf(RingMessageId::zerosReadBack), 1u);
+    EXPECT_EQ(countOf(RingMessageId::linkBack), 0u);
 }
 
 // Its answer may have been a late one, to a write of before.
@@ -214,8 +215,8 @@ TEST_F(WordsAskedFor, ZerosThatWereAcknowledgedAndDidNotArriveAreSentAgain)
     trouble.writesToDrop = 1;
     post(command::AlarmStop{}, 3s);
     EXPECT_EQ(outOf(0), 0u);
-    EXPECT_EQ(countOf(MessageId::zerosReadBack), 1u);
-    EXPECT_EQ(countOf(MessageId::zerosOverwritten), 0u);
+    EXPECT_EQ(countOf(RingMessageId::zerosReadBack), 1u);
+    EXPECT_EQ(countOf(RingMessageId::zerosOverwritten), 0u);
 }
 
 // Somebody operates the ring, a PLC writes too, and the way to the gateway fails in all ways. Each word that
@@ -253,8 +254,9 @@ private:
         EXPECT_FALSE(isForeign && m_isLate) << "there is nobody else";
         if (isForeign)
             giveUp();
-        m_alarmStops -= countOf(MessageId::zerosAsked);
-        if (m_alarmStops == 0 && countOf(MessageId::zerosReadBack) + countOf(MessageId::zerosOverwritten) > 0)
+        m_alarmStops -= countOf(RingMessageId::zerosAsked);
+        if (m_alarmStops == 0 &&
+            countOf(RingMessageId::zerosReadBack) + countOf(RingMessageId::zerosOverwritten) > 0)
             m_zerosAreDue = false;
     }
     void giveUp()

@@ -2,6 +2,8 @@
 // How the session handles the ring's master, on a simulated ring in virtual time.
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
+#include "kinds/interbus/ring/ring_messages.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/words/profiles.h"
 #include "tests/support/faulty_ring.h"
@@ -102,7 +104,7 @@ TEST_F(ASessionWithAMaster, NamingTakesNothingFromTheEventsOfOthers)
             follow(first);
             const auto started = before->start(ReadParameters{{Parameter::steps}});
             ASSERT_FALSE(started) << "nobody would tell its end";
-            EXPECT_EQ(started.error().id, RefusalId::notInRing);
+            EXPECT_EQ(started.error().id, RingRefusalId::notInRing);
         }
     });
     m_bus.advance(500); // one frame, with everything that has happened
@@ -118,7 +120,7 @@ TEST_F(ASessionWithAMaster, NamingTakesNothingFromTheEventsOfOthers)
 
 TEST_F(ASessionWithAMaster, SaysOnConnectingWhichConfigurationTheMasterKeeps)
 {
-    EXPECT_EQ(m_messages.front().id, MessageId::configurationFound);
+    EXPECT_EQ(m_messages.front().id, RingMessageId::configurationFound);
     EXPECT_EQ(m_messages.front().arguments,
               (std::vector<RefusalArgument>{QStringLiteral("plant.codewheel"), std::int64_t{8}}));
     ASSERT_NE(m_bus.master(), nullptr);
@@ -177,13 +179,13 @@ TEST_F(ASessionWithAMaster, ABrokenWireStopsTheRingIsNamedAndIsStartedAgainByThe
 
     m_bus.setRunning(true); // too early
     m_bus.advance(1);
-    EXPECT_EQ(m_messages.back().refusal->id, RefusalId::busFault);
+    EXPECT_EQ(m_messages.back().refusal->id, RingRefusalId::busFault);
     EXPECT_EQ(m_bus.latest().state, MasterState::busFail);
 
     takeMessages();
     cause(TrainingFault::wireBreak, second, 0);
     m_bus.advance(5);
-    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::busFaultGone));
+    EXPECT_THAT(takeMessages(), ElementsAre(RingMessageId::busFaultGone));
     EXPECT_EQ(m_bus.latest().state, MasterState::ready);
     m_bus.setRunning(true);
     m_bus.advance(3);
@@ -226,17 +228,17 @@ TEST_F(ASessionWithAMaster, ASegmentThatIsOffHasNoReadingAndIsSentNothing)
     takeMessages();
     m_bus.switchSegment(3, false);
     m_bus.advance(2);
-    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::segmentOff));
+    EXPECT_THAT(takeMessages(), ElementsAre(RingMessageId::segmentOff));
     EXPECT_EQ(stateOf(onLocalBus), EncoderState::notSeen);
     EXPECT_EQ(stateOf(first), EncoderState::operation);
     const auto refused = m_bus.encoder(onLocalBus)->start(ReadParameters{{Parameter::steps}});
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().id, RefusalId::notInRing);
+    EXPECT_EQ(refused.error().id, RingRefusalId::notInRing);
     m_bus.channel(last)->stage(1);
     EXPECT_FALSE(m_bus.channel(last)->write());
     m_bus.switchSegment(3, true);
     m_bus.advance(2);
-    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::segmentOn));
+    EXPECT_THAT(takeMessages(), ElementsAre(RingMessageId::segmentOn));
     EXPECT_EQ(stateOf(onLocalBus), EncoderState::operation);
 }
 
@@ -267,13 +269,14 @@ TEST_F(ASessionWithAMaster, APeripheralFaultIsToldAgainWhereItsCauseIsThereWhenI
     takeMessages();
     m_bus.confirmDiagnostics();
     m_bus.advance(2);
-    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::diagnosticsConfirmed,
-                                            MessageId::peripheralFaultConfirmed, MessageId::peripheralFault));
+    EXPECT_THAT(takeMessages(),
+                ElementsAre(RingMessageId::diagnosticsConfirmed, RingMessageId::peripheralFaultConfirmed,
+                            RingMessageId::peripheralFault));
     cause(TrainingFault::peripheralFault, onLocalBus, 0);
     m_bus.confirmDiagnostics();
     m_bus.advance(2);
     EXPECT_THAT(takeMessages(),
-                ElementsAre(MessageId::diagnosticsConfirmed, MessageId::peripheralFaultConfirmed));
+                ElementsAre(RingMessageId::diagnosticsConfirmed, RingMessageId::peripheralFaultConfirmed));
     EXPECT_FALSE(m_bus.master()->isFaulty());
 }
 
@@ -284,12 +287,12 @@ TEST_F(ASessionWithAMaster, APeripheralFaultIsNotConfirmedByReadingIn)
     cause(TrainingFault::peripheralFault, onLocalBus, 0);
     takeMessages();
     readIn();
-    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::ringRead, MessageId::busStarted));
+    EXPECT_THAT(takeMessages(), ElementsAre(RingMessageId::ringRead, MessageId::busStarted));
     EXPECT_TRUE(m_bus.master()->isFaulty());
     m_bus.confirmDiagnostics();
     m_bus.advance(2);
     EXPECT_THAT(takeMessages(),
-                ElementsAre(MessageId::diagnosticsConfirmed, MessageId::peripheralFaultConfirmed));
+                ElementsAre(RingMessageId::diagnosticsConfirmed, RingMessageId::peripheralFaultConfirmed));
 }
 
 TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
@@ -301,11 +304,11 @@ TEST_F(ASessionWithAMaster, InAnotherRingAPeripheralFaultIsToldByItsNewNumber)
     m_messages.clear();
     readIn();
     m_bus.advance(5);
-    const auto told = std::ranges::find(m_messages, MessageId::peripheralFault, &Message::id);
+    const auto told = std::ranges::find(m_messages, RingMessageId::peripheralFault, &Message::id);
     ASSERT_NE(told, m_messages.end());
     EXPECT_EQ(told->place, ("4.0"_ring));
-    EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFault, &Message::id), 1);
-    EXPECT_EQ(std::ranges::count(m_messages, MessageId::peripheralFaultConfirmed, &Message::id), 0);
+    EXPECT_EQ(std::ranges::count(m_messages, RingMessageId::peripheralFault, &Message::id), 1);
+    EXPECT_EQ(std::ranges::count(m_messages, RingMessageId::peripheralFaultConfirmed, &Message::id), 0);
 }
 
 TEST_F(ASessionWithAMaster, AFaultInASegmentThatIsSwitchedOffIsNotToldAsGone)
@@ -316,7 +319,7 @@ TEST_F(ASessionWithAMaster, AFaultInASegmentThatIsSwitchedOffIsNotToldAsGone)
     m_bus.switchSegment(4, false); // the segment before 5.0
     m_bus.advance(3);
     ASSERT_EQ(m_messages.size(), 2U);
-    EXPECT_EQ(m_messages[0].id, MessageId::segmentOff);
+    EXPECT_EQ(m_messages[0].id, RingMessageId::segmentOff);
     EXPECT_EQ(
         messageText(m_messages[1]).toStdString(),
         "Segment 4 is switched off, and the place of the bus fault with it: 0D10 at outgoing remote bus "
@@ -332,7 +335,7 @@ TEST_F(ASessionWithAMaster, AFaultElsewhereIsToldAsGone)
     takeMessages();
     cause(TrainingFault::wireBreak, last, 0);
     m_bus.advance(3);
-    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::busFaultGone));
+    EXPECT_THAT(takeMessages(), ElementsAre(RingMessageId::busFaultGone));
 }
 
 TEST_F(ASessionWithAMaster, ReadingInARingWhereNoDeviceAnswersIsToldInWords)
@@ -408,7 +411,7 @@ TEST_F(ASessionWithAMaster, ReadingInTheSameRingKeepsAllAndRunsAgain)
     EXPECT_TRUE(m_bus.isRunning());
     EXPECT_EQ(m_bus.encoder(first), before);
     EXPECT_EQ(before->known(Parameter::steps)->value, 4'096);
-    EXPECT_THAT(takeMessages(), ElementsAre(MessageId::ringRead, MessageId::busStarted));
+    EXPECT_THAT(takeMessages(), ElementsAre(RingMessageId::ringRead, MessageId::busStarted));
 }
 
 TEST_F(ASessionWithAMaster, ReadingInAnotherRingKeepsWhatIsUnchanged)
@@ -467,8 +470,8 @@ TEST_F(ASessionWithAMaster, WhatVanishedOutlivesTheHandlersAndSendsNothing)
     m_bus.advance(30);
     readIn();
     ASSERT_EQ(m_changes, 1);
-    EXPECT_EQ(refusedWrite, RefusalId::notInRing);
-    EXPECT_EQ(refusedJob, RefusalId::notInRing);
+    EXPECT_EQ(refusedWrite, RingRefusalId::notInRing);
+    EXPECT_EQ(refusedJob, RingRefusalId::notInRing);
     m_bus.advance(100);
     EXPECT_EQ(channel, nullptr);
     EXPECT_EQ(session, nullptr);
@@ -530,7 +533,7 @@ TEST_F(ASessionWithAMaster, TheMasterKeepsWhatItIsGiven)
     ASSERT_TRUE(m_bus.open(RingSession::Start::watching));
     takeMessages();
     m_bus.advance(1);
-    EXPECT_THAT(takeMessages(), Contains(MessageId::configurationFound));
+    EXPECT_THAT(takeMessages(), Contains(RingMessageId::configurationFound));
     EXPECT_EQ(told, mine);
 }
 
@@ -601,7 +604,7 @@ TEST(ASessionWithoutAMaster, RefusesItsServicesInWords)
     EXPECT_FALSE(bus.isReadingIn());
     ASSERT_EQ(messages.size(), 4U);
     for (const Message &message : messages)
-        EXPECT_EQ(message.refusal->id, RefusalId::masterServiceNotSupported);
+        EXPECT_EQ(message.refusal->id, RingRefusalId::masterServiceNotSupported);
     EXPECT_TRUE(bus.isRunning());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a master may report that the simulated one does not.
 #include "kinds/interbus/ring/master_watch.h"
+#include "kinds/interbus/ring/ring_messages.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ TEST(AMasterWatch, CallsConfirmedOnlyWhatWasConfirmedFromHere)
     status.devices[1].peripheralFault = false;
     const auto told = watch.look(status, ring, {});
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].id, MessageId::peripheralFaultConfirmed);
+    EXPECT_EQ(told[0].id, RingMessageId::peripheralFaultConfirmed);
     EXPECT_EQ(told[0].place, Place{.node = NodeId("2.0")});
 }
 

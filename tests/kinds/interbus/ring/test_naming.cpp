@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bus does not tell the make of an encoder: the user names it.
 #include "catalog/catalog.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
@@ -115,7 +116,7 @@ TEST_F(Naming, IsRefusedForAnotherDeviceCode)
 {
     const auto named = m_bus.name(inputPlace, QStringLiteral("fraba-ocd-ib"));
     ASSERT_FALSE(named);
-    EXPECT_EQ(named.error().id, RefusalId::deviceCodeDiffers);
+    EXPECT_EQ(named.error().id, RingRefusalId::deviceCodeDiffers);
     EXPECT_EQ(m_bus.encoder(inputPlace), nullptr);
     EXPECT_TRUE(m_named.empty());
 }

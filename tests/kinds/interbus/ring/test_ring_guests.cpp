@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/master_status.h"
 #include "kinds/interbus/ring/ring_guests.h"
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "tests/kinds/interbus/ring/word_by_word_driver.h"
 #include "tests/support/scripted_link.h"
@@ -252,7 +253,7 @@ TEST_F(RingGuestsTest, AWriteForTheRingOfBeforeIsRefused)
     const GuestImage before = m_guests->image(patience);
     useRing(3);
     cycle();
-    EXPECT_EQ(refusalOf(m_guests->write(before, {{0, 7}}, patience)), RefusalId::notInRing);
+    EXPECT_EQ(refusalOf(m_guests->write(before, {{0, 7}}, patience)), RingRefusalId::notInRing);
 }
 
 // Whoever watches it asks then whether the encoders are the same.
@@ -291,7 +292,7 @@ TEST_F(RingGuestsTest, WhenTheBusIsClosedGuestsHaveNoRing)
         cycle();
     m_runner->close();
     EXPECT_THAT(refusalOf(sent.get()),
-                testing::AnyOf(RefusalId::busStopped, RefusalId::notInRing, RefusalId::notRunning));
+                testing::AnyOf(RefusalId::busStopped, RingRefusalId::notInRing, RefusalId::notRunning));
     EXPECT_FALSE(m_guests->image(patience).ring);
 }
 

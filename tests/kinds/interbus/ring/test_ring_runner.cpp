@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_runner.h"
 #include "tests/kinds/interbus/ring/word_by_word_driver.h"
 #include "tests/support/places.h"
@@ -201,7 +202,7 @@ TEST_F(RingRunnerTest, AlarmStopZeroesTheWholeRingAndEndsAllJobs)
         EXPECT_EQ(outcome.result.error(), (Refusal{RefusalKind::stopped, RefusalId::alarmStop, {}}));
     cycle(3);
     EXPECT_THAT(m_link->peerOut(), ElementsAre(0u, 0u, 0u));
-    EXPECT_EQ(messages().back(), MessageId::alarmStop);
+    EXPECT_EQ(messages().back(), RingMessageId::alarmStop);
 }
 
 TEST_F(RingRunnerTest, AlarmStopWorksInWatch)

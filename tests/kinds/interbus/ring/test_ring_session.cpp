@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "tests/kinds/interbus/ring/word_by_word_driver.h"
 #include "tests/support/places.h"
@@ -315,7 +316,7 @@ TEST_F(BusSessionTest, ALostLinkIsTriedEachSecondAndOutIsReadBack)
     m_link->setPeerOut({0, wordB, 0}); // by another program
     m_messages.clear();
     m_bus->advance(1'000);
-    EXPECT_THAT(messages(), ElementsAre(MessageId::linkBack, MessageId::busStarted));
+    EXPECT_THAT(messages(), ElementsAre(RingMessageId::linkBack, MessageId::busStarted));
     EXPECT_FALSE(m_bus->latest().whyLost);
     EXPECT_TRUE(m_bus->isRunning());
     EXPECT_FALSE(m_bus->isOperating());

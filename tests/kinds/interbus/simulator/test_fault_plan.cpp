@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/simulator/fault_plan.h"
 #include "kinds/interbus/simulator/fault_plan_file.h"
 #include "kinds/interbus/simulator/training_bus.h"
@@ -33,7 +34,7 @@ protected:
         const auto refused = read(json);
         if (refused)
             return {-1, QStringLiteral("taken")};
-        EXPECT_EQ(refused.error().id, RefusalId::faultPlanBroken);
+        EXPECT_EQ(refused.error().id, RingRefusalId::faultPlanBroken);
         return {std::get<std::int64_t>(refused.error().arguments[1]),
                 std::get<QString>(refused.error().arguments[2])};
     }

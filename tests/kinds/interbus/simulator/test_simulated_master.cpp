@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/ring_refusals.h"
 #include "tests/support/faulty_ring.h"
 
 #include <algorithm>
@@ -105,7 +106,7 @@ TEST_F(ASimulatedMaster, GoesFromRunToReadyAndBackByItsServices)
 TEST_F(ASimulatedMaster, RefusesServicesInTheWrongState)
 {
     const auto isRefused = [](const auto &result) {
-        return !result && result.error().id == RefusalId::masterStateWrong;
+        return !result && result.error().id == RingRefusalId::masterStateWrong;
     };
     EXPECT_TRUE(isRefused(m_master.createConfiguration()));
     EXPECT_TRUE(isRefused(m_master.activateConfiguration()));

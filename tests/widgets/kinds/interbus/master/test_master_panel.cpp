@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/bus_outline.h"
+#include "kinds/interbus/ring/ring_messages.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_link.h"
@@ -92,7 +93,7 @@ TEST_F(MasterPanelTest, NamesAFaultAsBannerAndMessagesDo)
 {
     QString told;
     QObject::connect(&ring.bus, &RingSession::messaged, &panel, [&](const Message &message) {
-        if (message.id == MessageId::busFault)
+        if (message.id == RingMessageId::busFault)
             told = messageText(message);
     });
     StructureModel model;
