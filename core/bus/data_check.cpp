@@ -11,6 +11,7 @@
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/state_text.h"
 
 #include <QCoreApplication>
 
@@ -82,6 +83,8 @@ QString stateName(const EncoderSession &encoder)
         return DataCheckText::tr("service mode");
     case EncoderState::error:
         return DataCheckText::tr("error");
+    case EncoderState::waiting:
+        return DataCheckText::tr("waiting");
     case EncoderState::silent:
         return DataCheckText::tr("silent");
     case EncoderState::unknown:
@@ -110,6 +113,8 @@ QString stateRemedy(const EncoderSession &encoder)
             "its monitor, to bring it back.");
     case EncoderState::error:
         return DataCheckText::tr("The encoder reports an error. The messages say which.");
+    case EncoderState::waiting:
+        return waitingText();
     case EncoderState::unknown:
         return DataCheckText::tr("No manual says what this word means. Check which encoder is there, and in "
                                  "which order its bytes come.");

@@ -119,6 +119,8 @@ QString leftIn(EncoderState state)
         return TransferWords::tr("still showing a read-out value");
     case EncoderState::service:
         return TransferWords::tr("in service mode: it gives no position until the service bit is 0");
+    case EncoderState::waiting:
+        return TransferWords::tr("waiting for its parameters or to be started: it gives no position");
     case EncoderState::silent:
         return TransferWords::tr("silent: it does not answer");
     case EncoderState::notSeen:

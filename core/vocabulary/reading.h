@@ -17,6 +17,7 @@ enum class EncoderState : std::uint8_t {
     readOut, // a read-out value or the self test is in IN
     service, // LA-66: the answer to a service is in IN
     error,
+    waiting, // for its parameters, or to be started: a PROFIBUS slave, a CANopen node in pre-operational
     silent,  // a serial encoder that no longer answers; what it showed last is still there
     unknown, // IN has no meaning known to the manuals or the description
 };

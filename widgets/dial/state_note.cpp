@@ -9,6 +9,7 @@
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/state_text.h"
 
 #include <QCoreApplication>
 
@@ -55,6 +56,8 @@ StateNote noteOfState(const DeviceDescription &device, const Reading &reading)
         return {DialNote::tr("In service mode: there is no position.")};
     case EncoderState::error:
         return {errorNote(device, reading), Role::fault};
+    case EncoderState::waiting:
+        return {waitingText()};
     case EncoderState::silent:
         return {reading.position ? DialNote::tr("The encoder does not answer: the last position is shown.")
                                  : DialNote::tr("The encoder does not answer: no position is known."),

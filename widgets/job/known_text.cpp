@@ -6,6 +6,7 @@
 #include "jobs/value_notes.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/state_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -179,6 +180,8 @@ QString leftInText(EncoderState state)
     case EncoderState::service:
         return KnownText::tr("The encoder is in service mode: it gives no position until the service bit "
                              "is 0.");
+    case EncoderState::waiting:
+        return waitingText();
     case EncoderState::notSeen:
         return KnownText::tr("The encoder has not been seen on the bus.");
     case EncoderState::silent:

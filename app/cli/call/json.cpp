@@ -28,6 +28,7 @@ constexpr NamedValue<EncoderState> stateKeys[] = {
     {"operation", EncoderState::operation}, {"parameterization", EncoderState::parameterization},
     {"readOut", EncoderState::readOut},     {"service", EncoderState::service},
     {"error", EncoderState::error},         {"silent", EncoderState::silent},
+    {"waiting", EncoderState::waiting},
 };
 
 struct ArgumentJson

@@ -4,6 +4,7 @@
 #include "cli/call/texts.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/state_text.h"
 
 namespace codewheel {
 
@@ -42,6 +43,8 @@ QString whereItWasLeft(const Reading &left)
         return left.position ? CommandLine::tr("The encoder was left in error: it shows the last position "
                                                "it knew.")
                              : CommandLine::tr("The encoder was left in error: it shows no position.");
+    case EncoderState::waiting:
+        return waitingText();
     default:
         return CommandLine::tr("The encoder is in operation.");
     }

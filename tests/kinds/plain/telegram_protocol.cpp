@@ -9,8 +9,6 @@
 namespace codewheel::test {
 namespace {
 
-constexpr unsigned hasNoValues = 1; // its error, in the description
-
 class TelegramProtocol final : public Protocol
 {
 public:
@@ -21,10 +19,6 @@ public:
             return tl::unexpected(checked.error());
         const auto steps = telegramSteps(device, job, valuesOf(basis.known));
         return std::vector<Step>(steps.begin(), steps.end());
-    }
-    Refusal shownError(const DeviceDescription & /*device*/, const Reading & /*reading*/) const override
-    {
-        return {RefusalKind::device, RefusalId::parametersLost, {}};
     }
     ParameterValues valuesIn(const DeviceDescription &device, const Step &step) const override
     {
@@ -83,12 +77,10 @@ void takeTelegramPosition(const QByteArray &answer, PlainKnowledge &encoder)
     Reading &reading = encoder.reading;
     if (answer.startsWith("at ")) {
         reading.state = EncoderState::operation;
-        reading.errorNumber.reset();
         reading.position = answer.mid(3).toLongLong();
         return;
     }
-    reading.state = EncoderState::error;
-    reading.errorNumber = hasNoValues;
+    reading.state = EncoderState::waiting;
     reading.position.reset();
     for (const ParameterDescription &its : encoder.device.parameters)
         encoder.values.forget(its.parameter);

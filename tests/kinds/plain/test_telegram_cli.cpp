@@ -65,7 +65,7 @@ TEST_F(TelegramCli, MonitorShowsAPositionOnlyOnceItHasItsValues)
         const QJsonObject json = run(QStringLiteral("monitor n:4 --for 1 --every 1000 --json")).json();
         return json[u"samples"].toArray().last().toObject();
     };
-    EXPECT_EQ(states()[u"state"], QStringLiteral("error"));
+    EXPECT_EQ(states()[u"state"], QStringLiteral("waiting"));
     EXPECT_TRUE(states()[u"position"].isNull());
     EXPECT_EQ(run(QStringLiteral("write n:4 steps=100 --yes")).exit, 0);
     EXPECT_EQ(states()[u"state"], QStringLiteral("operation"));

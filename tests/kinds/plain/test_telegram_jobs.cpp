@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Encoders that are given all their values in one line, tell none of them, and keep none.
+#include "bus/data_check.h"
 #include "jobs/write_plan.h"
 #include "journal/eeprom_cost.h"
 #include "journal/known_keeper.h"
 #include "tests/kinds/plain/plain_bus.h"
+#include "transfer/transfer_words.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/state_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -95,7 +98,7 @@ TEST_F(TelegramJobs, AfterPowerOffItHasNothingAndNothingIsKnown)
     bus.switchOffAndOn(telegramWinch);
     bus.advance(5ms);
     EXPECT_EQ(node.inForce("steps"), "4096");
-    EXPECT_EQ(encoder.latest().state, EncoderState::error);
+    EXPECT_EQ(encoder.latest().state, EncoderState::waiting);
     EXPECT_FALSE(encoder.showsPosition());
     for (const ParameterDescription &its : encoder.device().parameters)
         EXPECT_FALSE(encoder.known(its.parameter));
@@ -103,6 +106,17 @@ TEST_F(TelegramJobs, AfterPowerOffItHasNothingAndNothingIsKnown)
     EXPECT_FALSE(plan.rows.front().isThere);
     EXPECT_TRUE(write({{Parameter::steps, 100}}).result);
     EXPECT_TRUE(encoder.showsPosition());
+}
+
+TEST_F(TelegramJobs, WhileItWaitsTheCheckOfItsDataSaysSo)
+{
+    bus.advance(5ms);
+    const DataChecks checks = bus.dataChecks(telegramWinch.node, {});
+    const DataCheck *state = findCheck(checks, DataCheck::Id::state);
+    ASSERT_NE(state, nullptr);
+    EXPECT_EQ(state->came, QStringLiteral("waiting"));
+    EXPECT_EQ(state->remedy, waitingText());
+    EXPECT_TRUE(transfer_words::leftIn(encoder.latest().state).startsWith(QStringLiteral("waiting")));
 }
 
 TEST_F(TelegramJobs, ValuesThatAreNotKeptAreNotKnownOfAfterALossOfSight)

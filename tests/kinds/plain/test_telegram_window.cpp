@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window and encoders that are given all their values at once and keep none.
 #include "tests/kinds/plain/plain_in_window.h"
+#include "vocabulary/state_text.h"
+#include "widgets/job/known_text.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/transfer/transfer_lines.h"
 
@@ -60,7 +62,7 @@ TEST_F(TelegramInWindow, ThePanelReviewsAllThatIsSent)
     EXPECT_EQ(cell(telegramWinch, StructureModel::positionColumn), std::to_string(node.position()));
 }
 
-TEST_F(TelegramInWindow, ItSaysThatItLostItsValues)
+TEST_F(TelegramInWindow, ItSaysThatItWaitsForItsValues)
 {
     const auto tip = [this] {
         const auto &model = static_cast<const StructureModel &>(*tree().findChild<QTreeView *>()->model());
@@ -69,16 +71,16 @@ TEST_F(TelegramInWindow, ItSaysThatItLostItsValues)
             .data(Qt::ToolTipRole)
             .toString();
     };
-    const QString lost = QStringLiteral("The encoder has lost its parameters, and gives no position.");
     advance(100);
-    EXPECT_TRUE(tip().contains(lost));
+    EXPECT_TRUE(tip().contains(waitingText()));
+    EXPECT_FALSE(leftInText(EncoderState::waiting).contains(QStringLiteral("run")));
     want(test::plainFilter(), QStringLiteral("-5"));
     review();
     confirm();
-    EXPECT_FALSE(tip().contains(lost));
+    EXPECT_FALSE(tip().contains(waitingText()));
     plainBus().switchOffAndOn(telegramWinch);
     advance(100);
-    EXPECT_TRUE(tip().contains(lost));
+    EXPECT_TRUE(tip().contains(waitingText()));
     review();
     EXPECT_THAT(cells(panel()), testing::HasSubstr("Filter|unknown|-5|all "));
 }

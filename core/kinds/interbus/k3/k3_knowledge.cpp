@@ -106,6 +106,7 @@ void K3Knowledge::observe(Word in, Word out, Instant now)
         observeReadOut(in, out, now);
         break;
     case EncoderState::service:
+    case EncoderState::waiting:
     case EncoderState::silent:
     case EncoderState::unknown:
     case EncoderState::notSeen:

@@ -201,6 +201,7 @@ StateWord RingOutline::shown(std::size_t node) const
         return {Role::inactive, tr("not seen")};
     case EncoderState::operation:
     case EncoderState::error:
+    case EncoderState::waiting: // no encoder of a ring does
         break;
     }
     const Reading &its = device.reading;
