@@ -6,9 +6,7 @@
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/interbus/finder/gateway_rtu_protocol.h"
 #include "kinds/interbus/plan/ring_plan.h"
-#include "kinds/interbus/report/ring_sections.h"
 #include "kinds/interbus/ring/ring_rows.h"
-#include "report/bus_sections.h"
 
 namespace codewheel {
 
@@ -31,11 +29,6 @@ std::vector<std::unique_ptr<const SpokenProtocol>> builtInSpokenProtocols()
 std::unique_ptr<RecordedRows> rowsWithoutProfile(bool hasWords)
 {
     return hasWords ? makeRingRows() : makeEscLineRows();
-}
-
-report_sections::BusSections report_sections::sectionsOf(const PlannedBus &bus)
-{
-    return bus.settings.as<RingPlan>() ? BusSections{ringTable, cycleTime} : BusSections{placeTable};
 }
 
 } // namespace codewheel

@@ -9,6 +9,9 @@
 
 namespace codewheel {
 
+namespace report_sections {
+struct BusSections;
+}
 class Catalog;
 class JsonObject;
 class PlanRules;
@@ -46,6 +49,8 @@ public:
     virtual const PlanRules &planRules() const;
     // The traffic of a recorded bus with an encoder of this profile; null: it is none of this kind.
     virtual std::unique_ptr<RecordedRows> recordedRows(Profile profile) const;
+    // How the report describes its buses; null: by the places of their devices, and nothing more.
+    virtual const report_sections::BusSections *reportSections() const { return nullptr; }
 };
 
 // Whether the bus is planned with a simulated link, or not planned at all.

@@ -6,16 +6,14 @@
 
 namespace codewheel::report_sections {
 
-// How the report describes a kind of bus.
+// How the report describes the buses of a kind (BusKind::reportSections()).
 struct BusSections
 {
     ReportTable (*structure)(const Project &project, BusId bus, const std::vector<ReportedDevice> &devices);
     ReportSection (*more)(const Project &project, BusId bus) = nullptr; // null: nothing
 };
 
-BusSections sectionsOf(const PlannedBus &bus);
-
-// For a kind about which nothing else is known.
-ReportTable placeTable(const Project &project, BusId bus, const std::vector<ReportedDevice> &devices);
+// Of a kind that has none: a table of the places.
+const BusSections &sectionsOf(const PlannedBus &bus);
 
 } // namespace codewheel::report_sections

@@ -8,6 +8,8 @@
 #include "project/bus_kind.h"
 #include "project/project_reader.h"
 #include "project/project_writer.h"
+#include "report/bus_sections.h"
+#include "report/report_words.h"
 #include "tests/kinds/plain/plain_meaning.h"
 #include "tests/kinds/plain/plain_protocol.h"
 #include "tests/kinds/plain/telegram_protocol.h"
@@ -66,6 +68,21 @@ struct PlainNodeSettings
     friend bool operator==(const PlainNodeSettings &, const PlainNodeSettings &) = default;
 };
 
+inline ReportTable plainTable(const Project & /*project*/, BusId /*bus*/,
+                              const std::vector<ReportedDevice> &devices)
+{
+    using enum ReportTable::Column;
+    ReportTable table{{QStringLiteral("Node"), QStringLiteral("Device"), QStringLiteral("Heartbeat")},
+                      {text, text, number},
+                      {}};
+    for (const ReportedDevice &device : devices)
+        table.rows.push_back(
+            {{device.place().toString(), report_words::device(device),
+              QStringLiteral("%1 ms").arg(device.planned->its<PlainNodeSettings>().heartbeat)}});
+    return table;
+}
+inline constexpr report_sections::BusSections plainSections{plainTable};
+
 // Its row in projects, and in recordings.
 class PlainKind final : public BusKind
 {
@@ -115,6 +132,7 @@ public:
     {
         return profile == plainProfile || profile == telegramProfile ? makePlainRows() : nullptr;
     }
+    const report_sections::BusSections *reportSections() const override { return &plainSections; }
 };
 
 } // namespace codewheel::test

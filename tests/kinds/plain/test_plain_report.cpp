@@ -30,6 +30,7 @@ TEST(PlainBusReport, HasItsDevicesAndWhatTheyShow)
         ProjectDevice &device = devices.emplace_back();
         device.participant = *bus.found(place);
         device.standAt(place);
+        device.set(test::PlainNodeSettings{.heartbeat = 250});
         device.station = place == test::plainHoist ? QStringLiteral("Hoist") : QString();
     }
     setDevicesOn(input.project, test::plainId, std::move(devices));
@@ -37,7 +38,7 @@ TEST(PlainBusReport, HasItsDevicesAndWhatTheyShow)
     addConnected(input, buses);
 
     const std::string text = reportAsText(makeReport(input, catalog)).toStdString();
-    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1", "Hoist 9"})
+    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1", "Hoist 9", "250 ms"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 

@@ -6,6 +6,7 @@
 #include "kinds/interbus/plan/project_take_over.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/plan/ring_plan_rules.h"
+#include "kinds/interbus/report/ring_sections.h"
 #include "kinds/interbus/ring/cycle_time.h"
 #include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_outline.h"
@@ -176,6 +177,7 @@ public:
     {
         return std::ranges::count(profile::ofRings, profile) > 0 ? makeRingRows() : nullptr;
     }
+    const report_sections::BusSections *reportSections() const override { return &report_sections::ofRings; }
 
 private:
     RingPlanRules m_planRules;

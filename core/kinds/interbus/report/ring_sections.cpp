@@ -90,8 +90,7 @@ QString milliseconds(const RingLoad &load, MicrosecondsOnTheWire bit, CycleTimeF
     return sentence(ReportTexts::tr("about %1 ms"), {QLocale().toString(time, 'f', 3)});
 }
 
-} // namespace
-
+// `devices` are all the devices of the ring.
 ReportTable ringTable(const Project &project, BusId ring, const std::vector<ReportedDevice> &devices)
 {
     const Wanted wanted = columnsOf(devicesOn(project, ring));
@@ -103,7 +102,7 @@ ReportTable ringTable(const Project &project, BusId ring, const std::vector<Repo
     return table;
 }
 
-ReportSection cycleTime(const Project &project, BusId ring)
+ReportSection cycleTimeSection(const Project &project, BusId ring)
 {
     const RingLoad load = ringLoad(structureOf(project, ring), ringPlan(project, ring).cableKilometres);
 
@@ -128,5 +127,9 @@ ReportSection cycleTime(const Project &project, BusId ring)
                : sentence(ReportTexts::tr("Approximate cycle time of %1"), {findBus(project, ring)->name});
     return {.heading = heading, .blocks = {std::move(table), from}};
 }
+
+} // namespace
+
+const BusSections ofRings{ringTable, cycleTimeSection};
 
 } // namespace codewheel::report_sections
