@@ -39,18 +39,19 @@ enum class Unit : std::uint8_t {
     tenthHours
 };
 
-struct ValueOptions;
-
-// Values that are not plain numbers, as the manual of their protocol writes them.
+// Values that are not plain numbers, as the manual of their protocol writes them. What the options hold, only
+// the protocol knows.
 struct ValueForm
 {
     using Range = std::pair<std::int64_t, std::int64_t>;
 
-    QString (*text)(std::int64_t value, const std::optional<ValueOptions> &options) = nullptr;
-    // Set if the range of the value depends on the options.
-    Range (*range)(const ValueOptions &options) = nullptr;
+    QString (*text)(std::int64_t value, const KindData &options) = nullptr;
+    // Set if the range of the value depends on the options; empty: they do not tell.
+    std::optional<Range> (*range)(const KindData &options) = nullptr;
     QString (*rangeText)() = nullptr; // if the options are not known
-    int typedHexDigits = 0;           // it is typed as hexadecimal number with so many digits; 0: decimal
+    // The number that the encoder sends for it, where that may be another; empty: it is the same.
+    std::optional<std::int64_t> (*asSent)(std::int64_t value, const KindData &options) = nullptr;
+    int typedHexDigits = 0; // it is typed as hexadecimal number with so many digits; 0: decimal
 };
 
 struct ParameterDescription

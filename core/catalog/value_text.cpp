@@ -73,10 +73,11 @@ double divisorOf(Unit unit)
 
 } // namespace
 
-ParameterDescription withOptions(ParameterDescription parameter, const std::optional<ValueOptions> &options)
+ParameterDescription withOptions(ParameterDescription parameter, const KindData &options)
 {
-    if (options && parameter.form != nullptr && parameter.form->range != nullptr)
-        std::tie(parameter.minimum, parameter.maximum) = parameter.form->range(*options);
+    if (parameter.form != nullptr && parameter.form->range != nullptr)
+        if (const auto range = parameter.form->range(options))
+            std::tie(parameter.minimum, parameter.maximum) = *range;
     return parameter;
 }
 
@@ -93,8 +94,7 @@ QString choiceName(const ParameterDescription &parameter, const Value &value)
 
 namespace {
 
-QString numberText(const ParameterDescription &parameter, std::int64_t value,
-                   const std::optional<ValueOptions> &options)
+QString numberText(const ParameterDescription &parameter, std::int64_t value, const KindData &options)
 {
     if (parameter.parameter == Parameter::serialNumber)
         return serialNumberText(value);
@@ -114,8 +114,7 @@ QString numberText(const ParameterDescription &parameter, std::int64_t value,
 
 } // namespace
 
-QString valueText(const ParameterDescription &parameter, const Value &value,
-                  const std::optional<ValueOptions> &options)
+QString valueText(const ParameterDescription &parameter, const Value &value, const KindData &options)
 {
     return value.isText() ? plainText(value) : numberText(parameter, value.number(), options);
 }

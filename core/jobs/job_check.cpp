@@ -72,7 +72,7 @@ struct WhyNot
 struct Input
 {
     const DeviceDescription &device;
-    const std::optional<ValueOptions> &options;
+    const KindData &options;
 
     static Result<void> nothing() { return refuse(RefusalKind::badInput, RefusalId::nothingToDo); }
     Result<void> noPosition() const
@@ -124,8 +124,7 @@ struct Input
 
 } // namespace
 
-Result<void> checkJob(const DeviceDescription &device, const Job &job,
-                      const std::optional<ValueOptions> &options)
+Result<void> checkJob(const DeviceDescription &device, const Job &job, const KindData &options)
 {
     if (const auto why = std::visit(WhyNot{device}, job))
         return refuse(RefusalKind::notSupported, *why, {device.fullName()});
@@ -161,8 +160,7 @@ Result<void> checkRange(const ParameterDescription &parameter, const Value &valu
         {parameter.parameter, asTyped(*number), asTyped(parameter.minimum), asTyped(parameter.maximum)});
 }
 
-Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value,
-                        const std::optional<ValueOptions> &options)
+Result<void> checkValue(const DeviceDescription &device, const ParameterValue &value, const KindData &options)
 {
     const ParameterDescription *parameter = device.find(value.parameter);
     if (parameter == nullptr)

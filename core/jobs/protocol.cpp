@@ -51,8 +51,7 @@ QString Protocol::lineText() const
 }
 
 ParameterDescription Protocol::narrowed(const DeviceDescription &device, Parameter parameter,
-                                        const ParameterValues & /*known*/,
-                                        const std::optional<ValueOptions> &options) const
+                                        const ParameterValues & /*known*/, const KindData &options) const
 {
     if (const ParameterDescription *found = device.find(parameter))
         return withOptions(*found, options);

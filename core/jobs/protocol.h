@@ -18,7 +18,7 @@ struct PlanBasis
     std::vector<Known> known{};
     std::vector<KnownCams> cams{};
     Word out = 0; // currently in OUT
-    std::optional<ValueOptions> options{};
+    KindData options{};
     NodeId node{};                    // where it is
     std::optional<Reading> reading{}; // what it shows: the mode it is in comes before that known of its start
 };
@@ -114,8 +114,7 @@ public:
 
     // The description with its range narrowed by the encoder's own values and the options.
     virtual ParameterDescription narrowed(const DeviceDescription &device, Parameter parameter,
-                                          const ParameterValues &known,
-                                          const std::optional<ValueOptions> &options) const;
+                                          const ParameterValues &known, const KindData &options) const;
     // What the encoder sets by itself with these values.
     virtual ParameterValues setAlong(const ParameterValues & /*written*/,
                                      const ParameterValues & /*known*/) const

@@ -32,7 +32,7 @@ NewEncoder::NewEncoder(const EncoderBus &bus, Place place, DeviceDescription des
     , m_reading(seenOnly(bus.encoder(place)->latest()))
 {}
 
-std::optional<ValueOptions> NewEncoder::valueOptions() const
+KindData NewEncoder::valueOptions() const
 {
     return valueOptionsOf(m_bus.encoder(m_place));
 }

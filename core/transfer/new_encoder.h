@@ -21,7 +21,7 @@ public:
     const DeviceDescription &device() const override { return m_description; }
     const Capabilities &can() const override { return m_description.capabilities; }
     const Reading &latest() const override { return m_reading; }
-    std::optional<ValueOptions> valueOptions() const override;
+    KindData valueOptions() const override;
     std::optional<Known> known(Parameter) const override { return std::nullopt; }
     std::optional<KnownCams> cams(unsigned) const override { return std::nullopt; }
     void tell(Parameter, const std::optional<Value> &) override {}

@@ -5,6 +5,7 @@
 #include "vocabulary/eeprom_count.h"
 #include "vocabulary/event.h"
 #include "vocabulary/freshness.h"
+#include "vocabulary/kind_data.h"
 #include "vocabulary/known_before.h"
 #include "vocabulary/place.h"
 #include "vocabulary/shown_values.h"
@@ -16,13 +17,6 @@
 #include <utility>
 
 namespace codewheel {
-
-// What the values of an encoder leave open and a setting decides.
-struct ValueOptions
-{
-    bool swapsWarningBytes = false;
-    int fractionBits = 0; // of the scaling factor
-};
 
 struct DeviceDescription;
 
@@ -53,8 +47,9 @@ public:
     // Whether the outcomes of its jobs give the positions before and after, confirmed by several reads: a
     // single read may be corrupted.
     virtual bool agreesOnPositions() const { return false; }
-    // For valueText(); empty: its values follow from its description alone.
-    virtual std::optional<ValueOptions> valueOptions() const { return {}; }
+    // What its values leave open and a setting decides, as its protocol knows it; for valueText(). Empty:
+    // they follow from its description alone.
+    virtual KindData valueOptions() const { return {}; }
     // Whether that is still current.
     const Freshness &freshness() const { return m_freshness; }
     virtual std::optional<Known> known(Parameter parameter) const = 0;
@@ -179,9 +174,9 @@ inline std::optional<std::int64_t> reportedSerialNumber(const EncoderSession &en
                                                                            : std::nullopt;
 }
 
-inline std::optional<ValueOptions> valueOptionsOf(const EncoderSession *encoder)
+inline KindData valueOptionsOf(const EncoderSession *encoder)
 {
-    return encoder != nullptr ? encoder->valueOptions() : std::nullopt;
+    return encoder != nullptr ? encoder->valueOptions() : KindData();
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "catalog/value_text.h"
+#include "kinds/esc/protocol/esc_forms.h"
 
 #include <QLocale>
 
@@ -66,9 +67,9 @@ TEST(ValueText, AScalingFactorIsAFractionWhereItsFormatIsKnown)
     const Catalog catalog = Catalog::builtIn();
     const ParameterDescription &factor = *catalog.find(u"kuebler-esc-rs485")->find(Parameter::scalingFactor);
     EXPECT_EQ(valueText(factor, 0x1F40'0000), QStringLiteral("1F400000h"));
-    EXPECT_EQ(valueText(factor, 0x1F40'0000, ValueOptions{.fractionBits = 29}),
+    EXPECT_EQ(valueText(factor, 0x1F40'0000, KindData(EscValueOptions{.fractionBits = 29})),
               QStringLiteral("1F400000h (0.9765625)"));
-    EXPECT_EQ(valueText(factor, 0x1F40'0000, ValueOptions{.fractionBits = 30}),
+    EXPECT_EQ(valueText(factor, 0x1F40'0000, KindData(EscValueOptions{.fractionBits = 30})),
               QStringLiteral("1F400000h (0.48828125)"));
 }
 
@@ -76,7 +77,7 @@ TEST(ValueText, SwappedWarningsAreToldAsTheyWereSentToo)
 {
     const Catalog catalog = Catalog::builtIn();
     const DeviceDescription &device = *catalog.find(u"kuebler-esc-rs485");
-    const ValueOptions swapped{.swapsWarningBytes = true};
+    const KindData swapped(EscValueOptions{.swapsWarningBytes = true});
     EXPECT_EQ(valueText(*device.find(Parameter::warnings), 0x9800, swapped),
               QStringLiteral("0098h, bytes swapped 9800h (standstill, lower limit switch on, turning CCW)"));
     EXPECT_EQ(valueText(*device.find(Parameter::alarms), 0x4000, swapped),

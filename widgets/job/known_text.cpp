@@ -89,8 +89,7 @@ QString whyNotToldByWord(Parameter parameter, const EncoderSession &encoder)
                : QString();
 }
 
-QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
-                      const std::optional<ValueOptions> &options)
+QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value, const KindData &options)
 {
     const ParameterDescription *parameter = device.find(value.parameter);
     if (parameter == nullptr)

@@ -20,7 +20,7 @@ QString whyNotToldByWord(Parameter parameter, const EncoderSession &encoder);
 
 // "8 192 steps", "3 (CW)". options: valueText().
 QString valueWithUnit(const DeviceDescription &device, const ParameterValue &value,
-                      const std::optional<ValueOptions> &options = {});
+                      const KindData &options = {});
 // "Steps = 255, Direction = 3 (CW)"
 QString valueList(const DeviceDescription &device, const ParameterValues &values);
 // "8 192 steps (read)"; "unknown".

@@ -7,8 +7,7 @@
 
 namespace codewheel {
 
-QString typedValue(const ParameterDescription &parameter, const Value &value,
-                   const std::optional<ValueOptions> &options)
+QString typedValue(const ParameterDescription &parameter, const Value &value, const KindData &options)
 {
     const Choice *choice = parameter.findChoice(value);
     return choice && choice->key != value.toString()

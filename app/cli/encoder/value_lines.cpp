@@ -6,12 +6,9 @@
 #include "cli/call/text_table.h"
 #include "cli/encoder/parameter_text.h"
 
-#include <QtEndian>
-
 namespace codewheel {
 
-QString valueCell(const ParameterDescription &parameter, const Value &value,
-                  const std::optional<ValueOptions> &options)
+QString valueCell(const ParameterDescription &parameter, const Value &value, const KindData &options)
 {
     const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
     const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
@@ -36,9 +33,11 @@ QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &valu
     const auto options = valueOptionsOf(&encoder);
     QJsonArray json;
     for (const ParameterValue &value : values) {
-        QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
-        if (options && options->swapsWarningBytes && value.parameter == Parameter::warnings)
-            object.insert(QStringLiteral("asSent"), qbswap(static_cast<std::uint16_t>(value.value.number())));
+        const ParameterDescription &parameter = *encoder.device().find(value.parameter);
+        QJsonObject object = valueJson(parameter, value.value);
+        if (parameter.form != nullptr && parameter.form->asSent != nullptr)
+            if (const auto sent = parameter.form->asSent(value.value.number(), options))
+                object.insert(QStringLiteral("asSent"), static_cast<qint64>(*sent));
         json.append(object);
     }
     return json;

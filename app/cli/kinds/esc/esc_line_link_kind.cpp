@@ -11,6 +11,7 @@
 #include "cli/kinds/esc/explain_line.h"
 #include "cli/kinds/esc/scan_line.h"
 #include "cli/kinds/esc/serve_line.h"
+#include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
 #include "links/port_access.h"
@@ -116,7 +117,7 @@ Checked<DeviceDescription> EscLineLinkKind::asOnLink(const Call &call, DeviceDes
         return tl::unexpected(line.error());
     const int bits = static_cast<const EscLineAccess &>(**line).link().settings.fractionBits; // of its kind
     for (ParameterDescription &parameter : device.parameters)
-        parameter = withOptions(parameter, ValueOptions{.fractionBits = bits});
+        parameter = withOptions(parameter, KindData(EscValueOptions{.fractionBits = bits}));
     return device;
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/window/kinds/esc/esc_line_at_work.h"
 #include "kinds/esc/line/esc_line_encoder_session.h"
+#include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
@@ -22,8 +23,9 @@ ProjectDevice &plannedEncoder(std::vector<ProjectDevice> &encoders, const Encode
     ProjectDevice encoder;
     encoder.standAt(number);
     encoder.participant.deviceKey = connected.device().key;
-    const auto explained = valueOptionsOf(&connected);
-    encoder.set(EscEncoderSettings{.swapsWarningBytes = explained && explained->swapsWarningBytes});
+    const KindData explained = connected.valueOptions();
+    const auto *options = explained.as<EscValueOptions>();
+    encoder.set(EscEncoderSettings{.swapsWarningBytes = options != nullptr && options->swapsWarningBytes});
     return *encoders.insert(place, std::move(encoder));
 }
 

@@ -17,6 +17,7 @@
 #include "kinds/esc/line/esc_line_check.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/plan/esc_line_plan.h"
+#include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/refusal_text.h"
@@ -221,12 +222,14 @@ void EscLineViews::showChosen()
         return;
     const EncoderSession *encoder = m_session && m_chosen ? m_session->encoder(*m_chosen) : nullptr;
     const ProjectDevice *planned = m_chosen ? findDevice(m_line.project().project(), *m_chosen) : nullptr;
-    const auto options = valueOptionsOf(encoder);
+    const KindData given = valueOptionsOf(encoder);
+    const auto *options = given.as<EscValueOptions>();
     m_actions.showChosen(
         {.isOnLine = encoder != nullptr || planned != nullptr,
          .isConnected = encoder != nullptr,
-         .isSwapped = options ? options->swapsWarningBytes
-                              : planned != nullptr && planned->its<EscEncoderSettings>().swapsWarningBytes});
+         .isSwapped = options != nullptr
+                          ? options->swapsWarningBytes
+                          : planned != nullptr && planned->its<EscEncoderSettings>().swapsWarningBytes});
 }
 
 void EscLineViews::setChosen(std::optional<Place> place)

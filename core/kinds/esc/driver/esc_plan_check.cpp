@@ -3,6 +3,7 @@
 #include "jobs/job_check.h"
 #include "kinds/esc/driver/esc_plan.h"
 #include "kinds/esc/driver/esc_values.h"
+#include "kinds/esc/protocol/esc_forms.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -49,7 +50,8 @@ Result<void> checkScaling(const ParameterValues &wanted, const ParameterValues &
 
 Result<void> EscPlan::check(const Job &job) const
 {
-    if (auto checked = checkJob(m_device, job, ValueOptions{.fractionBits = m_settings.fractionBits});
+    if (auto checked =
+            checkJob(m_device, job, KindData(EscValueOptions{.fractionBits = m_settings.fractionBits}));
         !checked)
         return checked;
     if (const auto *write = std::get_if<WriteParameters>(&job))

@@ -8,6 +8,7 @@
 #include "kinds/esc/driver/esc_plan.h"
 #include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/protocol/esc_explain.h"
+#include "kinds/esc/protocol/esc_forms.h"
 
 #include <QCoreApplication>
 
@@ -40,8 +41,7 @@ public:
     }
 
     ParameterDescription narrowed(const DeviceDescription &device, Parameter parameter,
-                                  const ParameterValues &known,
-                                  const std::optional<ValueOptions> &options) const override
+                                  const ParameterValues &known, const KindData &options) const override
     {
         return escNarrowed(device, parameter, known, fractionBitsOf(options));
     }
@@ -67,9 +67,10 @@ public:
     std::optional<Parameter> presetOffset() const override { return Parameter::offset; }
 
 private:
-    static int fractionBitsOf(const std::optional<ValueOptions> &options)
+    static int fractionBitsOf(const KindData &given)
     {
-        return options ? options->fractionBits : esc::defaultFractionBits;
+        const auto *options = given.as<EscValueOptions>();
+        return options != nullptr ? options->fractionBits : esc::defaultFractionBits;
     }
 };
 

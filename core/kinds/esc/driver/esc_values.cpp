@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "kinds/esc/protocol/esc_bits.h"
+#include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_reach.h"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ ParameterDescription escNarrowed(const DeviceDescription &device, Parameter para
     if (found != nullptr)
         narrowed = *found;
     narrowed.parameter = parameter;
-    narrowed = withOptions(std::move(narrowed), ValueOptions{.fractionBits = fractionBits});
+    narrowed = withOptions(std::move(narrowed), KindData(EscValueOptions{.fractionBits = fractionBits}));
     const auto atMost = [&](std::optional<std::int64_t> bound) {
         if (bound && *bound >= narrowed.minimum)
             narrowed.maximum = std::min(narrowed.maximum, *bound);

@@ -4,6 +4,7 @@
 #include "jobs/driven_encoder_session.h"
 #include "jobs/values_to_write.h"
 #include "kinds/esc/protocol/esc_explain.h"
+#include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_request.h"
 
 namespace codewheel {
@@ -21,9 +22,10 @@ public:
                       const DeviceDescription &description);
 
     bool agreesOnPositions() const override { return true; }
-    std::optional<ValueOptions> valueOptions() const override
+    KindData valueOptions() const override
     {
-        return ValueOptions{.swapsWarningBytes = m_swapsWarningBytes, .fractionBits = fractionBits()};
+        return KindData(
+            EscValueOptions{.swapsWarningBytes = m_swapsWarningBytes, .fractionBits = fractionBits()});
     }
     QDateTime dateTime(Instant at) const override;
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;

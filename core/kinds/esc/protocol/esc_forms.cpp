@@ -6,7 +6,6 @@
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_scaling.h"
-#include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
 
 #include <QCoreApplication>
@@ -17,8 +16,6 @@
 
 namespace codewheel {
 namespace {
-
-using Options = std::optional<ValueOptions>;
 
 constexpr int codeDigits = 4;      // 16 bit
 constexpr int fractionDigits = 10; // significant ones of 32 bit
@@ -38,19 +35,37 @@ QString bitsText(esc::Command command, std::int64_t value, bool isSwapped)
                                          said);
 }
 
-QString factorText(std::int64_t value, const Options &options)
+QString factorText(std::int64_t value, const KindData &given)
 {
     const QString digits = hexWord(rawOf(value)) + u'h';
-    return options ? QStringLiteral("%1 (%2)").arg(
-                         digits, QLocale().toString(esc::scalingFactor(rawOf(value), options->fractionBits),
-                                                    'g', fractionDigits))
-                   : digits;
+    const auto *options = given.as<EscValueOptions>();
+    return options != nullptr
+               ? QStringLiteral("%1 (%2)").arg(
+                     digits, QLocale().toString(esc::scalingFactor(rawOf(value), options->fractionBits), 'g',
+                                                fractionDigits))
+               : digits;
 }
 
-ValueForm::Range factorRange(const ValueOptions &options)
+std::optional<ValueForm::Range> factorRange(const KindData &given)
 {
-    const esc::ValueRange range = esc::scalingFactorRange(options.fractionBits);
-    return {range.smallest, range.largest};
+    const auto *options = given.as<EscValueOptions>();
+    if (options == nullptr)
+        return std::nullopt;
+    const esc::ValueRange range = esc::scalingFactorRange(options->fractionBits);
+    return ValueForm::Range{range.smallest, range.largest};
+}
+
+bool swapsWarnings(const KindData &given)
+{
+    const auto *options = given.as<EscValueOptions>();
+    return options != nullptr && options->swapsWarningBytes;
+}
+
+std::optional<std::int64_t> warningsAsSent(std::int64_t value, const KindData &options)
+{
+    return swapsWarnings(options)
+               ? std::optional<std::int64_t>(esc::swappedBytes(static_cast<std::uint16_t>(value)))
+               : std::nullopt;
 }
 
 QString factorRangeText()
@@ -66,20 +81,22 @@ const ValueForm *escForm(Parameter parameter)
     using enum esc::Command;
     static constexpr ValueForm address{
         .text = [](std::int64_t value,
-                   const Options &) { return EscLineAddress{static_cast<std::uint8_t>(value)}.shown(); },
+                   const KindData &) { return EscLineAddress{static_cast<std::uint8_t>(value)}.shown(); },
         .typedHexDigits = 2};
     static constexpr ValueForm serial{
-        [](std::int64_t value, const Options &) { return hexWord(rawOf(value)); }};
+        [](std::int64_t value, const KindData &) { return hexWord(rawOf(value)); }};
     static constexpr ValueForm code{
-        [](std::int64_t value, const Options &) { return hexCode(rawOf(value), codeDigits); }};
-    static constexpr ValueForm factor{factorText, factorRange, factorRangeText, 8};
+        [](std::int64_t value, const KindData &) { return hexCode(rawOf(value), codeDigits); }};
+    static constexpr ValueForm factor{
+        .text = factorText, .range = factorRange, .rangeText = factorRangeText, .typedHexDigits = 8};
     static constexpr ValueForm operating{
-        [](std::int64_t value, const Options &) { return bitsText(operatingParameters, value, false); }};
+        [](std::int64_t value, const KindData &) { return bitsText(operatingParameters, value, false); }};
     static constexpr ValueForm alarmBits{
-        [](std::int64_t value, const Options &) { return bitsText(alarms, value, false); }};
-    static constexpr ValueForm warningBits{[](std::int64_t value, const Options &options) {
-        return bitsText(warnings, value, options && options->swapsWarningBytes);
-    }};
+        [](std::int64_t value, const KindData &) { return bitsText(alarms, value, false); }};
+    static constexpr ValueForm warningBits{
+        .text = [](std::int64_t value,
+                   const KindData &options) { return bitsText(warnings, value, swapsWarnings(options)); },
+        .asSent = warningsAsSent};
     static constexpr std::pair<Parameter, const ValueForm *> forms[] = {
         {Parameter::lineAddress, &address},
         {Parameter::serialNumber, &serial},
