@@ -61,13 +61,6 @@ const Freshness *freshnessOf(const EncoderBus &bus, NodeId node)
     return channel != nullptr ? &channel->freshness() : nullptr;
 }
 
-// "FRABA OCD-IB K3, 37h"
-QString kindText(const Participant &device, const Catalog &catalog)
-{
-    const QString name = participantName(device, catalog.findFitting(device.deviceKey, device.deviceCode));
-    return device.idCode == 0 ? name : QStringLiteral("%1, %2").arg(name, hexCode(device.idCode, 2));
-}
-
 QString stateName(const EncoderSession &encoder)
 {
     switch (encoder.latest().state) {
@@ -230,11 +223,20 @@ DataCheck linkCheck(const EncoderBus &bus, const QString &expected)
     return passedCheck(DataCheck::Id::link, what, wanted, DataCheckText::tr("connected"));
 }
 
-DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Participant> &planned)
+QString kindText(const EncoderBus &bus, const Participant &device)
+{
+    const DeviceDescription *described = bus.catalog().findFitting(device.deviceKey, device.deviceCode);
+    const QString name = bus.nameOf(device, described);
+    const unsigned code = described != nullptr ? described->idCode : 0;
+    return code == 0 ? name : QStringLiteral("%1, %2").arg(name, hexCode(code, 2));
+}
+
+DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Participant> &planned,
+                    QString (*text)(const EncoderBus &, const Participant &))
 {
     const QString what = DataCheckText::tr("Device", "the kind of device at a place");
     const auto found = bus.found(bus.placeOf(node));
-    const QString came = found ? kindText(*found, bus.catalog()) : DataCheckText::tr("none");
+    const QString came = found ? text(bus, *found) : DataCheckText::tr("none");
     const auto own = std::ranges::find(planned, node, &Participant::number);
     if (own == planned.end())
         return found ? passedCheck(DataCheck::Id::kind, what,
@@ -242,7 +244,7 @@ DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Partic
                      : failedCheck(DataCheck::Id::kind, what,
                                    DataCheckText::tr("any: the project plans none here"), came,
                                    refusalText(bus.whyNotThere(bus.placeOf(node))));
-    const QString expected = kindText(*own, bus.catalog());
+    const QString expected = text(bus, *own);
     const auto strangers = bus.strangers(planned);
     const auto stranger = strangers.find(node);
     const auto other = stranger != strangers.end() ? std::optional(stranger->second)

@@ -83,7 +83,9 @@ DataCheck failedCheck(DataCheck::Id id, const QString &what, const QString &expe
 // `expected`: how it is connected; `refused`: why it could not be, when that was last tried.
 DataCheck notConnectedCheck(const QString &expected, const std::optional<Refusal> &refused);
 DataCheck linkCheck(const EncoderBus &bus, const QString &expected);
-DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Participant> &planned);
+QString kindText(const EncoderBus &bus, const Participant &device); // "FRABA OCD-IB K3, 37h"
+DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Participant> &planned,
+                    QString (*text)(const EncoderBus &, const Participant &) = kindText);
 DataCheck upToDateCheck(const EncoderBus &bus, NodeId node);
 DataCheck stateCheck(const EncoderBus &bus, NodeId node);
 DataCheck positionCheck(const EncoderBus &bus, NodeId node);

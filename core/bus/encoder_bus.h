@@ -65,6 +65,11 @@ public:
     virtual const Catalog &catalog() const = 0;
     // The device there, as found or as the bus was told; empty: none.
     virtual std::optional<Participant> found(Place place) const = 0;
+    // What to call a device of this bus; without its description (null) by what the bus itself tells.
+    virtual QString nameOf(const Participant & /*device*/, const DeviceDescription *description) const
+    {
+        return participantName(description);
+    }
     virtual Refusal whyNotThere(Place place) const; // if there is no device
     // The devices planned for this bus that are not certain to be the connected ones at their places, and
     // why.

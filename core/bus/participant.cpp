@@ -7,13 +7,10 @@
 
 namespace codewheel {
 
-QString participantName(const Participant &participant, const DeviceDescription *description)
+QString participantName(const DeviceDescription *description)
 {
-    if (description)
-        return description->fullName();
-    if (participant.idCode == busTerminalIdCode)
-        return QCoreApplication::translate("Participant", "bus terminal");
-    return QCoreApplication::translate("Participant", "device not known");
+    return description ? description->fullName()
+                       : QCoreApplication::translate("Participant", "device not known");
 }
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vocabulary/kind_data.h"
 #include "vocabulary/place.h"
 
 #include <QString>
@@ -9,25 +10,18 @@ namespace codewheel {
 
 struct DeviceDescription;
 
-inline constexpr unsigned busTerminalIdCode = 0x0C;
-
-// One device of a bus, as found there and as named by the plan. On INTERBUS the master finds it (ID
-// register); the vendor is not in the ID code: without a plan, deviceKey is empty and the make is not known.
-// On a serial line there are only its place and its key.
+// One device of a bus, as found there and as named by the plan.
 struct Participant
 {
     NodeId number;           // "6.1", "esc:12"
-    unsigned idCode = 0;     // 37h
-    unsigned deviceCode = 0; // length code << 8 | ID code: 0237h
-    int inWords = 0;         // 16 bit each
-    int outWords = 0;
-    QString deviceKey; // catalog key, empty where the make is not known
-    int level = 0;     // of the remote bus, 0..15: 0 is the main line, each branch one more
+    unsigned deviceCode = 0; // by which its bus tells what it is, on INTERBUS 0237h; 0: it does not
+    QString deviceKey;       // catalog key, empty where the make is not known
+    KindData details{};      // of its kind of bus, such as the width of its data; empty: the usual ones
 
     friend bool operator==(const Participant &, const Participant &) = default;
 };
 
-// What to call it: the name of its description, or without one (null) "bus terminal" or "device not known".
-QString participantName(const Participant &participant, const DeviceDescription *description);
+// What to call it: the name of its description, or without one (null) "device not known".
+QString participantName(const DeviceDescription *description);
 
 } // namespace codewheel

@@ -210,7 +210,8 @@ Result<EditedPlan> PlanRules::change(const Project &project, BusId bus, std::siz
     ProjectDevice &changed = after.devices[device];
     if (changed.participant.deviceKey != to.deviceKey)
         becomeAnother(changed);
-    changed.participant.deviceKey = to.deviceKey;
+    changed.participant = to;
+    changed.participant.number = devicesOn(project, bus)[device].participant.number;
     return after;
 }
 

@@ -106,6 +106,8 @@ public:
     virtual std::vector<Finding> check(const Project &, BusId) const { return {}; }
     // "FRABA OCD-IB K3"
     virtual QString nameOf(const Participant &device, const Catalog &catalog) const;
+    // By which its bus tells what it is: "37h"; empty: it does not.
+    virtual QString codeOf(const Participant & /*device*/) const { return {}; }
     // Order follows from where a device is attached: devices are moved by keys and by dragging.
     virtual bool isOrdered() const { return false; }
     virtual bool isEditable(const PlanRow &row, const PlanColumn &column) const;

@@ -101,14 +101,8 @@ std::optional<Participant> ReplayBus::found(Place place) const
     if (device == nullptr)
         return {};
     Participant participant{.number = place.node, .deviceKey = device->described.key};
-    if (device->session) {
-        participant.idCode = device->session->device().idCode;
+    if (device->session)
         participant.deviceCode = device->session->device().deviceCode;
-    }
-    if (device->words) {
-        participant.inWords = device->words->inWords();
-        participant.outWords = device->words->outWords();
-    }
     return participant;
 }
 

@@ -35,13 +35,12 @@ std::vector<BusNode> ReplayOutline::nodes() const
 {
     std::vector<BusNode> nodes;
     for (const Place place : m_bus.places()) {
-        const Participant device = *m_bus.found(place);
         const EncoderSession *encoder = m_bus.encoder(place);
         const WordChannel *words = m_bus.channel(place);
         nodes.push_back(
             {.node = place.node,
              .parent = {},
-             .name = participantName(device, encoder != nullptr ? &encoder->device() : nullptr),
+             .name = participantName(encoder != nullptr ? &encoder->device() : nullptr),
              .profile = encoder != nullptr ? profileName(encoder->device().profile) : QStringLiteral("-"),
              .code = {},
              .words = words != nullptr

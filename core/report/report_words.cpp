@@ -29,7 +29,7 @@ QString device(const ReportedDevice &device)
     const bool isNamed = device.description && device.description->key == participant.deviceKey;
     if (!participant.deviceKey.isEmpty() && !isNamed)
         return sentence(ReportTexts::tr("%1 (no description of it is known)"), {participant.deviceKey});
-    return participantName(participant, device.description);
+    return participantName(device.description);
 }
 
 QString value(const ReportedDevice &device, Parameter parameter, const Value &value)

@@ -8,7 +8,7 @@ namespace codewheel::report_words {
 
 // "1 Mar 2026 14:02", by locale, the year with four digits, in the time zone of `now`.
 QString time(const QDateTime &at, const QDateTime &now);
-// "FRABA OCD-IB K3", "bus terminal"; a key without a description is shown as it is.
+// "FRABA OCD-IB K3", "device not known"; a key without a description is shown as it is.
 QString device(const ReportedDevice &device);
 // Without unit, "3 (CW)".
 QString value(const ReportedDevice &device, Parameter parameter, const Value &value);

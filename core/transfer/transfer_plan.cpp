@@ -37,7 +37,7 @@ std::optional<Refusal> hindranceOfPlace(const Buses &buses, const TransferWish &
         return other;
     const EncoderSession *encoder = bus->encoder(wish.place);
     const DeviceDescription *device = encoder ? &encoder->device() : bus->catalog().find(found->deviceKey);
-    const QString name = participantName(*found, device);
+    const QString name = bus->nameOf(*found, device);
     const bool isOther = (wish.deviceCode != 0 && wish.deviceCode != found->deviceCode) ||
                          (!deviceKey.isEmpty() && device != nullptr && deviceKey != device->key);
     if (isOther)

@@ -24,7 +24,7 @@ constexpr int encoders = 128; // 256 words each way
 ProjectDevice encoder(const QDateTime &at)
 {
     ProjectDevice device;
-    device.participant = {{}, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
+    device.participant = RingDevice{{}, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
     device.station = QStringLiteral("Crane 1, hoist");
     device.group = QStringLiteral("Crane 1");
     device.label = {4096, 8192, QStringLiteral("20417")};
@@ -43,7 +43,7 @@ ProjectDevice encoder(const QDateTime &at)
 ProjectDevice digitalInput()
 {
     ProjectDevice device;
-    device.participant = {{}, 0xBE, 0x00BE, 0, 0, {}};
+    device.participant = RingDevice{{}, 0x00BE, 0, 0, {}};
     device.station = QStringLiteral("Limit switches");
     return device;
 }

@@ -16,11 +16,11 @@ inline Project largestProject()
 {
     RingStructure ring;
     for (int segment = 1; segment <= terminalsOfLargest; ++segment) {
-        Participant terminal = deviceOf(busTerminalIdCode);
+        RingDevice terminal = deviceOf(busTerminalIdCode);
         terminal.number = DeviceNumber{segment, 0}.node();
         ring.push_back(terminal);
         for (int position = 1; position <= localDevicesOfLargest; ++position) {
-            Participant device = deviceOf(position % 2 == 0 ? 0x81BE : 0x81BD);
+            RingDevice device = deviceOf(position % 2 == 0 ? 0x81BE : 0x81BD);
             device.number = DeviceNumber{segment, position}.node();
             ring.push_back(device);
         }

@@ -29,7 +29,7 @@ const Place second = "2.0"_ring;
 ProjectDevice encoder(Place number, const char *key, const char *station)
 {
     ProjectDevice device;
-    device.participant = {number.node, 0x37, 0x0237, 2, 2, QString::fromLatin1(key)};
+    device.participant = RingDevice{number.node, 0x0237, 2, 2, QString::fromLatin1(key)};
     device.station = QString::fromLatin1(station);
     return device;
 }
@@ -39,8 +39,8 @@ class CliProject : public testing::Test
 {
 protected:
     CliProject()
-        : m_bus(std::make_unique<ScriptedLink>(RingStructure{{first.node, 0x37, 0x0237, 2, 2, {}},
-                                                             {second.node, 0x37, 0x0237, 2, 2, {}}}),
+        : m_bus(std::make_unique<ScriptedLink>(
+                    RingStructure{{first.node, 0x0237, 2, 2, {}}, {second.node, 0x0237, 2, 2, {}}}),
                 m_catalog, QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {
         EXPECT_TRUE(m_bus.open(RingSession::Start::operating));
@@ -121,7 +121,7 @@ TEST_F(CliProject, AStationThatIsNotThereOrTwiceIsBadInput)
 TEST_F(CliProject, NothingIsSentToAStationWhereTheBusDiffers)
 {
     m_project.devices.insert(m_project.devices.begin(), encoder(first, "", "cabin"));
-    m_project.devices[0].participant = {first.node, 0xBE, 0x81BE, 1, 0, {}};
+    m_project.devices[0].participant = RingDevice{first.node, 0x81BE, 1, 0, {}};
     m_project.devices[1].participant.number = NodeId("2.0");
     m_project.devices[2].participant.number = NodeId("3.0");
     const CliRun hoist = run(wordsCommand, {QStringLiteral("hoist"), QStringLiteral("020000FF")});

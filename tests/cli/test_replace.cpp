@@ -29,7 +29,7 @@ protected:
     CliReplace()
     {
         ring.setLedger(std::make_unique<LedgerKeeper>(shared.bus(), DatabasePlace::memory()));
-        for (const Participant &participant : shared.bus().structure())
+        for (const RingDevice &participant : shared.bus().structure())
             project.devices.emplace_back().participant = participant;
         ProjectDevice &planned = project.devices[0];
         planned.station = QStringLiteral("Hoist");

@@ -25,7 +25,7 @@ class CliTransfer : public testing::Test
 protected:
     CliTransfer()
     {
-        for (const Participant &participant : shared.bus().structure()) {
+        for (const RingDevice &participant : shared.bus().structure()) {
             ProjectDevice device;
             device.participant = participant;
             if (participant.number == NodeId("1.0"))

@@ -29,8 +29,8 @@ protected:
     {
         auto ring = std::make_shared<SimulatedRing>();
         for (int segment = 1; segment <= 3; ++segment) {
-            const Participant device{DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2,
-                                     QStringLiteral("fraba-ocd-ib")};
+            const RingDevice device{DeviceNumber{segment, 0}.node(), 0x0237, 2, 2,
+                                    QStringLiteral("fraba-ocd-ib")};
             auto encoder = std::make_unique<FrabaK3>(PhysicalResolution{}, 1'000 * segment, FrabaPlate{});
             m_encoders.push_back(encoder.get());
             ring->add(device, std::move(encoder));

@@ -7,6 +7,7 @@
 #include "kinds/interbus/plan/process_addresses.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/ring/numbering.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/words/device_number.h"
 #include "tests/support/plans.h"
 
@@ -81,14 +82,14 @@ ProjectDevice Maker::device(DeviceNumber before)
 {
     const unsigned codes[] = {0x0237, 0x0236, 0x0136, 0x0233, 0x000C, 0x81BE};
     ProjectDevice device;
-    Participant &participant = device.participant;
+    RingDevice participant;
     participant.number = nextNumber(before, before.segment > 0 && below(4) == 0).node();
     participant.level = static_cast<int>(below(16));
     participant.deviceCode = codes[static_cast<std::size_t>(below(std::ssize(codes)))];
-    participant.idCode = participant.deviceCode & 0xFF;
     participant.inWords = static_cast<int>(below(3));
     participant.outWords = static_cast<int>(below(3));
     participant.deviceKey = maybe() ? QStringLiteral("fraba-ocd-ib") : QString();
+    device.participant = participant;
     device.station = text();
     device.group = text();
     device.note = text();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/interbus/plan/ring_plan.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/ring/ring_rules.h"
 #include "project/project_json.h"
 #include "tests/project/made_up_project.h"
@@ -42,7 +43,7 @@ TEST(ProjectJson, ReadsWhatThePageShows)
     ASSERT_EQ(project->devices.size(), 4u);
 
     ProjectDevice first;
-    first.participant = {NodeId("1.0"), 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
+    first.participant = RingDevice{NodeId("1.0"), 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
     first.station = QStringLiteral("Hoist");
     first.group = QStringLiteral("Crane 1");
     first.label = {4096, 8192, QStringLiteral("20417")};

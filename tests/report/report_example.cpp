@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/report/report_example.h"
 
+#include "kinds/interbus/ring/ring_device.h"
 #include "report/html_report.h"
 #include "report/make_report.h"
 
@@ -14,7 +15,7 @@ const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC);
 ProjectDevice frabaK3()
 {
     ProjectDevice device;
-    device.participant = {NodeId("1.0"), 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib"), 0};
+    device.participant = RingDevice{NodeId("1.0"), 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib"), 0};
     device.station = QStringLiteral("Crane 1, hoist");
     device.wanted = {{Parameter::steps, 4096}, {Parameter::direction, 3}, {Parameter::preset, 0}};
     device.stored = {{Parameter::steps, 8192, Evidence::read, noon},
@@ -25,7 +26,7 @@ ProjectDevice frabaK3()
 ProjectDevice baumerK3()
 {
     ProjectDevice device;
-    device.participant = {NodeId("2.0"), 0x37, 0x0237, 2, 2, QStringLiteral("baumer-gxp6w"), 0};
+    device.participant = RingDevice{NodeId("2.0"), 0x0237, 2, 2, QStringLiteral("baumer-gxp6w"), 0};
     device.station = QStringLiteral("Crane 1, trolley");
     device.label.serialNumber = QStringLiteral("B 4711");
     return device;
@@ -34,7 +35,7 @@ ProjectDevice baumerK3()
 ProjectDevice busTerminal()
 {
     ProjectDevice device;
-    device.participant = {NodeId("3.0"), busTerminalIdCode, 0x000C, 0, 0, {}, 0};
+    device.participant = RingDevice{NodeId("3.0"), busTerminalIdCode, 0, 0, {}, 0};
     return device;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/interbus/ring/ring_device.h"
 #include "report/html_report.h"
 #include "report/printable_text.h"
 #include "tests/report/report_example.h"
@@ -116,7 +117,7 @@ TEST_P(HostileReport, StaysAPageOfTexts)
         device.label.serialNumber = text;
     }
     input.project.devices[2].participant.deviceKey = text;
-    input.connected[firstRing].devices = {{NodeId("1.0"), 0x37, 0x0237, 2, 2, text, 0}};
+    input.connected[firstRing].devices = {RingDevice{NodeId("1.0"), 0x0237, 2, 2, text, 0}};
     const QString html = htmlOf(input);
     expectWellFormed(html);
     const QSet<QString> usual = parsed(htmlOf(exampleInput())).first;

@@ -181,11 +181,11 @@ TEST(CommissioningReport, DeviationsAndWhatCouldNotBeComparedAreTold)
 TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
 {
     ReportInput input = exampleInput();
-    input.connected[firstRing].devices = structureOf(input.project);
+    input.connected[firstRing].devices = participantsOn(input.project, firstRing);
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
                 Contains("The connected bus is as configured."));
     EXPECT_THAT(factsOf({reportOf(input).facts}), Contains("Bus: connected as configured"));
-    input.connected[firstRing].devices.front() = {NodeId("1.0"), 0x36, 0x0236, 2, 2, {}, 0};
+    input.connected[firstRing].devices.front() = RingDevice{NodeId("1.0"), 0x0236, 2, 2, {}, 0};
     EXPECT_THAT(factsOf({reportOf(input).facts}),
                 Contains("Bus: not connected as configured; lines that differ: 2"));
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")),
@@ -226,7 +226,7 @@ TEST(CommissioningReport, SamePlacesOfTwoRingsAreToldApart)
 TEST(CommissioningReport, BusesThatWereNotComparedAreNamed)
 {
     ReportInput input = twoRings();
-    input.connected[firstRing].devices = structureOf(input.project);
+    input.connected[firstRing].devices = participantsOn(input.project, firstRing);
     EXPECT_THAT(factsOf({reportOf(input).facts}),
                 Contains("Bus: connected as configured; not compared: Crane 2"));
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
@@ -240,7 +240,6 @@ TEST(CommissioningReport, BusesThatWereNotComparedAreNamed)
 TEST(CommissioningReport, AMakeOfAnotherDeviceCodeIsNotBelieved)
 {
     ReportInput input = exampleInput();
-    fraba(input).participant.idCode = 0x36;
     fraba(input).participant.deviceCode = 0x0236;
     const std::vector<ReportedDevice> devices = reportedDevices(input, catalog());
     ASSERT_NE(devices.front().description, nullptr);
@@ -383,8 +382,8 @@ TEST(CommissioningReport, TimesAreInTheZoneOfTheReport)
 TEST(CommissioningReport, ADeviceWithoutDescriptionStandsInTheStructureOnly)
 {
     ReportInput input = exampleInput();
-    input.project.devices[2].participant = {
-        NodeId("3.0"), 0x03, 0x0103, 1, 1, QStringLiteral("my-device"), 0};
+    input.project.devices[2].participant =
+        RingDevice{NodeId("3.0"), 0x0103, 1, 1, QStringLiteral("my-device"), 0};
     input.project.devices[2].note = QStringLiteral("Valve island");
     const Report report = reportOf(input);
     EXPECT_THAT(rowsOf(sectionOf(report, "Bus structure")),
@@ -395,7 +394,7 @@ TEST(CommissioningReport, ADeviceWithoutDescriptionStandsInTheStructureOnly)
 TEST(CommissioningReport, APositionEncoderHasNoParameters)
 {
     ReportInput input = exampleInput();
-    fraba(input).participant = {NodeId("1.0"), 0x36, 0x0136, 1, 1, QStringLiteral("fraba-ocd-ib-k1"), 0};
+    fraba(input).participant = RingDevice{NodeId("1.0"), 0x0136, 1, 1, QStringLiteral("fraba-ocd-ib-k1"), 0};
     fraba(input).wanted.clear();
     fraba(input).stored.clear();
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "1.0: FRABA OCD-IB K1, Crane 1, hoist")),

@@ -18,7 +18,7 @@ struct FaultyRing
     {
         add(NodeId("1.0"), 0);
         add(NodeId("2.0"), 0);
-        ring->add({.number = NodeId("3.0"), .idCode = 0x0C, .deviceCode = 0x000C, .deviceKey = {}},
+        ring->add({.number = NodeId("3.0"), .deviceCode = 0x000C, .deviceKey = {}},
                   std::make_unique<SimulatedBusTerminal>());
         add(NodeId("3.1"), 0);
         add(NodeId("3.2"), 0);
@@ -34,7 +34,6 @@ struct FaultyRing
         const unsigned idCode = isLocal ? 0xB3 : 0x37;
         ring->add(
             {.number = node,
-             .idCode = idCode,
              .deviceCode = 0x0200 | idCode,
              .inWords = 2,
              .outWords = 2,

@@ -32,7 +32,7 @@ public:
     {
         RingStructure structure;
         for (std::size_t i = 0; i < devices; ++i)
-            structure.push_back({DeviceNumber{static_cast<int>(i) + 1, 0}.node(), 0x37, 0x0237, 2, 2, {}});
+            structure.push_back({DeviceNumber{static_cast<int>(i) + 1, 0}.node(), 0x0237, 2, 2, {}});
         return structure;
     }
 

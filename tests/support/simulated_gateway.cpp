@@ -40,7 +40,7 @@ SimulatedGateway::SimulatedGateway(std::shared_ptr<SimulatedRing> ring, Ways way
     , m_inChanges(m_out.size())
 {
     std::size_t device = 0;
-    for (const Participant &participant : m_ring->structure()) {
+    for (const RingDevice &participant : m_ring->structure()) {
         for (int word = participant.inWords; word > 0; --word)
             m_inHalves.push_back({device, word == 2});
         for (int word = participant.outWords; word > 0; --word)
@@ -198,7 +198,7 @@ RegisterPort::Done SimulatedGatewayPort::writeAndRead(int writeFirst, std::span<
 std::vector<GatewayDevice> gatewayDevices(const SimulatedRing &ring, const Catalog &catalog)
 {
     std::vector<GatewayDevice> devices;
-    for (const Participant &participant : ring.structure()) {
+    for (const RingDevice &participant : ring.structure()) {
         const auto *device = catalog.find(participant.deviceKey, participant.deviceCode);
         devices.push_back({participant, device ? std::optional(device->profile) : std::nullopt});
     }

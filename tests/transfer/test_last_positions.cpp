@@ -365,7 +365,7 @@ TEST_F(LastPositionsOfTheRing, OfSimulatedEncodersAreNotThoseOfARealRing)
 TEST_F(LastPositionsOfTheRing, AreKeptWithTheProjectWhenItIsSaved)
 {
     Project project;
-    for (const Participant &participant : bus.structure()) {
+    for (const RingDevice &participant : bus.structure()) {
         project.devices.emplace_back().participant = participant;
         project.devices.back().lastPosition = {1, QDateTime(QDate(2026, 2, 1), QTime(8, 0), Qt::UTC)};
     }

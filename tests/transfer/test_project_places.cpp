@@ -32,7 +32,7 @@ protected:
     }
     Participant at(Place place) const
     {
-        return *std::ranges::find(bus.structure(), place.node, &Participant::number);
+        return *std::ranges::find(bus.structure(), place.node, &RingDevice::number);
     }
     std::string hindrance(const Project &project, Place place) const
     {

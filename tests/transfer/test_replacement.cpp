@@ -19,7 +19,7 @@ protected:
     ProjectDevice planned(Place place, const char *key)
     {
         ProjectDevice device;
-        device.participant = *std::ranges::find(bus.structure(), place.node, &Participant::number);
+        device.participant = *std::ranges::find(bus.structure(), place.node, &RingDevice::number);
         device.participant.deviceKey = QString::fromLatin1(key);
         device.label.serialNumber = QStringLiteral("20417");
         device.wanted = {{Parameter::steps, 4096}, {Parameter::revolutions, 1}, {Parameter::preset, 100}};

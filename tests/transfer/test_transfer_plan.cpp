@@ -56,6 +56,9 @@ TEST_F(TransferPlanning, TellsWhyAnEncoderCannotBeWritten)
                          .values = steps100}),
               "1.0: configured is Baumer GXP6W K3, found was FRABA OCD-IB K3. Compare, and take over what is "
               "right.");
+    EXPECT_EQ(hindrance({.place = "6.0"_ring, .deviceCode = 0x0237, .values = steps100}),
+              "6.0: configured is K3, make not known, found was bus terminal. Compare, and take over what is "
+              "right.");
     EXPECT_EQ(hindrance({.place = singleTurn, .values = steps100}),
               "The FRABA OCD-IB K1 cannot be parameterized over the bus.");
     EXPECT_EQ(hindrance({.place = baumer, .values = {{Parameter::revolutions, 4097}}}),

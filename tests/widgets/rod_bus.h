@@ -16,12 +16,11 @@ inline constexpr double rodMillimetres = 500;
 inline TrainingBus makeRodBus(const Catalog &)
 {
     const auto participant = [](Place number, unsigned idCode, const char *key) {
-        return Participant{.number = number.node,
-                           .idCode = idCode,
-                           .deviceCode = 0x0200 | idCode,
-                           .inWords = 2,
-                           .outWords = 2,
-                           .deviceKey = QString::fromLatin1(key)};
+        return RingDevice{.number = number.node,
+                          .deviceCode = 0x0200 | idCode,
+                          .inWords = 2,
+                          .outWords = 2,
+                          .deviceKey = QString::fromLatin1(key)};
     };
     auto ring = std::make_shared<SimulatedRing>();
     ring->add(participant(fraba, 0x37, "fraba-ocd-ib"),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/comparison/comparison_model.h"
 
-#include "catalog/hex_code.h"
 #include "widgets/look/roles.h"
 #include "widgets/models/age_text.h"
 #include "widgets/structure_editor/plan_edits.h"
@@ -15,8 +14,8 @@ namespace {
 QString placeText(const Participant &device, const PlanEdits &plan)
 {
     QStringList parts{device.number.toString(), plan.nameOf(device)};
-    if (device.idCode != 0)
-        parts << hexCode(device.idCode, 2);
+    if (const QString code = plan.codeOf(device); !code.isEmpty())
+        parts << code;
     return parts.join(QStringLiteral("  "));
 }
 

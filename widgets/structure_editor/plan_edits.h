@@ -32,6 +32,7 @@ public:
     const PlanRules &rules() const;
     std::vector<PlanRow> rows() const;
     QString nameOf(const Participant &device) const { return rules().nameOf(device, m_catalog); }
+    QString codeOf(const Participant &device) const { return rules().codeOf(device); }
 
     Result<Id> insert(const Participant &device, const KindData &where);
     Result<void> remove(const Ids &devices); // with everything below them

@@ -63,7 +63,7 @@ void ReplaceDeviceStep::enter()
     const QString serial = before.label.serialNumber;
     m_planned->setText(
         tr("At %1 the project has: %2%3. Switch the supply off, replace the encoder, and switch it on again.")
-            .arg(m_replacing.place.shown(), participantName(before.participant, device),
+            .arg(m_replacing.place.shown(), participantName(device),
                  serial.isEmpty() ? QString() : tr(", serial number %1").arg(serial)));
     m_key->setPlaceholderText(exampleOfKey());
     if (m_choice->count() == 0)

@@ -233,9 +233,8 @@ QString ReplacePage::title() const
 
 QString ReplacePage::about() const
 {
-    const Participant &planned = m_replacing.before.participant;
     QStringList parts{m_replacing.place.shown(), m_replacing.before.station,
-                      participantName(planned, m_replacing.catalog.find(planned.deviceKey))};
+                      participantName(m_replacing.catalog.find(m_replacing.before.participant.deviceKey))};
     parts.removeAll(QString());
     return parts.join(QStringLiteral("  "));
 }

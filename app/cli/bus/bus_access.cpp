@@ -146,6 +146,17 @@ QStringList BusAccess::remarks(const Reading &reading) const
     return texts;
 }
 
+QJsonObject BusAccess::participantJson(const Participant &device) const
+{
+    return {{QStringLiteral("place"), device.number.toString()},
+            {QStringLiteral("idCode"), 0},
+            {QStringLiteral("deviceCode"), static_cast<int>(device.deviceCode)},
+            {QStringLiteral("inWords"), 0},
+            {QStringLiteral("outWords"), 0},
+            {QStringLiteral("level"), 0},
+            {QStringLiteral("device"), textJson(device.deviceKey)}};
+}
+
 Checked<Answer> BusAccess::scan(const Call &)
 {
     TextTable table;

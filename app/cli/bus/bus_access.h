@@ -23,6 +23,7 @@ class LedgerKeeper;
 struct Call;
 struct DeviceDescription;
 struct FinishedJob;
+struct Participant;
 struct Project;
 struct ProjectDevice;
 struct Reading;
@@ -116,6 +117,9 @@ public:
     // After a watch, the statistics of the bus.
     virtual void addFigures(const Call &, const EncoderSession &, Answer &) const {}
 
+    // What the bus reports of a device, and the key of its description (null: not known). ID code, words and
+    // level are those of a ring, and 0 elsewhere.
+    virtual QJsonObject participantJson(const Participant &device) const;
     virtual Checked<void> checkScan(const Call &) const { return {}; } // whether its options are valid
     // What is on the bus, as found now.
     virtual Checked<Answer> scan(const Call &call);

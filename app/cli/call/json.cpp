@@ -75,19 +75,6 @@ QJsonArray meaningsJson(const Explanation &explanation)
     return meanings;
 }
 
-QJsonValue participantJson(const Participant *participant)
-{
-    if (participant == nullptr)
-        return {};
-    return QJsonObject{{QStringLiteral("place"), participant->number.toString()},
-                       {QStringLiteral("idCode"), static_cast<int>(participant->idCode)},
-                       {QStringLiteral("deviceCode"), static_cast<int>(participant->deviceCode)},
-                       {QStringLiteral("inWords"), participant->inWords},
-                       {QStringLiteral("outWords"), participant->outWords},
-                       {QStringLiteral("level"), participant->level},
-                       {QStringLiteral("device"), textJson(participant->deviceKey)}};
-}
-
 QJsonObject errorJson(const Complaint &complaint)
 {
     return {{QStringLiteral("key"), complaint.key},

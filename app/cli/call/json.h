@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bus/participant.h"
 #include "catalog/device_description.h"
 #include "cli/call/complaint.h"
 #include "vocabulary/known.h"
@@ -25,9 +24,6 @@ QJsonValue millimetresJson(std::optional<std::int64_t> position, const std::opti
 QJsonArray meaningsJson(const Explanation &explanation);
 QJsonObject errorJson(const Complaint &complaint);
 QJsonArray argumentsJson(const std::vector<RefusalArgument> &arguments);
-// What the bus reports of a device, and the key of its description (null: not known); null without a
-// participant.
-QJsonValue participantJson(const Participant *participant);
 // {"parameter", "value", "choice", "unit"}; choice only if the value has a name.
 QJsonObject valueJson(const ParameterDescription &parameter, const Value &value);
 

@@ -40,13 +40,16 @@ void compareBus(const Call &call, const Project &project, const BusAccess &acces
     for (const ComparisonLine &line : comparison) {
         table.add({comparisonKindName(line.kind),
                    rules.comparisonText(line, project, bus.id(), connected, call.catalog)});
+        const auto json = [&](const Participant *device) {
+            return device != nullptr ? QJsonValue(access.participantJson(*device)) : QJsonValue();
+        };
         const Participant *wanted = line.configured ? &devices[*line.configured].participant : nullptr;
         const Participant *found = line.connected ? &connected.devices[*line.connected] : nullptr;
         all.lines.append(QJsonObject{{QStringLiteral("bus"), bus.id().number},
                                      {QStringLiteral("busName"), planned->name},
                                      {QStringLiteral("comparison"), comparisonKindKey(line.kind)},
-                                     {QStringLiteral("configured"), participantJson(wanted)},
-                                     {QStringLiteral("found"), participantJson(found)}});
+                                     {QStringLiteral("configured"), json(wanted)},
+                                     {QStringLiteral("found"), json(found)}});
     }
     if (project.buses.size() > 1)
         all.text +=

@@ -100,8 +100,10 @@ std::optional<Participant> PlainBus::found(Place place) const
 {
     Participant participant;
     participant.number = place.node;
-    if (const EncoderSession *its = encoder(place))
+    if (const EncoderSession *its = encoder(place)) {
         participant.deviceKey = its->device().key;
+        participant.details = KindData(PlainDetails{.inputBytes = 3});
+    }
     return std::ranges::count(places(), place) > 0 ? std::optional(participant) : std::nullopt;
 }
 

@@ -68,6 +68,14 @@ struct PlainNodeSettings
     friend bool operator==(const PlainNodeSettings &, const PlainNodeSettings &) = default;
 };
 
+// What only this bus tells of a node.
+struct PlainDetails
+{
+    int inputBytes = 0;
+
+    friend bool operator==(const PlainDetails &, const PlainDetails &) = default;
+};
+
 inline ReportTable plainTable(const Project & /*project*/, BusId /*bus*/,
                               const std::vector<ReportedDevice> &devices)
 {
@@ -105,11 +113,13 @@ public:
         json.allowOnly({"kind", "number", "name", "volts", "devices"});
         for (const JsonObject &row :
              json.array("devices", {"place", "device", "station", "group", "serialNumber", "label",
-                                    "heartbeat", "wanted", "stored", "lastPosition"})) {
+                                    "heartbeat", "inputBytes", "wanted", "stored", "lastPosition"})) {
             ProjectDevice &device = devices.emplace_back();
             device.participant.number = NodeId(row.text("place").toStdString());
             device.participant.deviceKey = row.freeText("device");
             device.set(PlainNodeSettings{row.numberOr("heartbeat", 0, 0, 10'000)});
+            if (const int bytes = row.numberOr("inputBytes", 0, 0, 8); bytes != 0)
+                device.participant.details = KindData(PlainDetails{bytes});
             ProjectReader::readWhatIsKnown(row, device);
         }
         return KindData(json.numberOr("volts", 24, 1, 230));
@@ -124,6 +134,8 @@ public:
             writer.writeNames(device);
             if (const int heartbeat = device.its<PlainNodeSettings>().heartbeat; heartbeat != 0)
                 writer.json().member("heartbeat", heartbeat);
+            if (const auto *told = device.participant.details.as<PlainDetails>())
+                writer.json().member("inputBytes", told->inputBytes);
             writer.writeValues(device);
             writer.writeLastPosition(device);
         });

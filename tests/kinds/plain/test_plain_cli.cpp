@@ -44,7 +44,9 @@ TEST_F(CliPlainBus, ScanTellsAndKeepsWhatStandsThere)
     EXPECT_THAT(scan.out, HasSubstr("n:3          -        Lamp\n"));
     const Project project = *loadProject(file);
     ASSERT_EQ(devicesOn(project, test::plainId).size(), 3U);
-    EXPECT_EQ(project.devices[1].participant.deviceKey, QStringLiteral("plain-node"));
+    const Participant &kept = project.devices[1].participant;
+    EXPECT_EQ(kept.deviceKey, QStringLiteral("plain-node"));
+    EXPECT_EQ(kept.details, KindData(test::PlainDetails{.inputBytes = 3}));
     EXPECT_EQ(run(QStringLiteral("monitor n:1 --for 1 --project ") + file).exit, 0);
 }
 

@@ -53,6 +53,20 @@ TEST_F(PlainProject, KeepsASettingOfADeviceThroughSavingAndOpening)
     EXPECT_EQ(findDevice(*opened, test::plainGate)->its<Settings>().heartbeat, 0);
 }
 
+TEST_F(PlainProject, KeepsWhatOnlyItsBusTellsOfADevice)
+{
+    const KindData told{test::PlainDetails{.inputBytes = 3}};
+    findDevice(project, test::plainHoist)->participant.details = told;
+    EXPECT_EQ(written().count("\"inputBytes\": 3"), 1);
+    EXPECT_EQ(*loadProject(path), project);
+    const auto changed = busKind(u"plain")->planRules().change(
+        project, test::plainId, 1,
+        {.number = {}, .deviceKey = QStringLiteral("plain-node"), .details = told});
+    ASSERT_TRUE(changed);
+    EXPECT_EQ(changed->devices[1].participant.details, told) << "it is of the device, not of its place";
+    EXPECT_EQ(changed->devices[1].place(), test::plainGate);
+}
+
 TEST_F(PlainProject, ASettingBackAtTheUsualOneIsNone)
 {
     ProjectDevice &device = *findDevice(project, test::plainHoist);

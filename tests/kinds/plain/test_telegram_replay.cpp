@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording of encoders that are only asked, replayed and reported.
 #include "bus/buses.h"
+#include "project/bus_plans.h"
 #include "replay/replay_bus.h"
 #include "report/live_encoders.h"
 #include "report/make_report.h"

@@ -15,7 +15,8 @@ protected:
     void compare(const char *configured, const char *connected, bool onlyDifferences = false)
     {
         document.setProject(projectOf(writtenRing(configured)), {});
-        model.compare(PlanEdits(document, catalog), {writtenRing(connected), {}}, onlyDifferences);
+        model.compare(PlanEdits(document, catalog), {participantsOf(writtenRing(connected)), {}},
+                      onlyDifferences);
     }
     QString text(int row, int column) const { return model.index(row, column).data().toString(); }
 

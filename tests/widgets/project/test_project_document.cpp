@@ -15,9 +15,9 @@
 namespace codewheel {
 namespace {
 
-Participant encoder(int segment)
+RingDevice encoder(int segment)
 {
-    return {DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, {}};
+    return {DeviceNumber{segment, 0}.node(), 0x0237, 2, 2, {}};
 }
 
 Project plant(int devices)

@@ -49,9 +49,9 @@ protected:
         return *document.idAt(*Place::parse(number));
     }
     static KindData where(const RingPlace &place) { return KindData(place); }
-    const Participant &at(const QString &number) const
+    RingDevice at(const QString &number) const
     {
-        return document.device(*Place::parse(number)).participant;
+        return ringDevice(document.device(*Place::parse(number)).participant);
     }
 
     Catalog catalog = Catalog::builtIn();

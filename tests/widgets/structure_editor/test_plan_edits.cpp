@@ -55,7 +55,7 @@ TEST_F(PlanEditsTest, KeysHangADeviceBelowATerminalAndTakeItOut)
     const QString before = order();
     const auto k2 = id(QStringLiteral("5.0"));
     ASSERT_TRUE(edits.move(k2, PlanStep::in));
-    EXPECT_EQ(document.project().devices.at(6).participant.level, 1);
+    EXPECT_EQ(ringDevice(document.project().devices.at(6).participant).level, 1);
     ASSERT_TRUE(edits.move(k2, PlanStep::changeBus));
     EXPECT_EQ(at(QStringLiteral("2.3")).deviceCode, 0x0236U);
     ASSERT_TRUE(edits.move(k2, PlanStep::changeBus));

@@ -6,6 +6,7 @@
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "kinds/interbus/gateway/served_table.h"
+#include "kinds/interbus/ring/id_code.h"
 
 #include <QJsonObject>
 
@@ -40,7 +41,7 @@ QString registerTable(const RingStructure &ring, const Catalog &catalog)
     for (std::size_t i = 0; i < rows.size(); ++i)
         table.add({rows[i].place.toString(), rangeText(rows[i].in), rangeText(rows[i].inHolding),
                    rangeText(rows[i].out),
-                   participantName(ring[i], catalog.find(ring[i].deviceKey, ring[i].deviceCode))});
+                   nameOrTerminal(ring[i], catalog.find(ring[i].deviceKey, ring[i].deviceCode))});
     return table.toString();
 }
 

@@ -13,6 +13,7 @@
 #include "cli/kinds/interbus/master_text.h"
 #include "kinds/interbus/plan/project_take_over.h"
 #include "kinds/interbus/plan/ring_plan.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/simulator/fault_plan_file.h"
 #include "kinds/interbus/words/device_number.h"
 #include "transfer/project_places.h"
@@ -59,13 +60,13 @@ private:
 };
 
 // Naming it again would forget what is known of the encoder.
-bool isNamedSo(const Participant &connected, const DeviceDescription &device, const DeviceLabel &label)
+bool isNamedSo(const RingDevice &connected, const DeviceDescription &device, const DeviceLabel &label)
 {
     return connected.deviceKey == device.key && (label.turns == 0 || label.turns == device.physicalTurns) &&
            (label.stepsPerTurn == 0 || label.stepsPerTurn == device.physicalStepsPerTurn);
 }
 
-void nameAs(const Call &call, EncoderBus &ring, const ProjectDevice &planned, const Participant &connected)
+void nameAs(const Call &call, EncoderBus &ring, const ProjectDevice &planned, const RingDevice &connected)
 {
     const QString &key = planned.participant.deviceKey;
     const DeviceDescription *device = call.catalog.find(key);
@@ -80,10 +81,10 @@ void nameAs(const Call &call, EncoderBus &ring, const ProjectDevice &planned, co
 }
 
 // The ID code gives the profile, never the make of an encoder; that is for the plan to name.
-QString makeOf(const Participant &participant, const DeviceDescription *named)
+QString makeOf(const RingDevice &participant, const DeviceDescription *named)
 {
-    return named || participant.idCode == busTerminalIdCode ? participantName(participant, named)
-                                                            : CommandLine::tr("make not known");
+    return named || participant.idCode() == busTerminalIdCode ? nameOrTerminal(participant, named)
+                                                              : CommandLine::tr("make not known");
 }
 
 } // namespace
@@ -136,7 +137,8 @@ Checked<EncoderSession *> RingAccess::encoder(const Call &call, NodeId node, boo
     const Place place = m_ring.placeOf(node);
     const ProjectDevice *planned = call.project != nullptr ? findDevice(*call.project, place) : nullptr;
     const auto connected = m_ring.found(place);
-    if (planned != nullptr && connected && !isSameKind(planned->participant, *connected))
+    if (planned != nullptr && connected &&
+        !isSameKind(ringDevice(planned->participant), ringDevice(*connected)))
         return tl::unexpected(complaintAbout({RefusalKind::link,
                                               RefusalId::ringDiffers,
                                               {place.shown(), hexCode(planned->participant.deviceCode, 4),
@@ -151,7 +153,7 @@ void RingAccess::useProject(const Call &call, const Project &project)
     const RingStructure connected = m_ring.structure();
     const ProjectPlaces places(project, call.buses);
     for (const ProjectDevice &planned : devicesOn(project, m_ring.id())) {
-        const auto found = std::ranges::find(connected, planned.place().node, &Participant::number);
+        const auto found = std::ranges::find(connected, planned.place().node, &RingDevice::number);
         if (places.isAtItsPlace(planned.place()) && !planned.participant.deviceKey.isEmpty())
             nameAs(call, m_ring, planned, *found);
     }
@@ -214,21 +216,32 @@ Checked<Answer> RingAccess::scan(const Call &call)
                CommandLine::tr("IN words"), CommandLine::tr("OUT words"), CommandLine::tr("profile"),
                CommandLine::tr("device")});
     QJsonArray devices;
-    for (const Participant &participant : m_ring.structure()) {
+    for (const RingDevice &participant : m_ring.structure()) {
         const DeviceDescription *named = call.catalog.find(participant.deviceKey);
         const DeviceDescription *known = named ? named : call.catalog.generic(participant.deviceCode);
         const QString profile = known ? profileName(known->profile) : QStringLiteral("-");
         table.add({participant.number.toString(),
-                   QStringLiteral("%1 (%2)").arg(hexCode(participant.idCode, 2)).arg(participant.idCode),
+                   QStringLiteral("%1 (%2)").arg(hexCode(participant.idCode(), 2)).arg(participant.idCode()),
                    hexCode(participant.deviceCode, 4), QString::number(participant.inWords),
                    QString::number(participant.outWords), profile, makeOf(participant, named)});
-        QJsonObject json = participantJson(&participant).toObject();
+        QJsonObject json = participantJson(participant);
         json.insert(QStringLiteral("profile"), known ? QJsonValue(profile) : QJsonValue());
         devices.append(json);
     }
     return Answer{
         table.toString() + u'\n' + masterLines(m_ring),
         {{QStringLiteral("participants"), devices}, {QStringLiteral("master"), masterJson(m_ring)}}};
+}
+
+QJsonObject RingAccess::participantJson(const Participant &device) const
+{
+    const RingDevice its = ringDevice(device);
+    QJsonObject json = BusAccess::participantJson(device);
+    json[u"idCode"] = static_cast<int>(its.idCode());
+    json[u"inWords"] = its.inWords;
+    json[u"outWords"] = its.outWords;
+    json[u"level"] = its.level;
+    return json;
 }
 
 void RingAccess::keepFound(const Call &, Project &project) const

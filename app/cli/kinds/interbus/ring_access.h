@@ -33,6 +33,7 @@ public:
     Checked<Answer> scan(const Call &call) override;
     // What the project knows stays with the devices that are the same or moved.
     void keepFound(const Call &call, Project &project) const override;
+    QJsonObject participantJson(const Participant &device) const override;
     Refusal whatIsLost() const override;
     std::optional<Complaint> whyItStands() const override;
     void addFigures(const Call &call, const EncoderSession &encoder, Answer &answer) const override;

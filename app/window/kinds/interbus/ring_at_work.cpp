@@ -30,7 +30,7 @@ TrainingBus trainingRing(const BusAtWork::Surroundings &its)
 bool isTrainingPlant(const RingStructure &ring, const Catalog &catalog)
 {
     return std::ranges::equal(
-        ring, trainingPlan(catalog), [](const Participant &device, const TrainingParticipant &planned) {
+        ring, trainingPlan(catalog), [](const RingDevice &device, const TrainingParticipant &planned) {
             return device.number == planned.number &&
                    device.deviceKey == (planned.device != nullptr ? planned.device->key : QString());
         });

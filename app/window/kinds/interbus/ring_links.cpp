@@ -11,6 +11,7 @@
 #include "catalog/catalog.h"
 #include "kinds/interbus/gateway/gateway_check_text.h"
 #include "kinds/interbus/plan/gateway_plan.h"
+#include "kinds/interbus/plan/project_take_over.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/connect/plain_link_form.h"
@@ -205,7 +206,7 @@ void RingLinks::endTest()
 std::vector<DeviceRegisters> RingLinks::plannedRegisters() const
 {
     const auto map =
-        GatewayMap::of(participantsOn(m_parts.ring.project().project(), m_parts.ring.id()), planned());
+        GatewayMap::of(structureOf(m_parts.ring.project().project(), m_parts.ring.id()), planned());
     std::vector<DeviceRegisters> rows;
     if (!map)
         return rows;

@@ -7,6 +7,7 @@
 #include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/offer_messages.h"
 #include "kinds/interbus/plan/gateway_project.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "kinds/interbus/simulator/standing_faults.h"
@@ -40,9 +41,9 @@ std::vector<ServedDevice> servedDevices(const RingStructure &ring, const Catalog
 {
     std::vector<ServedDevice> devices;
     for (const ServedRegisters &registers : servedTable(ring)) {
-        const Participant &device = ring[devices.size()];
+        const RingDevice &device = ring[devices.size()];
         devices.push_back(
-            {registers, participantName(device, catalog.find(device.deviceKey, device.deviceCode))});
+            {registers, nameOrTerminal(device, catalog.find(device.deviceKey, device.deviceCode))});
     }
     return devices;
 }

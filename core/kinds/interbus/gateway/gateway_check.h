@@ -55,7 +55,7 @@ struct GatewayFinding
 // A device of the project behind the gateway, and what is known of it.
 struct CheckedDevice
 {
-    Participant participant;
+    RingDevice participant;
     SendingEncoder sender{};
 };
 

@@ -19,7 +19,7 @@ namespace codewheel {
 // A device of a ring behind a gateway, as planned: a gateway has no ID cycle.
 struct GatewayDevice
 {
-    Participant participant;
+    RingDevice participant;
     std::optional<Profile> profile{}; // empty: not known
 };
 

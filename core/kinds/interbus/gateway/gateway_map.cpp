@@ -17,10 +17,10 @@ tl::unexpected<Refusal> mapWrong(const QString &text)
 }
 
 // Each device's registers, and after them the first one that belongs to no device.
-std::vector<RegisterBlock> placed(const RingStructure &ring, int Participant::*count, int first, int &end)
+std::vector<RegisterBlock> placed(const RingStructure &ring, int RingDevice::*count, int first, int &end)
 {
     std::vector<RegisterBlock> blocks;
-    for (const Participant &device : ring) {
+    for (const RingDevice &device : ring) {
         blocks.push_back({first, std::min(device.*count, GatewayMap::wordRegisters)});
         first += device.*count;
     }
@@ -74,8 +74,8 @@ GatewayMap::GatewayMap(const RingStructure &ring, const GatewaySettings &setting
 {
     int inEnd = 0;
     int outEnd = 0;
-    m_in = placed(ring, &Participant::inWords, settings.inFirst, inEnd);
-    m_out = placed(ring, &Participant::outWords, settings.outFirst, outEnd);
+    m_in = placed(ring, &RingDevice::inWords, settings.inFirst, inEnd);
+    m_out = placed(ring, &RingDevice::outWords, settings.outFirst, outEnd);
     std::set<int> reads;
     m_inBlocks = inFew(m_in, settings.mostRead, true, reads);
     if (settings.inArea == RegisterArea::input)
@@ -103,8 +103,8 @@ Result<GatewayMap> GatewayMap::of(const RingStructure &ring, const GatewaySettin
 {
     int inEnd = 0;
     int outEnd = 0;
-    placed(ring, &Participant::inWords, settings.inFirst, inEnd);
-    placed(ring, &Participant::outWords, settings.outFirst, outEnd);
+    placed(ring, &RingDevice::inWords, settings.inFirst, inEnd);
+    placed(ring, &RingDevice::outWords, settings.outFirst, outEnd);
     const RegisterBlock in{settings.inFirst, inEnd - settings.inFirst};
     const RegisterBlock out{settings.outFirst, outEnd - settings.outFirst};
     if (inEnd - 1 > modbus_limit::lastRegister || outEnd - 1 > modbus_limit::lastRegister)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/gateway/gateway_settings.h"
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "vocabulary/refusal.h"
 #include "vocabulary/word.h"
 

@@ -27,10 +27,10 @@ std::vector<Register> registersOf(const GatewayMap &map, const std::vector<Word>
     return registers;
 }
 
-int sizeOf(const RingStructure &ring, int Participant::*words)
+int sizeOf(const RingStructure &ring, int RingDevice::*words)
 {
     int size = 0;
-    for (const Participant &device : ring)
+    for (const RingDevice &device : ring)
         size += device.*words;
     return size;
 }
@@ -122,8 +122,8 @@ tl::expected<std::vector<Register>, ModbusException> ServedRing::read(RegisterAr
     if (!map)
         return tl::unexpected(ModbusException::deviceFailure);
     const bool isHolding = area == RegisterArea::holding;
-    const Area ins{isHolding ? inAsHolding : in, sizeOf(*image.ring, &Participant::inWords)};
-    const Area outs{out, isHolding ? sizeOf(*image.ring, &Participant::outWords) : 0};
+    const Area ins{isHolding ? inAsHolding : in, sizeOf(*image.ring, &RingDevice::inWords)};
+    const Area outs{out, isHolding ? sizeOf(*image.ring, &RingDevice::outWords) : 0};
     const auto part = [&](const std::vector<Register> &all, int begin) {
         const auto from = all.begin() + (first - begin);
         return std::vector<Register>(from, from + count);

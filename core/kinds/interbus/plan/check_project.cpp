@@ -33,11 +33,11 @@ struct Direction
 constexpr std::array directions{Direction{&DeviceAddresses::in, "IN"},
                                 Direction{&DeviceAddresses::out, "OUT"}};
 
-bool isEncoder(const Participant &participant)
+bool isEncoder(const RingDevice &participant)
 {
     constexpr std::array encoderCodes{0x36U, 0x37U, 0xB2U, 0xB3U, 0xF7U};
     return !participant.deviceKey.isEmpty() ||
-           std::ranges::find(encoderCodes, participant.idCode) != encoderCodes.end();
+           std::ranges::find(encoderCodes, participant.idCode()) != encoderCodes.end();
 }
 
 // Everything found in one project.
@@ -113,7 +113,7 @@ void Check::step5(const Direction &direction)
 {
     for (std::size_t device = 0; device < m_addresses.size(); ++device) {
         const auto &given = range(device, direction);
-        if (given && given->first <= lastOfStep5Image && isEncoder(m_devices[device].participant))
+        if (given && given->first <= lastOfStep5Image && isEncoder(ringDevice(m_devices[device].participant)))
             add(Severity::attention, device,
                 CheckProject::tr("%1 is not above P127: with Step 5, the process image overwrites it.")
                     .arg(QLatin1String(direction.name)));
@@ -125,8 +125,8 @@ void Check::step5(const Direction &direction)
 void Check::localBusDevices()
 {
     for (std::size_t device = 0; device < m_devices.size(); ++device)
-        if (const Participant &participant = m_devices[device].participant;
-            standsOnLocalBus(participant.idCode) && !isOnLocalBus(participant))
+        if (const RingDevice participant = ringDevice(m_devices[device].participant);
+            standsOnLocalBus(participant.idCode()) && !isOnLocalBus(participant))
             add(Severity::attention, device,
                 CheckProject::tr("Devices with this ID code belong on the local bus of a bus terminal."));
 }

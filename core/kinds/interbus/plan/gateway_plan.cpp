@@ -38,7 +38,7 @@ std::vector<GatewayDevice> gatewayDevices(const Project &project, BusId ring, co
 {
     std::vector<GatewayDevice> devices;
     for (const ProjectDevice &device : devicesOn(project, ring)) {
-        const Participant &its = device.participant;
+        const RingDevice its = ringDevice(device.participant);
         const DeviceDescription *described = catalog.find(its.deviceKey, its.deviceCode);
         devices.push_back({its, described ? std::optional(described->profile) : std::nullopt});
     }
@@ -49,7 +49,7 @@ std::vector<CheckedDevice> checkedDevices(const Project &project, BusId ring, co
 {
     std::vector<CheckedDevice> devices;
     for (const ProjectDevice &device : devicesOn(project, ring))
-        devices.push_back({device.participant, plannedSender(device, catalog)});
+        devices.push_back({ringDevice(device.participant), plannedSender(device, catalog)});
     return devices;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 bool isAsPlanned(const RingStructure &planned, const RingStructure &offered)
 {
-    return std::ranges::equal(planned, offered, [](const Participant &one, const Participant &other) {
+    return std::ranges::equal(planned, offered, [](const RingDevice &one, const RingDevice &other) {
         return one.number == other.number && isSameKind(one, other);
     });
 }

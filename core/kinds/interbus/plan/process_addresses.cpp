@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/process_addresses.h"
 
+#include "kinds/interbus/plan/project_take_over.h"
+
 #include <algorithm>
 
 namespace codewheel {
@@ -42,21 +44,21 @@ private:
 using Range = std::optional<AddressRange> DeviceAddresses::*;
 
 void fill(const Project &project, BusId ring, std::vector<DeviceAddresses> &addresses, Range range,
-          int Participant::*words, std::optional<int> GivenAddresses::*given)
+          int RingDevice::*words, std::optional<int> GivenAddresses::*given)
 {
     std::vector<AddressRange> byHand;
     const std::span<const ProjectDevice> devices = devicesOn(project, ring);
+    const RingStructure structure = structureOf(project, ring);
     const auto typed = [given](const ProjectDevice &device) { return device.its<GivenAddresses>().*given; };
-    for (const ProjectDevice &device : devices)
-        if (const auto first = typed(device); first && device.participant.*words > 0)
-            byHand.push_back({*first, device.participant.*words * bytesPerWord, true});
+    for (std::size_t place = 0; place < devices.size(); ++place)
+        if (const auto first = typed(devices[place]); first && structure[place].*words > 0)
+            byHand.push_back({*first, structure[place].*words * bytesPerWord, true});
     Image image(byHand, ringPlan(project, ring).addresses.first);
     for (std::size_t place = 0; place < addresses.size(); ++place) {
-        const ProjectDevice &device = devices[place];
-        const int bytes = device.participant.*words * bytesPerWord;
+        const int bytes = structure[place].*words * bytesPerWord;
         if (bytes == 0)
             continue;
-        const auto first = typed(device);
+        const auto first = typed(devices[place]);
         addresses[place].*range = first ? AddressRange{*first, bytes, true} : image.next(bytes);
     }
 }
@@ -66,8 +68,8 @@ void fill(const Project &project, BusId ring, std::vector<DeviceAddresses> &addr
 std::vector<DeviceAddresses> processAddresses(const Project &project, BusId ring)
 {
     std::vector<DeviceAddresses> addresses(devicesOn(project, ring).size());
-    fill(project, ring, addresses, &DeviceAddresses::in, &Participant::inWords, &GivenAddresses::in);
-    fill(project, ring, addresses, &DeviceAddresses::out, &Participant::outWords, &GivenAddresses::out);
+    fill(project, ring, addresses, &DeviceAddresses::in, &RingDevice::inWords, &GivenAddresses::in);
+    fill(project, ring, addresses, &DeviceAddresses::out, &RingDevice::outWords, &GivenAddresses::out);
     return addresses;
 }
 

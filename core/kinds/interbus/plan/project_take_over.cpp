@@ -22,14 +22,14 @@ ProjectDevice inThePlaceOf(const ProjectDevice &before)
 
 RingStructure structureOf(const Project &project, BusId ring)
 {
-    return participantsOn(project, ring);
+    return ringStructure(participantsOn(project, ring));
 }
 
 Project projectOf(const RingStructure &ring, BusId id)
 {
     Project project;
     setRingPlan(project, id, {});
-    for (const Participant &participant : ring) {
+    for (const RingDevice &participant : ring) {
         ProjectDevice device;
         device.bus = id;
         device.participant = participant;
@@ -47,11 +47,11 @@ Project takenOver(Project project, const RingStructure &connected, const Compari
     std::vector<ProjectDevice> devices;
     DeviceNumber number;
     for (const TakenDevice &taken : takeOver(comparison, lines)) {
-        const Participant participant = takenParticipant(taken, configured, connected);
+        const RingDevice participant = takenParticipant(taken, configured, connected);
         ProjectDevice device;
         if (taken.own) {
             ProjectDevice &before = own[*taken.own];
-            const bool isSame = isSameKind(before.participant, participant);
+            const bool isSame = isSameKind(ringDevice(before.participant), participant);
             device = isSame ? std::move(before) : inThePlaceOf(before);
         }
         device.bus = ring;

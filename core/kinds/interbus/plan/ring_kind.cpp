@@ -77,16 +77,15 @@ NodeId readPlace(const JsonObject &json, DeviceNumber before)
     return place.node();
 }
 
-Participant readParticipant(const JsonObject &json, DeviceNumber before)
+RingDevice readRingDevice(const JsonObject &json, DeviceNumber before)
 {
-    Participant participant;
+    RingDevice participant;
     participant.number = readPlace(json, before);
     participant.level = json.numberOr("level", 0, 0, ring_limit::levels - 1);
     participant.deviceCode = json.hexNumber("deviceCode");
     if (participant.deviceCode > 0xFFFF)
         json.report("deviceCode",
                     ProjectReader::tr("A device code has at most four digits, such as \"0237h\"."));
-    participant.idCode = participant.deviceCode & 0xFF;
     participant.inWords = static_cast<int>(json.number("inWords", 0, mostWords));
     participant.outWords = static_cast<int>(json.number("outWords", 0, mostWords));
     participant.deviceKey = json.freeText("device");
@@ -96,7 +95,7 @@ Participant readParticipant(const JsonObject &json, DeviceNumber before)
 ProjectDevice readDevice(const JsonObject &json, DeviceNumber before)
 {
     ProjectDevice device;
-    device.participant = readParticipant(json, before);
+    device.participant = readRingDevice(json, before);
     device.set(GivenAddresses{address(json, "inAddress"), address(json, "outAddress")});
     device.wantedCams = ProjectReader::readWantedCams(json);
     device.storedCams = ProjectReader::readStoredCams(json);
@@ -125,7 +124,7 @@ void writeAddresses(JsonWriter &json, const AddressRules &rules)
     });
 }
 
-void writeParticipant(ProjectWriter &writer, const Participant &participant)
+void writeRingDevice(ProjectWriter &writer, const RingDevice &participant)
 {
     JsonWriter &json = writer.json();
     json.member("place", participant.number.toString());
@@ -138,7 +137,7 @@ void writeParticipant(ProjectWriter &writer, const Participant &participant)
 
 void writeDevice(ProjectWriter &writer, const ProjectDevice &device)
 {
-    writeParticipant(writer, device.participant);
+    writeRingDevice(writer, ringDevice(device.participant));
     writer.writeNames(device);
     const auto addresses = device.its<GivenAddresses>();
     writer.writeNumber("inAddress", addresses.in);

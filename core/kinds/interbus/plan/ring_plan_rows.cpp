@@ -22,7 +22,7 @@ struct AddressText
     Q_DECLARE_TR_FUNCTIONS(codewheel::RingPlanRules)
 };
 
-const DeviceDescription *descriptionOf(const Participant &participant, const Catalog &catalog)
+const DeviceDescription *descriptionOf(const RingDevice &participant, const Catalog &catalog)
 {
     const DeviceDescription *named = catalog.find(participant.deviceKey);
     return named ? named : catalog.generic(participant.deviceCode);
@@ -33,9 +33,9 @@ AddressRules::Unit unitOf(const Project &project, BusId ring)
     return ringPlan(project, ring).addresses.unit;
 }
 
-QString idCodeCell(const Participant &device)
+QString idCodeCell(const RingDevice &device)
 {
-    return QStringLiteral("%1 = %2").arg(hexCode(device.idCode, 2)).arg(device.idCode);
+    return QStringLiteral("%1 = %2").arg(hexCode(device.idCode(), 2)).arg(device.idCode());
 }
 
 // In words, an odd byte is shown as "6 + 1", and typed without the "+ 1".
@@ -65,15 +65,23 @@ QString RingPlanRules::placeTitle() const
 
 QString RingPlanRules::nameOf(const Participant &device, const Catalog &catalog) const
 {
-    return ringDeviceName(device, descriptionOf(device, catalog));
+    const RingDevice its = ringDevice(device);
+    return ringDeviceName(its, descriptionOf(its, catalog));
+}
+
+QString RingPlanRules::codeOf(const Participant &device) const
+{
+    const unsigned code = ringDevice(device).idCode();
+    return code == 0 ? QString() : hexCode(code, 2);
 }
 
 QString RingPlanRules::reading(const Participant &device, const Catalog &catalog) const
 {
+    const RingDevice its = ringDevice(device);
     return tr("%1: %2, words: IN %3, OUT %4")
         .arg(hexCode(device.deviceCode, 4), nameOf(device, catalog))
-        .arg(device.inWords)
-        .arg(device.outWords);
+        .arg(its.inWords)
+        .arg(its.outWords);
 }
 
 std::vector<PlanColumn> RingPlanRules::ownColumns(const Project &project, BusId ring) const
@@ -95,12 +103,12 @@ std::vector<Finding> RingPlanRules::complete(std::vector<PlanRow> &rows, const P
     const RingStructure structure = structureOf(project, ring);
     const RingTree tree = ringTree(structure);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Participant &device = structure[i];
+        const RingDevice &device = structure[i];
         const DeviceDescription *described = descriptionOf(device, catalog);
         PlanRow &row = rows[i];
         row.parent = tree.nodes[i].parent;
-        row.isCoupler = device.idCode == busTerminalIdCode;
-        row.codes = {hexCode(device.idCode, 2), hexCode(device.deviceCode, 4)};
+        row.isCoupler = device.idCode() == busTerminalIdCode;
+        row.codes = {hexCode(device.idCode(), 2), hexCode(device.deviceCode, 4)};
         row.toolTip += u'\n' + tr("ID code %1, device code %2\nWords: IN %3, OUT %4")
                                    .arg(idCodeCell(device), row.codes.back())
                                    .arg(device.inWords)

@@ -17,9 +17,9 @@ namespace codewheel {
 namespace {
 
 // Whether it belongs on a local bus: it is on one, or its ID code says so.
-bool prefersLocalBus(const Participant &participant)
+bool prefersLocalBus(const RingDevice &device)
 {
-    return isOnLocalBus(participant) || standsOnLocalBus(participant.idCode);
+    return isOnLocalBus(device) || standsOnLocalBus(device.idCode());
 }
 
 Result<EditedPlan> asPlan(const Project &project, BusId ring, Result<EditedRing> edited)
@@ -95,10 +95,11 @@ std::vector<Participant> RingPlanRules::offered(const Catalog &catalog) const
     for (const DeviceDescription &device : catalog.devices()) {
         if (!device.hasWords())
             continue; // no bus
-        Participant &participant = offered.emplace_back(deviceOf(device.deviceCode));
+        RingDevice participant = deviceOf(device.deviceCode);
         participant.inWords = device.inWords;
         participant.outWords = device.outWords;
         participant.deviceKey = device.isGeneric() ? QString() : device.key;
+        offered.emplace_back(participant);
     }
     return offered;
 }
@@ -122,7 +123,7 @@ std::vector<PlanTarget> RingPlanRules::targets(const Project &project, BusId bus
     ++behind.row;
     std::vector<PlanTarget> targets{{tr("Behind %1").arg(number), KindData(behind)},
                                     {tr("Before %1").arg(number), KindData(before)}};
-    if (ring[*chosen].idCode != busTerminalIdCode)
+    if (ring[*chosen].idCode() != busTerminalIdCode)
         return targets;
     const RingTree tree = ringTree(ring);
     const RingTree::Node &terminal = tree.nodes[*chosen];
@@ -143,7 +144,7 @@ std::size_t RingPlanRules::preferred(const std::vector<PlanTarget> &targets, con
     constexpr std::size_t ownLocalBus = 2;
     if (targets.size() <= ownLocalBus)
         return target;
-    if (prefersLocalBus(device))
+    if (prefersLocalBus(ringDevice(device)))
         return ownLocalBus;
     return target == ownLocalBus ? 0 : target;
 }
@@ -151,7 +152,8 @@ std::size_t RingPlanRules::preferred(const std::vector<PlanTarget> &targets, con
 Result<EditedPlan> RingPlanRules::insert(const Project &project, BusId ring, const Participant &device,
                                          const KindData &where) const
 {
-    return asPlan(project, ring, insertDevice(structureOf(project, ring), device, ringPlace(where)));
+    return asPlan(project, ring,
+                  insertDevice(structureOf(project, ring), ringDevice(device), ringPlace(where)));
 }
 
 Result<EditedPlan> RingPlanRules::remove(const Project &project, BusId ring,
@@ -163,9 +165,10 @@ Result<EditedPlan> RingPlanRules::remove(const Project &project, BusId ring,
 Result<EditedPlan> RingPlanRules::change(const Project &project, BusId ring, std::size_t device,
                                          const Participant &to) const
 {
-    const Participant before = devicesOn(project, ring)[device].participant;
-    auto after = asPlan(project, ring, changeDevice(structureOf(project, ring), device, to));
-    if (after && !(isSameKind(before, to) && before.deviceKey == to.deviceKey))
+    const RingStructure structure = structureOf(project, ring);
+    const RingDevice &before = structure[device];
+    auto after = asPlan(project, ring, changeDevice(structure, device, ringDevice(to)));
+    if (after && !(isSameKind(before, ringDevice(to)) && before.deviceKey == to.deviceKey))
         becomeAnother(after->devices[device]);
     return after;
 }
@@ -205,26 +208,28 @@ std::optional<KindData> RingPlanRules::dropped(const Project &project, BusId bus
 
 Comparison RingPlanRules::compare(const Project &project, BusId ring, const ConnectedBus &connected) const
 {
-    return compareRings(structureOf(project, ring), connected.devices);
+    return compareRings(structureOf(project, ring), ringStructure(connected.devices));
 }
 
 QString RingPlanRules::comparisonText(const ComparisonLine &line, const Project &project, BusId ring,
                                       const ConnectedBus &connected, const Catalog &catalog) const
 {
-    return codewheel::comparisonText(line, structureOf(project, ring), connected.devices, catalog);
+    return codewheel::comparisonText(line, structureOf(project, ring), ringStructure(connected.devices),
+                                     catalog);
 }
 
 std::map<NodeId, Refusal> RingPlanRules::uncertain(const Project &project, BusId ring,
                                                    const ConnectedBus &connected,
                                                    const Catalog &catalog) const
 {
-    return strangersInRing(structureOf(project, ring), connected.devices, catalog);
+    return strangersInRing(structureOf(project, ring), ringStructure(connected.devices), catalog);
 }
 
 EditedPlan RingPlanRules::takenOver(const Project &project, BusId ring, const ConnectedBus &connected,
                                     const Comparison &comparison, std::span<const std::size_t> lines) const
 {
-    const Project after = codewheel::takenOver(project, connected.devices, comparison, lines, ring);
+    const Project after =
+        codewheel::takenOver(project, ringStructure(connected.devices), comparison, lines, ring);
     const Devices devices = devicesOn(after, ring);
     EditedPlan plan{{devices.begin(), devices.end()}, {}};
     for (const TakenDevice &device : takeOver(comparison, lines))

@@ -14,6 +14,7 @@ class RingPlanRules final : public PlanRules
 public:
     std::vector<Finding> check(const Project &project, BusId ring) const override;
     QString nameOf(const Participant &device, const Catalog &catalog) const override;
+    QString codeOf(const Participant &device) const override;
     bool isOrdered() const override { return true; }
     QString complaint(const Project &project, Place device, const PlanColumn &column,
                       const QString &text) const override;

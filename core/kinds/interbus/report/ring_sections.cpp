@@ -5,6 +5,7 @@
 #include "kinds/interbus/plan/process_addresses.h"
 #include "kinds/interbus/plan/project_take_over.h"
 #include "kinds/interbus/ring/cycle_time.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "report/report_words.h"
 #include "report/texts.h"
 #include "vocabulary/sentence.h"
@@ -28,7 +29,13 @@ QString addressOf(const std::optional<AddressRange> &range, AddressRules::Unit u
     return range->byHand ? sentence(ReportTexts::tr("%1 by hand", "address"), {text}) : text;
 }
 
-QString words(const Participant &participant)
+QString nameOf(const ReportedDevice &device, const RingDevice &its)
+{
+    const bool isUnnamed = device.description == nullptr && its.deviceKey.isEmpty();
+    return isUnnamed ? nameOrTerminal(its, nullptr) : report_words::device(device);
+}
+
+QString words(const RingDevice &participant)
 {
     return QStringLiteral("%1 / %2").arg(participant.inWords).arg(participant.outWords);
 }
@@ -42,9 +49,9 @@ struct Wanted
 
 Wanted columnsOf(std::span<const ProjectDevice> devices)
 {
-    return {
-        std::ranges::any_of(devices, [](const ProjectDevice &each) { return !each.group.isEmpty(); }),
-        std::ranges::any_of(devices, [](const ProjectDevice &each) { return each.participant.level > 0; })};
+    return {std::ranges::any_of(devices, [](const ProjectDevice &each) { return !each.group.isEmpty(); }),
+            std::ranges::any_of(
+                devices, [](const ProjectDevice &each) { return ringDevice(each.participant).level > 0; })};
 }
 
 ReportTable emptyTable(const Wanted &wanted, AddressRules::Unit unit)
@@ -73,13 +80,14 @@ QStringList cellsOf(const ReportedDevice &device, const DeviceAddresses &address
                     const Wanted &wanted)
 {
     const ProjectDevice &planned = *device.planned;
+    const RingDevice its = ringDevice(planned.participant);
     QStringList cells{device.place().toString(), planned.station};
     if (wanted.group)
         cells << planned.group;
-    cells << report_words::device(device) << hexCode(planned.participant.idCode, idCodeDigits)
-          << words(planned.participant) << addressOf(addresses.in, unit) << addressOf(addresses.out, unit);
+    cells << nameOf(device, its) << hexCode(its.idCode(), idCodeDigits) << words(its)
+          << addressOf(addresses.in, unit) << addressOf(addresses.out, unit);
     if (wanted.level)
-        cells << QString::number(planned.participant.level);
+        cells << QString::number(its.level);
     return cells;
 }
 

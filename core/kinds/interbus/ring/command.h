@@ -3,7 +3,7 @@
 
 #include "jobs/job_command.h"
 #include "kinds/interbus/ring/master_link.h"
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/words/cyclic_driver.h"
 
 #include <memory>

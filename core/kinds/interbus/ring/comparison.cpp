@@ -7,15 +7,14 @@
 
 namespace codewheel {
 
-bool isSameKind(const Participant &a, const Participant &b)
+bool isSameKind(const RingDevice &a, const RingDevice &b)
 {
-    return a.idCode == b.idCode && a.deviceCode == b.deviceCode && a.inWords == b.inWords &&
-           a.outWords == b.outWords;
+    return a.deviceCode == b.deviceCode && a.inWords == b.inWords && a.outWords == b.outWords;
 }
 
 namespace {
 
-bool stayed(const Participant &a, const Participant &b)
+bool stayed(const RingDevice &a, const RingDevice &b)
 {
     return isSameKind(a, b) && a.level == b.level && isOnLocalBus(a) == isOnLocalBus(b);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bus/comparison.h"
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 
 #include <optional>
 #include <span>
@@ -12,8 +12,8 @@ namespace codewheel {
 
 class Catalog;
 
-// Whether the ID registers of the two say the same: ID code, device code and words.
-bool isSameKind(const Participant &a, const Participant &b);
+// Whether the ID registers of the two say the same: device code and words.
+bool isSameKind(const RingDevice &a, const RingDevice &b);
 
 // Lays the two side by side. Device code, width and place are compared, never the make, which the bus does
 // not tell. As many devices as possible are taken to have stayed (the longest common subsequence); of the

@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "kinds/interbus/ring/comparison.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -15,23 +16,23 @@ struct ComparisonTexts
 };
 
 // "K3 37h", "bus terminal 0Ch", "BEh"
-QString shortName(const Participant &participant, const Catalog &catalog)
+QString shortName(const RingDevice &participant, const Catalog &catalog)
 {
-    const QString code = hexCode(participant.idCode, 2);
-    if (participant.idCode == busTerminalIdCode)
-        return participantName(participant, nullptr) + u' ' + code;
+    const QString code = hexCode(participant.idCode(), 2);
+    if (participant.idCode() == busTerminalIdCode)
+        return nameOrTerminal(participant, nullptr) + u' ' + code;
     const DeviceDescription *device = catalog.findFitting(participant.deviceKey, participant.deviceCode);
     return device ? profileName(device->profile) + u' ' + code : code;
 }
 
-QString wordsText(const Participant &participant)
+QString wordsText(const RingDevice &participant)
 {
     return sentence(ComparisonTexts::tr("device code %1, words: %2 IN, %3 OUT"),
                     {hexCode(participant.deviceCode, 4), QString::number(participant.inWords),
                      QString::number(participant.outWords)});
 }
 
-QString differenceText(const Participant &configured, const Participant &connected, const Catalog &catalog)
+QString differenceText(const RingDevice &configured, const RingDevice &connected, const Catalog &catalog)
 {
     QString wanted = shortName(configured, catalog);
     QString found = shortName(connected, catalog);
@@ -43,7 +44,7 @@ QString differenceText(const Participant &configured, const Participant &connect
                     {configured.number.toString(), wanted, found});
 }
 
-QString sameText(const Participant &configured, const Participant &connected, const QString &name)
+QString sameText(const RingDevice &configured, const RingDevice &connected, const QString &name)
 {
     if (configured.number == connected.number)
         return sentence(ComparisonTexts::tr("%1: %2, as configured"), {configured.number.toString(), name});
@@ -51,7 +52,7 @@ QString sameText(const Participant &configured, const Participant &connected, co
                     {configured.number.toString(), name, connected.number.toString()});
 }
 
-QString movedText(const Participant &configured, const Participant &connected, const QString &name)
+QString movedText(const RingDevice &configured, const RingDevice &connected, const QString &name)
 {
     if (configured.number == connected.number && configured.level == connected.level)
         return sentence(ComparisonTexts::tr("%1: %2 moved among its neighbours, its number stayed the same"),
@@ -69,11 +70,11 @@ QString movedText(const Participant &configured, const Participant &connected, c
 QString comparisonText(const ComparisonLine &line, const RingStructure &configured,
                        const RingStructure &connected, const Catalog &catalog)
 {
-    const auto found = [&]() -> const Participant & { return connected.at(*line.connected); };
+    const auto found = [&]() -> const RingDevice & { return connected.at(*line.connected); };
     if (!line.configured)
         return sentence(ComparisonTexts::tr("%1: %2 is additional: it is not configured"),
                         {found().number.toString(), shortName(found(), catalog)});
-    const Participant &wanted = configured.at(*line.configured);
+    const RingDevice &wanted = configured.at(*line.configured);
     const QString name = shortName(wanted, catalog);
     switch (line.kind) {
     case ComparisonKind::differs:

@@ -25,7 +25,7 @@ constexpr Form g4{1.15, 4.0, MicrosecondsOnTheWire{700}}; // (assumed; gives the
 RingLoad ringLoad(const RingStructure &structure, double cableKilometres)
 {
     RingLoad load{0, 0, cableKilometres};
-    for (const Participant &participant : structure) {
+    for (const RingDevice &participant : structure) {
         load.dataBytes += 2 * std::max(participant.inWords, participant.outWords);
         if (!isOnLocalBus(participant))
             ++load.remoteBusDevices;

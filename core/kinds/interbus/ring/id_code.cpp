@@ -85,20 +85,19 @@ int lengthBits(unsigned lengthCode)
     return bitsPerUnit.at(lengthCode >> 6 & 0b11) * static_cast<int>(lengthCode & 0x3F);
 }
 
-Participant deviceOf(unsigned deviceCode)
+RingDevice deviceOf(unsigned deviceCode)
 {
-    Participant device;
+    RingDevice device;
     device.deviceCode = deviceCode;
-    device.idCode = deviceCode & 0xFF;
-    if (device.idCode == busTerminalIdCode)
+    if (device.idCode() == busTerminalIdCode)
         return device;
     const int words = wordsFor(lengthBits(deviceCode >> 8 & 0xFF));
-    if (isPcp(device.idCode)) {
-        device.inWords = device.outWords = std::max(0, words - pcpWords(device.idCode).value_or(0));
+    if (isPcp(device.idCode())) {
+        device.inWords = device.outWords = std::max(0, words - pcpWords(device.idCode()).value_or(0));
         return device;
     }
-    device.inWords = (device.idCode & inBit) != 0 ? words : 0;
-    device.outWords = (device.idCode & outBit) != 0 ? words : 0;
+    device.inWords = (device.idCode() & inBit) != 0 ? words : 0;
+    device.outWords = (device.idCode() & outBit) != 0 ? words : 0;
     return device;
 }
 
@@ -108,10 +107,17 @@ QString idCodeName(unsigned idCode)
     return kind ? QCoreApplication::translate("IdCode", kind->name) : QString();
 }
 
-QString ringDeviceName(const Participant &device, const DeviceDescription *description)
+QString nameOrTerminal(const RingDevice &device, const DeviceDescription *description)
 {
-    const QString kind = description ? description->fullName() : idCodeName(device.idCode);
-    return kind.isEmpty() ? participantName(device, description) : kind;
+    return !description && device.idCode() == busTerminalIdCode
+               ? QCoreApplication::translate("Participant", "bus terminal")
+               : participantName(description);
+}
+
+QString ringDeviceName(const RingDevice &device, const DeviceDescription *description)
+{
+    const QString kind = description ? description->fullName() : idCodeName(device.idCode());
+    return kind.isEmpty() ? nameOrTerminal(device, description) : kind;
 }
 
 bool standsOnLocalBus(unsigned idCode)

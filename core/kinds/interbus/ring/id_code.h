@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 
 #include <QString>
 
@@ -27,12 +27,14 @@ int lengthBits(unsigned lengthCode); // 0..1008
 // The device that such a register describes: its words each way, no number and no make. Data narrower than a
 // word take a whole one of the process image. A PCP device has data both ways; the parameter channel is part
 // of the length, but not data.
-Participant deviceOf(unsigned deviceCode);
+RingDevice deviceOf(unsigned deviceCode);
 
 // The kind of device an ID code stands for, in the user's language: "analog input"; empty: not known.
 QString idCodeName(unsigned idCode);
+// As it is described, or without a description (null) "bus terminal" or "device not known".
+QString nameOrTerminal(const RingDevice &device, const DeviceDescription *description);
 // As it is described, or what its ID code tells, if there is no description.
-QString ringDeviceName(const Participant &device, const DeviceDescription *description);
+QString ringDeviceName(const RingDevice &device, const DeviceDescription *description);
 
 // Devices with these codes are on a local bus: Loop 2 and Inline. For others the code does not say.
 bool standsOnLocalBus(unsigned idCode);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinds/interbus/ring/master_status.h"
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "vocabulary/refusal.h"
 
 #include <QString>

@@ -6,7 +6,7 @@ namespace codewheel {
 void numberDevices(RingStructure &structure)
 {
     DeviceNumber number;
-    for (Participant &participant : structure) {
+    for (RingDevice &participant : structure) {
         number = nextNumber(number, isOnLocalBus(participant));
         participant.number = number.node();
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/words/device_number.h"
 
 namespace codewheel {
 
 // Whether it is on the local bus behind a bus terminal (n.1, n.2, ...) rather than on the remote bus.
-inline bool isOnLocalBus(const Participant &participant)
+inline bool isOnLocalBus(const RingDevice &participant)
 {
     return DeviceNumber::of(participant.number).position > 0;
 }

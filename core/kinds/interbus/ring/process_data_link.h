@@ -3,7 +3,7 @@
 
 #include "bus/data_check.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/ring/told_ring.h"
 #include "vocabulary/instant.h"
 #include "vocabulary/refusal.h"

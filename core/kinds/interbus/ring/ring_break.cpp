@@ -36,7 +36,7 @@ NodeId nodeBefore(const RingStructure &ring, const RingTree &tree, std::size_t d
 
 RingBreak breakAt(const RingStructure &ring, const FaultPlace &place, const std::vector<bool> &cutOff)
 {
-    const auto at = std::ranges::find(ring, place.number, &Participant::number);
+    const auto at = std::ranges::find(ring, place.number, &RingDevice::number);
     if (at == ring.end())
         return {};
     const RingTree tree = ringTree(ring);

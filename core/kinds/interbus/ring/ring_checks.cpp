@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/ring_checks.h"
 
+#include "catalog/catalog.h"
+#include "catalog/hex_code.h"
 #include "kinds/interbus/ring/encoder_faults.h"
 #include "kinds/interbus/ring/link_figures.h"
 #include "kinds/interbus/ring/ring_faults.h"
@@ -46,7 +48,7 @@ bool isTold(const RingSession &bus)
 
 std::size_t indexIn(const RingSession &bus, NodeId node)
 {
-    const auto found = std::ranges::find(bus.structure(), node, &Participant::number);
+    const auto found = std::ranges::find(bus.structure(), node, &RingDevice::number);
     return static_cast<std::size_t>(found - bus.structure().begin());
 }
 
@@ -173,10 +175,18 @@ DataCheck reachedCheck(const RingSession &bus, NodeId node)
                                    : RingCheckText::tr("its registers are read"));
 }
 
+// "bus terminal, 0Ch"
+QString ringKindText(const EncoderBus &bus, const Participant &device)
+{
+    const QString name = bus.nameOf(device, bus.catalog().findFitting(device.deviceKey, device.deviceCode));
+    const unsigned code = ringDevice(device).idCode();
+    return code == 0 ? name : QStringLiteral("%1, %2").arg(name, hexCode(code, 2));
+}
+
 // No link without a master says which devices there are: that is the project's word.
 DataCheck ringKindCheck(const RingSession &bus, NodeId node, const std::vector<Participant> &planned)
 {
-    DataCheck check = kindCheck(bus, node, planned);
+    DataCheck check = kindCheck(bus, node, planned, ringKindText);
     if (!isTold(bus) && check.outcome == DataCheck::Outcome::asExpected)
         check.came = RingCheckText::tr("the gateway does not say");
     return check;

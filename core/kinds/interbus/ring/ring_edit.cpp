@@ -43,15 +43,15 @@ Result<EditedRing> finish(const RingStructure &before, const RingTree &tree,
     return edited;
 }
 
-Result<void> checkPlace(const RingStructure &structure, const RingPlace &place, const Participant &device)
+Result<void> checkPlace(const RingStructure &structure, const RingPlace &place, const RingDevice &device)
 {
-    if (place.onLocalBus && device.idCode == busTerminalIdCode)
+    if (place.onLocalBus && device.idCode() == busTerminalIdCode)
         return broken(RingEdits::tr("A bus terminal belongs on the remote bus."));
     if (!place.terminal)
         return place.onLocalBus ? Result<void>(broken(RingEdits::tr("A local bus needs a bus terminal.")))
                                 : Result<void>();
-    const Participant &terminal = structure.at(*place.terminal);
-    if (terminal.idCode == busTerminalIdCode)
+    const RingDevice &terminal = structure.at(*place.terminal);
+    if (terminal.idCode() == busTerminalIdCode)
         return {};
     return broken(RingEdits::tr("Nothing can hang below %1: it is not a bus terminal.")
                       .arg(terminal.number.toString()));
@@ -96,7 +96,7 @@ RingPlace placeOf(const RingStructure &structure, std::size_t device)
     return {.terminal = node.parent, .onLocalBus = node.isLocal, .row = tree.rowOf(device)};
 }
 
-Result<EditedRing> insertDevice(const RingStructure &structure, const Participant &device,
+Result<EditedRing> insertDevice(const RingStructure &structure, const RingDevice &device,
                                 const RingPlace &place)
 {
     if (const auto checked = checkPlace(structure, place, device); !checked)
@@ -141,10 +141,10 @@ Result<EditedRing> moveDevices(const RingStructure &structure, std::span<const s
     return finish(structure, tree, structure);
 }
 
-Result<EditedRing> changeDevice(const RingStructure &structure, std::size_t device, const Participant &to)
+Result<EditedRing> changeDevice(const RingStructure &structure, std::size_t device, const RingDevice &to)
 {
     const RingTree tree = ringTree(structure);
-    if (!tree.nodes.at(device).isLeaf() && to.idCode != busTerminalIdCode)
+    if (!tree.nodes.at(device).isLeaf() && to.idCode() != busTerminalIdCode)
         return broken(RingEdits::tr("Devices hang below %1, so it has to stay a bus terminal.")
                           .arg(structure[device].number.toString()));
     RingStructure participants = structure;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "vocabulary/refusal.h"
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct EditedRing
 // Edits of a planned ring. Each leaves it as valid as it was: what would break a rule (ring_rules.h)
 // that holds now, or break it further, is refused in words (structureBroken). Devices are given by their
 // indices in ring order.
-Result<EditedRing> insertDevice(const RingStructure &structure, const Participant &device,
+Result<EditedRing> insertDevice(const RingStructure &structure, const RingDevice &device,
                                 const RingPlace &place);
 // With everything below them.
 Result<EditedRing> removeDevices(const RingStructure &structure, std::span<const std::size_t> devices);
@@ -42,6 +42,6 @@ Result<EditedRing> removeDevices(const RingStructure &structure, std::span<const
 Result<EditedRing> moveDevices(const RingStructure &structure, std::span<const std::size_t> devices,
                                const RingPlace &place);
 // Another kind of device in its place.
-Result<EditedRing> changeDevice(const RingStructure &structure, std::size_t device, const Participant &to);
+Result<EditedRing> changeDevice(const RingStructure &structure, std::size_t device, const RingDevice &to);
 
 } // namespace codewheel

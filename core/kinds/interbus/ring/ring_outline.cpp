@@ -31,7 +31,7 @@ QString idCodeText(unsigned code)
 }
 
 // Nobody named the device, and several in the catalog could be it.
-bool makeIsOpen(const Participant &participant, const Catalog &catalog)
+bool makeIsOpen(const RingDevice &participant, const Catalog &catalog)
 {
     return participant.deviceKey.isEmpty() &&
            std::ranges::any_of(catalog.devices(), [&](const DeviceDescription &device) {
@@ -39,14 +39,14 @@ bool makeIsOpen(const Participant &participant, const Catalog &catalog)
            });
 }
 
-BusNode nodeOf(const Participant &participant, const DeviceDescription *device, const Catalog &catalog)
+BusNode nodeOf(const RingDevice &participant, const DeviceDescription *device, const Catalog &catalog)
 {
     return {.node = participant.number,
             .parent = {},
-            .isCoupler = participant.idCode == busTerminalIdCode,
+            .isCoupler = participant.idCode() == busTerminalIdCode,
             .name = ringDeviceName(participant, device),
             .profile = device ? profileName(device->profile) : QStringLiteral("-"),
-            .code = idCodeText(participant.idCode),
+            .code = idCodeText(participant.idCode()),
             .words = QStringLiteral("%1 / %2").arg(participant.inWords).arg(participant.outWords),
             .deviceCode = participant.deviceCode,
             .makeIsOpen = makeIsOpen(participant, catalog)};
@@ -64,10 +64,10 @@ std::vector<BusNode> nodesOf(const RingStructure &ring, const Catalog &catalog, 
     return nodes;
 }
 
-QString toolTipOf(const Participant &participant, const QString &called, const QString &state)
+QString toolTipOf(const RingDevice &participant, const QString &called, const QString &state)
 {
     return RingText::tr("%1  %2\nID code %3, device code %4\nWords: IN %5, OUT %6\nState: %7")
-        .arg(participant.number.toString(), called, idCodeText(participant.idCode),
+        .arg(participant.number.toString(), called, idCodeText(participant.idCode()),
              hexCode(participant.deviceCode, 4))
         .arg(participant.inWords)
         .arg(participant.outWords)
@@ -137,7 +137,7 @@ StateWord RingOutline::state() const
 
 std::vector<BusNode> RingOutline::nodes() const
 {
-    return nodesOf(m_bus.structure(), m_bus.catalog(), [this](const Participant &participant) {
+    return nodesOf(m_bus.structure(), m_bus.catalog(), [this](const RingDevice &participant) {
         const EncoderSession *encoder = m_bus.encoder(participant.number);
         return encoder == nullptr ? nullptr : &encoder->device();
     });
@@ -261,7 +261,7 @@ QString RingOutline::faultText(std::size_t node) const
 }
 
 // How the position is coded in IN, if it is not plain binary.
-QString RingOutline::codingText(const Participant &participant) const
+QString RingOutline::codingText(const RingDevice &participant) const
 {
     const EncoderSession *encoder = m_bus.encoder(participant.number);
     const auto coding = encoder == nullptr ? std::nullopt : encoder->latest().coding;
@@ -286,7 +286,7 @@ QString RingOutline::toolTip(std::size_t node, const QString &called) const
 {
     if (node >= m_bus.structure().size())
         return {};
-    const Participant &participant = m_bus.structure()[node];
+    const RingDevice &participant = m_bus.structure()[node];
     QStringList lines{toolTipOf(participant, called, shown(node).word), faultText(node), ledsText(node),
                       codingText(participant)};
     lines.removeAll(QString());
@@ -305,7 +305,7 @@ QString PlannedRingOutline::toolTip() const
 
 std::vector<BusNode> PlannedRingOutline::nodes() const
 {
-    return nodesOf(m_structure, m_catalog, [this](const Participant &participant) {
+    return nodesOf(m_structure, m_catalog, [this](const RingDevice &participant) {
         return m_catalog.find(participant.deviceKey, participant.deviceCode);
     });
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bus/bus_outline.h"
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 
 namespace codewheel {
 
@@ -36,7 +36,7 @@ private:
     bool isSwitchedOff(std::size_t node) const;
     bool isBehindBreak(std::size_t node) const;
     QString faultText(std::size_t node) const;
-    QString codingText(const Participant &participant) const;
+    QString codingText(const RingDevice &participant) const;
     QString ledsText(std::size_t node) const;
 
     const RingSession &m_bus;

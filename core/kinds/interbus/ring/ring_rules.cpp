@@ -17,9 +17,9 @@ namespace {
 
 constexpr int pointsPerWord = 16;
 
-bool isTerminal(const Participant &participant)
+bool isTerminal(const RingDevice &participant)
 {
-    return participant.idCode == busTerminalIdCode;
+    return participant.idCode() == busTerminalIdCode;
 }
 
 // A limit on something that accumulates along the ring.
@@ -27,18 +27,18 @@ struct Limit
 {
     RingRule rule;
     int limit;
-    int (*amount)(const Participant &);
+    int (*amount)(const RingDevice &);
 };
 constexpr std::array limits{
-    Limit{RingRule::devices, ring_limit::devices, [](const Participant &) { return 1; }},
+    Limit{RingRule::devices, ring_limit::devices, [](const RingDevice &) { return 1; }},
     Limit{RingRule::remoteDevices, ring_limit::remoteDevices,
-          [](const Participant &device) { return isOnLocalBus(device) ? 0 : 1; }},
+          [](const RingDevice &device) { return isOnLocalBus(device) ? 0 : 1; }},
     Limit{RingRule::inPoints, ring_limit::points,
-          [](const Participant &device) { return device.inWords * pointsPerWord; }},
+          [](const RingDevice &device) { return device.inWords * pointsPerWord; }},
     Limit{RingRule::outPoints, ring_limit::points,
-          [](const Participant &device) { return device.outWords * pointsPerWord; }},
+          [](const RingDevice &device) { return device.outWords * pointsPerWord; }},
     Limit{RingRule::pcpDevices, ring_limit::pcpDevices,
-          [](const Participant &device) { return isPcp(device.idCode) ? 1 : 0; }},
+          [](const RingDevice &device) { return isPcp(device.idCode()) ? 1 : 0; }},
 };
 
 void checkLimit(const RingStructure &structure, const Limit &limit, std::vector<RingFinding> &findings)
@@ -58,7 +58,7 @@ void checkLevels(const RingStructure &structure, std::vector<RingFinding> &findi
 {
     const int levels = countRing(structure).levels;
     const auto deep = std::ranges::find_if(
-        structure, [](const Participant &device) { return device.level >= ring_limit::levels; });
+        structure, [](const RingDevice &device) { return device.level >= ring_limit::levels; });
     if (deep != structure.end())
         findings.push_back({.rule = RingRule::levels,
                             .device = static_cast<std::size_t>(deep - structure.begin()),
@@ -91,13 +91,13 @@ void checkPlaces(const RingStructure &structure, const RingTree &tree, std::vect
     const auto hangsAtTerminal = [&](const RingTree::Node &node) {
         return node.parent && isTerminal(structure[*node.parent]);
     };
-    count(RingRule::localBusNeedsTerminal, [&](const Participant &, const RingTree::Node &node) {
+    count(RingRule::localBusNeedsTerminal, [&](const RingDevice &, const RingTree::Node &node) {
         return node.isLocal && !hangsAtTerminal(node);
     });
-    count(RingRule::branchNeedsTerminal, [&](const Participant &device, const RingTree::Node &node) {
+    count(RingRule::branchNeedsTerminal, [&](const RingDevice &device, const RingTree::Node &node) {
         return !node.isLocal && device.level > 0 && !hangsAtTerminal(node);
     });
-    count(RingRule::terminalOnLocalBus, [&](const Participant &device, const RingTree::Node &node) {
+    count(RingRule::terminalOnLocalBus, [&](const RingDevice &device, const RingTree::Node &node) {
         return node.isLocal && isTerminal(device);
     });
 }
@@ -136,14 +136,14 @@ QString limitText(const RingFinding &finding, const QString &segment)
 RingCounts countRing(const RingStructure &structure)
 {
     RingCounts counts;
-    for (const Participant &device : structure) {
+    for (const RingDevice &device : structure) {
         ++counts.devices;
         counts.remoteDevices += isOnLocalBus(device) ? 0 : 1;
         counts.levels = std::max(counts.levels, device.level + 1);
         counts.inPoints += device.inWords * pointsPerWord;
         counts.outPoints += device.outWords * pointsPerWord;
         counts.longestLocalBus = std::max(counts.longestLocalBus, DeviceNumber::of(device.number).position);
-        counts.pcpDevices += isPcp(device.idCode) ? 1 : 0;
+        counts.pcpDevices += isPcp(device.idCode()) ? 1 : 0;
     }
     return counts;
 }

@@ -201,7 +201,7 @@ void RingRunner::Private::lookAtStatus()
     if (ringIsOther) // what it says is about devices we do not have
         return;
     std::vector<NodeId> numbers;
-    for (const Participant &participant : structure)
+    for (const RingDevice &participant : structure)
         numbers.push_back(participant.number);
     tellOfRing(masterWatch.look(*status, numbers, ring.at));
     if (ring.state == MasterState::run && status->state != MasterState::run)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/hex_code.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/ring/ring_session_private.h"
@@ -55,7 +56,7 @@ command::UseRing RingSession::Private::makeDevices(RingSession &bus, const RingF
     renamings.assign(structure.size(), 0);
     command::UseRing use{structure, found.out, {}};
     for (std::size_t i = 0; i < structure.size(); ++i) {
-        const Participant &participant = structure[i];
+        const RingDevice &participant = structure[i];
         channels.push_back(makeChannel(bus, participant));
         use.drivers.push_back(
             {makeSession(bus, i, catalog.find(participant.deviceKey, participant.deviceCode)), {}});
@@ -64,7 +65,7 @@ command::UseRing RingSession::Private::makeDevices(RingSession &bus, const RingF
 }
 
 std::unique_ptr<WordChannel> RingSession::Private::makeChannel(RingSession &bus,
-                                                               const Participant &participant)
+                                                               const RingDevice &participant)
 {
     return std::make_unique<WordChannel>(
         bus, bus.placeOf(participant.number), participant.inWords, participant.outWords,
@@ -124,7 +125,7 @@ void RingSession::Private::noteForeign(const Refusal &why)
 
 std::size_t RingSession::Private::indexOf(NodeId node) const
 {
-    const auto found = std::ranges::find(structure, node, &Participant::number);
+    const auto found = std::ranges::find(structure, node, &RingDevice::number);
     return static_cast<std::size_t>(found - structure.begin());
 }
 
@@ -436,7 +437,7 @@ Result<void> RingSession::write(const WordChannel &channel, Word word)
     const std::size_t device = d->indexOf(channel.place().node);
     if (device >= d->channels.size() || d->channels[device].get() != &channel)
         return refuse(RefusalKind::link, RingRefusalId::notInRing, {channel.place().shown()});
-    const Participant &participant = d->structure[device];
+    const RingDevice &participant = d->structure[device];
     if (participant.outWords == 0)
         return refuse(RefusalKind::notSupported, RefusalId::sendingNotSupported, {channel.place().shown()});
     const auto &session = d->sessions[device];
@@ -468,7 +469,7 @@ Result<void> RingSession::name(Place place, const QString &deviceKey, int turns,
     const std::size_t i = d->indexOf(place.node);
     if (!isOpen() || i >= d->structure.size())
         return refuse(RefusalKind::busy, RefusalId::notRunning, {place.shown()});
-    Participant &participant = d->structure[i];
+    RingDevice &participant = d->structure[i];
     const DeviceDescription *wanted = d->catalog.find(deviceKey);
     if (auto may = mayName(place, wanted); !may)
         return may;
@@ -542,8 +543,14 @@ const RingStructure &RingSession::structure() const
 
 std::optional<Participant> RingSession::found(Place place) const
 {
-    const auto there = std::ranges::find(d->structure, place.node, &Participant::number);
-    return place.bus == id() && there != d->structure.end() ? std::optional(*there) : std::nullopt;
+    const auto there = std::ranges::find(d->structure, place.node, &RingDevice::number);
+    return place.bus == id() && there != d->structure.end() ? std::optional<Participant>(*there)
+                                                            : std::nullopt;
+}
+
+QString RingSession::nameOf(const Participant &device, const DeviceDescription *description) const
+{
+    return nameOrTerminal(ringDevice(device), description);
 }
 
 Refusal RingSession::whyNotThere(Place place) const
@@ -553,13 +560,13 @@ Refusal RingSession::whyNotThere(Place place) const
 
 std::map<NodeId, Refusal> RingSession::strangers(const std::vector<Participant> &planned) const
 {
-    return strangersInRing(planned, d->structure, d->catalog);
+    return strangersInRing(ringStructure(planned), d->structure, d->catalog);
 }
 
 std::vector<Place> RingSession::places() const
 {
     std::vector<Place> places;
-    for (const Participant &participant : d->structure)
+    for (const RingDevice &participant : d->structure)
         places.push_back(placeOf(participant.number));
     return places;
 }

@@ -5,8 +5,8 @@
 #include "bus/encoder_bus.h"
 #include "kinds/interbus/ring/command.h"
 #include "kinds/interbus/ring/master_link.h"
-#include "kinds/interbus/ring/participant.h"
 #include "kinds/interbus/ring/process_data_link.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/ring/ring_event.h"
 #include "kinds/interbus/ring/snapshot.h"
 #include "kinds/interbus/words/cyclic_driver.h"
@@ -122,6 +122,7 @@ public:
     Result<void> canBe(Place place, const DeviceDescription &device) const override;
     const Catalog &catalog() const override;
     std::optional<Participant> found(Place place) const override;
+    QString nameOf(const Participant &device, const DeviceDescription *description) const override;
     Refusal whyNotThere(Place place) const override;
     std::map<NodeId, Refusal> strangers(const std::vector<Participant> &planned) const override;
 

@@ -32,7 +32,7 @@ struct RingSession::Private
     {}
 
     command::UseRing makeDevices(RingSession &bus, const RingFound &found);
-    static std::unique_ptr<WordChannel> makeChannel(RingSession &bus, const Participant &participant);
+    static std::unique_ptr<WordChannel> makeChannel(RingSession &bus, const RingDevice &participant);
     // The session at a place of the ring, for `description` if there is one, and its driver.
     std::unique_ptr<CyclicDriver> makeSession(RingSession &bus, std::size_t place,
                                               const DeviceDescription *description);

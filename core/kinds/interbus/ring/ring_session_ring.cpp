@@ -10,7 +10,7 @@ namespace codewheel {
 namespace {
 
 // Not by its make, which no master can tell.
-bool isSameDevice(const Participant &before, const Participant &found)
+bool isSameDevice(const RingDevice &before, const RingDevice &found)
 {
     return before.number == found.number && before.deviceCode == found.deviceCode &&
            before.inWords == found.inWords && before.outWords == found.outWords &&
@@ -29,9 +29,9 @@ command::UseRing RingSession::Private::takeOver(RingSession &bus, const RingFoun
     renamings.assign(structure.size(), 0);
     command::UseRing use{{}, found.out, {}};
     for (std::size_t i = 0; i < structure.size(); ++i) {
-        Participant &participant = structure[i];
+        RingDevice &participant = structure[i];
         const auto same = std::ranges::find_if(
-            before, [&](const Participant &other) { return isSameDevice(other, participant); });
+            before, [&](const RingDevice &other) { return isSameDevice(other, participant); });
         if (same == before.end()) {
             channels.push_back(makeChannel(bus, participant));
             use.drivers.push_back(

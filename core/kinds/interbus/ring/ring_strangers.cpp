@@ -4,6 +4,7 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "kinds/interbus/ring/comparison.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/ring_refusals.h"
 #include "vocabulary/sentence.h"
 
@@ -21,15 +22,15 @@ struct Texts
 };
 
 // "FRABA OCD-IB K3", "bus terminal", "0237h"
-QString nameOrCode(const Participant &participant, const Catalog &catalog)
+QString nameOrCode(const RingDevice &participant, const Catalog &catalog)
 {
     const DeviceDescription *device = catalog.findFitting(participant.deviceKey, participant.deviceCode);
-    return device || participant.idCode == busTerminalIdCode ? participantName(participant, device)
-                                                             : hexCode(participant.deviceCode, 4);
+    return device || participant.idCode() == busTerminalIdCode ? nameOrTerminal(participant, device)
+                                                               : hexCode(participant.deviceCode, 4);
 }
 
 // The project's device, and what became of it.
-QString configuredText(const ComparisonLine &line, const QString &name, const Participant *partner)
+QString configuredText(const ComparisonLine &line, const QString &name, const RingDevice *partner)
 {
     if (line.kind == ComparisonKind::missing)
         return sentence(Texts::tr("%1 (missing now)"), {name});
@@ -41,15 +42,15 @@ QString configuredText(const ComparisonLine &line, const QString &name, const Pa
 }
 
 // For a device that is not certain to be at its place.
-Refusal whyNot(const ComparisonLine &line, const Participant &configured, const RingStructure &connected,
+Refusal whyNot(const ComparisonLine &line, const RingDevice &configured, const RingStructure &connected,
                const Catalog &catalog)
 {
-    const auto found = std::ranges::find(connected, configured.number, &Participant::number);
+    const auto found = std::ranges::find(connected, configured.number, &RingDevice::number);
     const QString place = configured.number.toString();
     if (found == connected.end())
         return {RefusalKind::link, RingRefusalId::notInRing, {place}};
     const QString name = nameOrCode(configured, catalog);
-    const Participant *partner = line.connected ? &connected[*line.connected] : nullptr;
+    const RingDevice *partner = line.connected ? &connected[*line.connected] : nullptr;
     const bool isUncertain =
         line.kind != ComparisonKind::differs && partner && partner->number == configured.number;
     if (isUncertain)
@@ -73,7 +74,7 @@ std::map<NodeId, Refusal> strangersInRing(const RingStructure &configured, const
     for (const ComparisonLine &line : comparison) {
         if (!line.configured)
             continue;
-        const Participant &planned = configured[*line.configured];
+        const RingDevice &planned = configured[*line.configured];
         const bool isThere = std::ranges::find(certain, line) != certain.end() &&
                              connected[*line.connected].number == planned.number;
         if (!isThere)

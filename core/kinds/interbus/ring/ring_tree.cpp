@@ -21,14 +21,14 @@ std::optional<std::size_t> remoteBefore(const RingStructure &structure, std::siz
 
 std::optional<std::size_t> terminalOf(const RingStructure &structure, std::size_t place)
 {
-    const Participant &device = structure[place];
+    const RingDevice &device = structure[place];
     if (!isOnLocalBus(device))
         return remoteBefore(structure, place,
-                            [&](const Participant &other) { return other.level < device.level; });
-    const auto ofSegment = remoteBefore(structure, place, [&](const Participant &other) {
+                            [&](const RingDevice &other) { return other.level < device.level; });
+    const auto ofSegment = remoteBefore(structure, place, [&](const RingDevice &other) {
         return DeviceNumber::of(other.number).segment == DeviceNumber::of(device.number).segment;
     });
-    return ofSegment ? ofSegment : remoteBefore(structure, place, [](const Participant &) { return true; });
+    return ofSegment ? ofSegment : remoteBefore(structure, place, [](const RingDevice &) { return true; });
 }
 
 void append(const RingTree &tree, const std::vector<std::size_t> &bus, std::vector<std::size_t> &order)
@@ -106,8 +106,8 @@ RingStructure numbered(const RingTree &tree, const RingStructure &participants)
     int segment = 0;
     for (const std::size_t device : order) {
         const RingTree::Node &node = tree.nodes[device];
-        Participant participant = participants[device];
-        const Participant *parent = node.parent ? &structure[placeOf[*node.parent]] : nullptr;
+        RingDevice participant = participants[device];
+        const RingDevice *parent = node.parent ? &structure[placeOf[*node.parent]] : nullptr;
         if (node.isLocal)
             participant.number =
                 DeviceNumber{parent ? DeviceNumber::of(parent->number).segment : std::max(segment, 1),

@@ -74,13 +74,13 @@ Comparison mirrored(Comparison comparison)
     return comparison;
 }
 
-Participant takenParticipant(const TakenDevice &device, const RingStructure &own, const RingStructure &other)
+RingDevice takenParticipant(const TakenDevice &device, const RingStructure &own, const RingStructure &other)
 {
     if (!device.own)
         return other.at(*device.other);
-    Participant participant = own.at(*device.own);
+    RingDevice participant = own.at(*device.own);
     if (device.other) {
-        const Participant &found = other.at(*device.other);
+        const RingDevice &found = other.at(*device.other);
         const bool keepsMake = isSameKind(participant, found) && !participant.deviceKey.isEmpty();
         const QString make = keepsMake ? participant.deviceKey : found.deviceKey;
         participant = found;

@@ -23,7 +23,7 @@ std::vector<TakenDevice> takeOver(const Comparison &comparison, std::span<const 
 Comparison mirrored(Comparison comparison);
 
 // A device of takeOver(). Its make stays known if it is of the same kind.
-Participant takenParticipant(const TakenDevice &device, const RingStructure &own, const RingStructure &other);
+RingDevice takenParticipant(const TakenDevice &device, const RingStructure &own, const RingStructure &other);
 // The ring with those lines taken over, devices numbered by their places.
 RingStructure takenOver(const RingStructure &own, const RingStructure &other, const Comparison &comparison,
                         std::span<const std::size_t> lines);

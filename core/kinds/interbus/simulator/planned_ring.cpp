@@ -43,8 +43,8 @@ std::unique_ptr<SimulatedDevice> anyK3()
 
 std::unique_ptr<SimulatedDevice> simulated(const ProjectDevice &planned, const Catalog &catalog)
 {
-    const Participant &its = planned.participant;
-    if (its.idCode == busTerminalIdCode)
+    const RingDevice its = ringDevice(planned.participant);
+    if (its.idCode() == busTerminalIdCode)
         return std::make_unique<SimulatedBusTerminal>();
     const DeviceDescription *found = catalog.find(its.deviceKey, its.deviceCode);
     if (found == nullptr)
@@ -63,7 +63,7 @@ TrainingBus makePlannedRing(const Project &project, BusId ring, const Catalog &c
 {
     auto simulatedRing = std::make_shared<SimulatedRing>();
     for (const ProjectDevice &planned : devicesOn(project, ring))
-        simulatedRing->add(planned.participant, simulated(planned, catalog));
+        simulatedRing->add(ringDevice(planned.participant), simulated(planned, catalog));
     return {.link = std::make_unique<SimulatedRingLink>(simulatedRing), .controls = simulatedRing};
 }
 

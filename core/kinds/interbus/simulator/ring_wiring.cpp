@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-void RingWiring::add(Participant participant)
+void RingWiring::add(RingDevice participant)
 {
     m_planned.push_back(std::move(participant));
     m_troubles.emplace_back();
@@ -24,20 +24,19 @@ void RingWiring::setTrouble(std::size_t place, const PlaceTrouble &trouble)
 
 bool RingWiring::canBeWrong(std::size_t place) const
 {
-    return m_planned[place].idCode != busTerminalIdCode;
+    return m_planned[place].idCode() != busTerminalIdCode;
 }
 
 // A K2 instead of anything else, a K1 instead of a K2; on Loop 2 the K2 of Loop 2.
-Participant RingWiring::present(std::size_t place) const
+RingDevice RingWiring::present(std::size_t place) const
 {
-    Participant participant = m_planned[place];
+    RingDevice participant = m_planned[place];
     participant.deviceKey.clear();
     if (!m_troubles[place].wrongDevice)
         return participant;
     const bool isLocal = DeviceNumber::of(participant.number).position > 0;
     const unsigned k2 = isLocal ? 0xB2 : 0x36;
     const int words = participant.deviceCode == (0x0200U | k2) ? 1 : 2;
-    participant.idCode = k2;
     participant.deviceCode = static_cast<unsigned>(words) << 8 | k2;
     participant.inWords = words;
     participant.outWords = 0;
@@ -58,7 +57,7 @@ std::vector<std::size_t> RingWiring::reachable() const
 
 std::size_t endOfCutOff(const RingStructure &ring, std::size_t place)
 {
-    const Participant &first = ring[place];
+    const RingDevice &first = ring[place];
     const bool isLocal = DeviceNumber::of(first.number).position > 0;
     std::size_t end = place + 1;
     while (end < ring.size() &&

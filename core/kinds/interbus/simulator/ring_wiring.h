@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 
 #include <cstdint>
 
@@ -22,7 +22,7 @@ struct PlaceTrouble
 class RingWiring
 {
 public:
-    void add(Participant participant);
+    void add(RingDevice participant);
 
     std::size_t size() const { return m_planned.size(); }
     const RingStructure &planned() const { return m_planned; }
@@ -35,7 +35,7 @@ public:
     // Whether a device other than the planned one can be put there: not in place of a bus terminal.
     bool canBeWrong(std::size_t place) const;
     // What the ID register at a place says; without a make.
-    Participant present(std::size_t place) const;
+    RingDevice present(std::size_t place) const;
     // The devices an ID cycle finds, in ring order: without supply, or behind a broken wire, a device is not
     // found.
     std::vector<std::size_t> reachable() const;

@@ -35,7 +35,7 @@ void SimulatedMaster::use(RingStructure configuration, std::vector<std::size_t> 
     m_off.clear();
     m_located.reset();
     m_status.segments.clear();
-    for (const Participant &participant : m_configuration)
+    for (const RingDevice &participant : m_configuration)
         if (DeviceNumber::of(participant.number).position == 0)
             m_status.segments.push_back({.segment = DeviceNumber::of(participant.number).segment});
 }
@@ -124,7 +124,7 @@ bool SimulatedMaster::isSwitchedOff(std::size_t device) const
 {
     return !m_off.empty() && std::ranges::any_of(m_off, [&](int segment) {
         const auto head =
-            std::ranges::find(m_configuration, DeviceNumber{segment, 0}.node(), &Participant::number);
+            std::ranges::find(m_configuration, DeviceNumber{segment, 0}.node(), &RingDevice::number);
         const auto from = static_cast<std::size_t>(head - m_configuration.begin());
         return device >= from && device < endOfCutOff(m_configuration, from);
     });
@@ -150,7 +150,7 @@ std::optional<SimulatedMaster::Defect> SimulatedMaster::defect() const
 // is further along a local bus.
 SimulatedMaster::Defect SimulatedMaster::brokenBefore(std::size_t device) const
 {
-    const Participant &behind = m_configuration[device];
+    const RingDevice &behind = m_configuration[device];
     const bool isLocal = DeviceNumber::of(behind.number).position > 0;
     const std::uint16_t code = isLocal ? localBusBroken : remoteBusBroken;
     FaultPlace place{.number = behind.number};
@@ -158,7 +158,7 @@ SimulatedMaster::Defect SimulatedMaster::brokenBefore(std::size_t device) const
         place = {DeviceNumber{DeviceNumber::of(behind.number).segment, 0}.node(),
                  FaultSpot::outgoingLocalBus};
     for (std::size_t i = isLocal ? 0 : device; i-- > 0;) {
-        const Participant &before = m_configuration[i];
+        const RingDevice &before = m_configuration[i];
         if (DeviceNumber::of(before.number).position > 0 || before.level > behind.level)
             continue;
         place = {before.number,

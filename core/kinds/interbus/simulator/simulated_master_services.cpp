@@ -20,12 +20,12 @@ tl::unexpected<Refusal> wrongState(MasterService service, MasterState state)
                   {masterServiceName(service), masterStateName(state)});
 }
 
-QString codeText(const Participant *participant)
+QString codeText(const RingDevice *participant)
 {
     return participant ? hexCode(participant->deviceCode, 4) : QStringLiteral("-");
 }
 
-tl::unexpected<Refusal> differs(NodeId place, const Participant *configured, const Participant *found)
+tl::unexpected<Refusal> differs(NodeId place, const RingDevice *configured, const RingDevice *found)
 {
     return refuse(RefusalKind::link, RefusalId::ringDiffers,
                   {place.toString(), codeText(configured), codeText(found)});
@@ -34,7 +34,7 @@ tl::unexpected<Refusal> differs(NodeId place, const Participant *configured, con
 QString headsOf(const RingStructure &configuration)
 {
     QStringList heads;
-    for (const Participant &participant : configuration)
+    for (const RingDevice &participant : configuration)
         if (DeviceNumber::of(participant.number).position == 0)
             heads << participant.number.toString();
     return heads.join(QStringLiteral(", "));
@@ -83,14 +83,14 @@ Result<void> SimulatedMaster::checkRing() const
 {
     if (m_places.size() != m_configuration.size()) {
         const std::size_t first = std::min(m_places.size(), m_configuration.size());
-        const Participant *configured = first < m_configuration.size() ? &m_configuration[first] : nullptr;
+        const RingDevice *configured = first < m_configuration.size() ? &m_configuration[first] : nullptr;
         const auto found =
             first < m_places.size() ? std::optional(m_wiring.present(m_places[first])) : std::nullopt;
         return differs(configured ? configured->number : found->number, configured,
                        found ? &*found : nullptr);
     }
     for (std::size_t i = 0; i < m_configuration.size(); ++i) {
-        const Participant found = m_wiring.present(m_places[i]);
+        const RingDevice found = m_wiring.present(m_places[i]);
         if (!isSwitchedOff(i) && !isSameKind(found, m_configuration[i]))
             return differs(m_configuration[i].number, &m_configuration[i], &found);
     }
@@ -154,7 +154,7 @@ Result<void> SimulatedMaster::switchSegment(int segment, bool on)
     if (m_status.state == MasterState::ready || m_looking > 0)
         return wrongState(MasterService::switchSegment, m_status.state);
     const NodeId head = DeviceNumber{segment, 0}.node();
-    if (std::ranges::find(m_configuration, head, &Participant::number) == m_configuration.end())
+    if (std::ranges::find(m_configuration, head, &RingDevice::number) == m_configuration.end())
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice,
                       {head.toString(), headsOf(m_configuration)});
     if (on)

@@ -10,7 +10,7 @@
 
 namespace codewheel {
 
-void SimulatedRing::add(Participant participant, std::unique_ptr<SimulatedDevice> device)
+void SimulatedRing::add(RingDevice participant, std::unique_ptr<SimulatedDevice> device)
 {
     m_wiring.add(std::move(participant));
     m_present.push_back(device.get());
@@ -50,7 +50,7 @@ void SimulatedRing::passTime()
             const FaultStep *step = m_plan.due();
             if (step == nullptr)
                 break;
-            const auto place = std::ranges::find(m_wiring.planned(), step->place, &Participant::number);
+            const auto place = std::ranges::find(m_wiring.planned(), step->place, &RingDevice::number);
             cause(step->fault, static_cast<std::size_t>(place - m_wiring.planned().begin()), step->value);
         }
     }

@@ -21,7 +21,7 @@ class SimulatedRing final : public TrainingControls
 {
 public:
     // Before the ring is used.
-    void add(Participant participant, std::unique_ptr<SimulatedDevice> device);
+    void add(RingDevice participant, std::unique_ptr<SimulatedDevice> device);
 
     // The file name of the configuration its master stores from the beginning. Without a call: none.
     void keepConfiguration(const QString &fileName);

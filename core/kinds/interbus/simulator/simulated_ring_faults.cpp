@@ -27,7 +27,7 @@ std::optional<int> onlyIf(bool fits, bool standing)
 void SimulatedRing::setFault(TrainingFault fault, NodeId number, int value)
 {
     const std::scoped_lock lock(m_mutex);
-    const auto place = std::ranges::find(m_wiring.planned(), number, &Participant::number);
+    const auto place = std::ranges::find(m_wiring.planned(), number, &RingDevice::number);
     if (place != m_wiring.planned().end())
         cause(fault, static_cast<std::size_t>(place - m_wiring.planned().begin()), value);
 }

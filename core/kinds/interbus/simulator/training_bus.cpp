@@ -25,28 +25,25 @@ constexpr double slowestOfRing = 100;   // rpm
 constexpr double speedDifference = 7.5; // rpm from one shaft to the next
 constexpr std::int64_t rawDifference = 100'003;
 
-Participant frabaAt(int segment)
+RingDevice frabaAt(int segment)
 {
     return {.number = DeviceNumber{segment, 0}.node(),
-            .idCode = 0x37,
             .deviceCode = 0x0237,
             .inWords = 2,
             .outWords = 2,
             .deviceKey = QStringLiteral("fraba-ocd-ib")};
 }
 
-Participant participantOf(const TrainingParticipant &planned)
+RingDevice participantOf(const TrainingParticipant &planned)
 {
     if (!planned.device)
         return {.number = planned.number,
-                .idCode = busTerminalIdCode,
                 .deviceCode = busTerminalIdCode,
                 .inWords = 0,
                 .outWords = 0,
                 .deviceKey = {}};
     const DeviceDescription &device = *planned.device;
     return {.number = planned.number,
-            .idCode = device.idCode,
             .deviceCode = device.deviceCode,
             .inWords = device.inWords,
             .outWords = device.outWords,

@@ -71,8 +71,8 @@ RingProject::RingProject(int encoders, const ProjectLink &link)
     changeRing(project, [&](RingPlan &ring) { ring.link = link; });
     for (int segment = 1; segment <= encoders; ++segment) {
         ProjectDevice device;
-        device.participant = {DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2,
-                              QStringLiteral("fraba-ocd-ib")};
+        device.participant =
+            RingDevice{DeviceNumber{segment, 0}.node(), 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
         project.devices.push_back(device);
     }
     EXPECT_TRUE(saveProject(project, file()));

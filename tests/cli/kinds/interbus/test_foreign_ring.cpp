@@ -22,8 +22,8 @@ class CliForeignRing : public testing::Test
 {
 protected:
     CliForeignRing()
-        : m_link(new ScriptedLink(RingStructure{{NodeId("1.0"), 0x37, 0x0237, 2, 2, {}},
-                                                {NodeId("2.0"), 0xBE, 0x81BE, 1, 0, {}}}))
+        : m_link(new ScriptedLink(
+              RingStructure{{NodeId("1.0"), 0x0237, 2, 2, {}}, {NodeId("2.0"), 0x81BE, 1, 0, {}}}))
         , m_bus(std::unique_ptr<ScriptedLink>(m_link), m_catalog,
                 QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {

@@ -161,12 +161,11 @@ TEST_F(ServeModbus, TheRingOfAProjectIsSimulated)
          {std::tuple{"1.0", 0x0237U, "fraba-ocd-ib"}, std::tuple{"2.0", 0x0203U, ""},
           std::tuple{"3.0", 0x0237U, "baumer-gxp6w"}}) {
         ProjectDevice device;
-        device.participant = {.number = NodeId(place),
-                              .idCode = code & 0xFF,
-                              .deviceCode = code,
-                              .inWords = 2,
-                              .outWords = 2,
-                              .deviceKey = QString::fromLatin1(key)};
+        device.participant = RingDevice{.number = NodeId(place),
+                                        .deviceCode = code,
+                                        .inWords = 2,
+                                        .outWords = 2,
+                                        .deviceKey = QString::fromLatin1(key)};
         project.devices.push_back(device);
     }
     const QString file = folder.filePath(QStringLiteral("crane.codewheel"));
@@ -212,12 +211,8 @@ TEST_F(ServeModbus, SeveralRingsOfAProjectAreUnits)
     for (const int ring : {1, 7}) {
         ProjectDevice device;
         device.bus = {ring};
-        device.participant = {.number = NodeId("1.0"),
-                              .idCode = 0x03,
-                              .deviceCode = 0x0203,
-                              .inWords = 2,
-                              .outWords = 2,
-                              .deviceKey = {}};
+        device.participant = RingDevice{
+            .number = NodeId("1.0"), .deviceCode = 0x0203, .inWords = 2, .outWords = 2, .deviceKey = {}};
         project.devices.push_back(device);
     }
     setRingPlan(project, {7}, {});

@@ -10,15 +10,15 @@ namespace codewheel::test {
 
 inline GatewayDevice k3At(int segment)
 {
-    return {{DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, {}}, profile::k3};
+    return {{DeviceNumber{segment, 0}.node(), 0x0237, 2, 2, {}}, profile::k3};
 }
-inline Participant frabaAt(int segment)
+inline RingDevice frabaAt(int segment)
 {
-    return {DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
+    return {DeviceNumber{segment, 0}.node(), 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
 }
 inline GatewayDevice deviceAt(int segment, int inWords, int outWords)
 {
-    return {{DeviceNumber{segment, 0}.node(), 0x33, 0x0033, inWords, outWords, {}}, std::nullopt};
+    return {{DeviceNumber{segment, 0}.node(), 0x0033, inWords, outWords, {}}, std::nullopt};
 }
 inline std::vector<GatewayDevice> k3Ring(int devices)
 {

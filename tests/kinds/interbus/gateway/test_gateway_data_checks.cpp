@@ -40,7 +40,8 @@ TEST(GatewayDataChecks, WhichDeviceIsThereIsNotSaidByAGateway)
     GatewaySession gateway;
     ASSERT_TRUE(gateway.bus->open(RingSession::Start::watching));
     gateway.bus->advance(2s);
-    const DataChecks checks = gateway.bus->dataChecks("2.0"_ring.node, gateway.bus->structure());
+    const DataChecks checks =
+        gateway.bus->dataChecks("2.0"_ring.node, participantsOf(gateway.bus->structure()));
     EXPECT_EQ(findCheck(checks, DataCheck::Id::kind)->came, QStringLiteral("the gateway does not say"));
     EXPECT_EQ(findCheck(checks, DataCheck::Id::reached)->came, QStringLiteral("its registers are read"));
 }

@@ -26,7 +26,7 @@ const Catalog &catalog()
 std::unique_ptr<ScriptedLink> mixedRing()
 {
     const auto device = [](int segment, int in, int out) {
-        return Participant{DeviceNumber{segment, 0}.node(), 0x33, 0x0333, in, out, {}};
+        return RingDevice{DeviceNumber{segment, 0}.node(), 0x0333, in, out, {}};
     };
     auto link = std::make_unique<ScriptedLink>(
         RingStructure{device(1, 2, 2), device(2, 1, 0), device(3, 0, 0), device(4, 3, 3), device(5, 2, 2)});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/check_project.h"
 #include "kinds/interbus/plan/ring_plan.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/words/device_number.h"
 #include "tests/support/plans.h"
 
@@ -14,7 +15,7 @@ Project encoders(int count)
     Project project;
     for (int segment = 1; segment <= count; ++segment) {
         ProjectDevice device;
-        device.participant = {DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2, {}};
+        device.participant = RingDevice{DeviceNumber{segment, 0}.node(), 0x0237, 2, 2, {}};
         project.devices.push_back(device);
     }
     return project;
@@ -54,7 +55,9 @@ TEST(CheckProject, OverlapsAreToldAtBothDevices)
 TEST(CheckProject, OneLongRangeOverlapsSeveral)
 {
     Project project = encoders(3);
-    project.devices[0].participant.outWords = 8;
+    RingDevice wide = ringDevice(project.devices[0].participant);
+    wide.outWords = 8;
+    project.devices[0].participant = wide;
     for (ProjectDevice &device : project.devices)
         device.set(GivenAddresses{.out = 0});
     project.devices[2].set(GivenAddresses{.out = 14});
@@ -75,7 +78,7 @@ TEST(CheckProject, Step5WantsEncodersAboveP127)
 {
     Project project = encoders(1);
     ProjectDevice input;
-    input.participant = {NodeId("2.0"), 0x02, 0x0102, 1, 0, {}};
+    input.participant = RingDevice{NodeId("2.0"), 0x0102, 1, 0, {}};
     project.devices.push_back(input);
     EXPECT_EQ(findings(project), QStringList()) << "it is switched off";
     changeRing(project, [&](RingPlan &ring) { ring.addresses.step5 = true; });
@@ -94,9 +97,9 @@ TEST(CheckProject, Step5WantsEncodersAboveP127)
 TEST(CheckProject, ALoop2EncoderStandsOnALocalBus)
 {
     Project project = encoders(1);
-    project.devices[0].participant = {NodeId("1.0"), 0x0C, 0x000C, 0, 0, {}};
+    project.devices[0].participant = RingDevice{NodeId("1.0"), 0x000C, 0, 0, {}};
     ProjectDevice loop2;
-    loop2.participant = {NodeId("1.1"), 0xB3, 0x02B3, 2, 2, {}};
+    loop2.participant = RingDevice{NodeId("1.1"), 0x02B3, 2, 2, {}};
     project.devices.push_back(loop2);
     EXPECT_EQ(findings(project), QStringList());
     project.devices[1].participant.number = NodeId("2.0");

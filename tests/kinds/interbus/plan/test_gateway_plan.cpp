@@ -21,8 +21,8 @@ Project ringBehind(const char *kind, const Texts &settings, int encoders = 2)
     changeRing(project, [&](RingPlan &ring) { ring.link = {QString::fromLatin1(kind), settings}; });
     for (int segment = 1; segment <= encoders; ++segment) {
         ProjectDevice device;
-        device.participant = {DeviceNumber{segment, 0}.node(), 0x37, 0x0237, 2, 2,
-                              QStringLiteral("fraba-ocd-ib")};
+        device.participant =
+            RingDevice{DeviceNumber{segment, 0}.node(), 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")};
         project.devices.push_back(device);
     }
     return project;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/plan/process_addresses.h"
+#include "kinds/interbus/ring/ring_device.h"
 #include "tests/support/plans.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,7 @@ using Unit = AddressRules::Unit;
 ProjectDevice device(int inWords, int outWords)
 {
     ProjectDevice made;
-    made.participant.inWords = inWords;
-    made.participant.outWords = outWords;
+    made.participant = RingDevice{.number = {}, .inWords = inWords, .outWords = outWords, .deviceKey = {}};
     return made;
 }
 

@@ -13,7 +13,7 @@ namespace {
 Project projectOf(const char *ring)
 {
     Project project;
-    for (const Participant &participant : writtenRing(ring)) {
+    for (const RingDevice &participant : writtenRing(ring)) {
         ProjectDevice device;
         device.participant = participant;
         device.participant.deviceKey = QStringLiteral("named");
@@ -41,7 +41,7 @@ Project allTakenOver(const Project &project, const RingStructure &connected)
 
 RingStructure withoutMakes(RingStructure ring)
 {
-    for (Participant &participant : ring)
+    for (RingDevice &participant : ring)
         participant.deviceKey.clear();
     return ring;
 }

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/ring/participant.h"
+#include "kinds/interbus/ring/ring_device.h"
 
 #include <QStringList>
 
 namespace codewheel::test {
 
 // Rings in short notation: "1.0", "2.0 T" a bus terminal, "2.1", "3.0 T 1" on level 1.
-inline Participant participant(const QString &text)
+inline RingDevice participant(const QString &text)
 {
     const QStringList parts = text.split(u' ');
     const bool isTerminal = parts.contains(QStringLiteral("T"));
-    Participant made{.number = NodeId(parts.first().toStdString()),
-                     .idCode = isTerminal ? busTerminalIdCode : 0x37,
-                     .deviceCode = isTerminal ? busTerminalIdCode : 0x0237,
-                     .inWords = isTerminal ? 0 : 2,
-                     .outWords = isTerminal ? 0 : 2,
-                     .deviceKey = {}};
+    RingDevice made{.number = NodeId(parts.first().toStdString()),
+                    .deviceCode = isTerminal ? busTerminalIdCode : 0x0237,
+                    .inWords = isTerminal ? 0 : 2,
+                    .outWords = isTerminal ? 0 : 2,
+                    .deviceKey = {}};
     if (parts.size() > 1 && parts.last() != QStringLiteral("T"))
         made.level = parts.last().toInt();
     return made;
@@ -34,9 +33,9 @@ inline RingStructure ring(const QStringList &texts)
 inline QStringList texts(const RingStructure &structure)
 {
     QStringList texts;
-    for (const Participant &device : structure) {
+    for (const RingDevice &device : structure) {
         QString text = device.number.toString();
-        if (device.idCode == busTerminalIdCode)
+        if (device.idCode() == busTerminalIdCode)
             text += QStringLiteral(" T");
         if (device.level > 0)
             text += u' ' + QString::number(device.level);

@@ -219,12 +219,12 @@ TEST(TakeOver, OfOneLineLeavesTheOthers)
 TEST(TakeOver, KeepsTheMakeOfADeviceThatIsOfTheSameKind)
 {
     RingStructure configured = writtenRing("K3 K2 DI");
-    for (Participant &participant : configured)
+    for (RingDevice &participant : configured)
         participant.deviceKey = QStringLiteral("named");
     const RingStructure connected = writtenRing("K1 DI K3");
     const Comparison comparison = compareRings(configured, connected);
     QStringList makes;
-    for (const Participant &participant : takenOver(configured, connected, comparison, allLines(comparison)))
+    for (const RingDevice &participant : takenOver(configured, connected, comparison, allLines(comparison)))
         makes << participant.deviceKey;
     EXPECT_EQ(makes.join(u'|').toStdString(), "|named|named");
 }
@@ -233,7 +233,7 @@ TEST(Comparison, Of512DevicesWithNothingInItsPlaceIsFound)
 {
     RingStructure configured;
     for (int n = 0; n < 512; ++n)
-        configured.push_back({{}, 0x37, n % 2 == 0 ? 0x0237u : 0x0136u, 2, 2, {}});
+        configured.push_back({{}, n % 2 == 0 ? 0x0237u : 0x0136u, 2, 2, {}});
     numberDevices(configured);
     RingStructure connected(configured.rbegin(), configured.rend());
     numberDevices(connected);

@@ -11,7 +11,7 @@ RingStructure encoders(int count)
 {
     RingStructure structure;
     for (int i = 1; i <= count; ++i)
-        structure.push_back({DeviceNumber{i, 0}.node(), 0x37, 0x0237, 2, 2, {}});
+        structure.push_back({DeviceNumber{i, 0}.node(), 0x0237, 2, 2, {}});
     return structure;
 }
 
@@ -44,8 +44,7 @@ TEST(CycleTime, CableTakes16MicrosecondsAKilometre)
 
 TEST(CycleTime, WiderDirectionCountsAndLocalDevicesAreNoRemoteBusDevices)
 {
-    const RingStructure structure{{NodeId("1.0"), 0x36, 0x0136, 1, 0, {}},
-                                  {NodeId("1.1"), 0xB3, 0x02B3, 2, 2, {}}};
+    const RingStructure structure{{NodeId("1.0"), 0x0136, 1, 0, {}}, {NodeId("1.1"), 0x02B3, 2, 2, {}}};
     const RingLoad load = ringLoad(structure);
     EXPECT_EQ(load.dataBytes, 6);
     EXPECT_EQ(load.remoteBusDevices, 1);

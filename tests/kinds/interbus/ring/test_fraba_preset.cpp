@@ -25,7 +25,7 @@ protected:
     FrabaPresetOnTheRing()
     {
         auto link = std::make_unique<ScriptedLink>(
-            RingStructure{{place.node, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")}});
+            RingStructure{{place.node, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")}});
         m_link = link.get();
         m_link->answerWith([this](std::size_t, Word out) {
             m_seen += out == frabaPreset ? 1 : 0;

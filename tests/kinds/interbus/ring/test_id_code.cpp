@@ -22,12 +22,13 @@ class IdRegister : public testing::TestWithParam<Register>
 TEST_P(IdRegister, TellsWordsAndKindOfADevice)
 {
     const Register &expected = GetParam();
-    const Participant device = deviceOf(expected.deviceCode);
+    const RingDevice device = deviceOf(expected.deviceCode);
     EXPECT_EQ(device.deviceCode, expected.deviceCode);
-    EXPECT_EQ(device.idCode, expected.deviceCode & 0xFF);
+    EXPECT_EQ(device.idCode(), expected.deviceCode & 0xFF);
     EXPECT_EQ(device.inWords, expected.inWords);
     EXPECT_EQ(device.outWords, expected.outWords);
-    EXPECT_EQ(idCodeName(device.idCode), QLatin1String(expected.name));
+    EXPECT_EQ(idCodeName(device.idCode()), QLatin1String(expected.name));
+    EXPECT_EQ(ringDevice(Participant(device)), device) << "as everybody keeps it";
 }
 
 INSTANTIATE_TEST_SUITE_P(

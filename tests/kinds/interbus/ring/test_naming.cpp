@@ -26,8 +26,8 @@ class Naming : public testing::Test
 {
 protected:
     Naming()
-        : m_link(new ScriptedLink(RingStructure{{encoderPlace.node, 0x37, 0x0237, 2, 2, {}},
-                                                {inputPlace.node, 0xBE, 0x81BE, 1, 0, {}}}))
+        : m_link(new ScriptedLink(
+              RingStructure{{encoderPlace.node, 0x0237, 2, 2, {}}, {inputPlace.node, 0x81BE, 1, 0, {}}}))
         , m_bus(std::unique_ptr<ScriptedLink>(m_link), m_catalog,
                 QDateTime(QDate(2026, 3, 1), QTime(14, 2), Qt::UTC))
     {

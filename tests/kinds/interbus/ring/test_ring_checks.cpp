@@ -291,14 +291,19 @@ TEST_F(RingChecks, AFaultOfThePeripheryIsARemarkOfItsDeviceOnly)
 TEST_F(RingChecks, AnotherDeviceThanPlannedIsTold)
 {
     frames();
-    planned = bus.structure();
+    planned = participantsOf(bus.structure());
     EXPECT_EQ(firstDifference(of("2.0"_ring)), nullptr);
     const auto at = std::ranges::find(planned, "2.0"_ring.node, &Participant::number);
-    at->idCode = 0x33;
     at->deviceCode = 0x0233;
     at->deviceKey.clear();
     expectFirst("2.0"_ring, DataCheck::Id::kind, "2.0: configured is ", DataCheck::Action::compare);
     EXPECT_TRUE(findCheck(of("2.0"_ring), DataCheck::Id::kind)->expected.endsWith(QStringLiteral("33h")));
+}
+
+TEST_F(RingChecks, ABusTerminalIsCalledSoWithItsCode)
+{
+    frames();
+    EXPECT_EQ(findCheck(of("6.0"_ring), DataCheck::Id::kind)->came, QStringLiteral("bus terminal, 0Ch"));
 }
 
 TEST_F(RingChecks, ADeviceThatIsOnlyPlannedIsNotThere)

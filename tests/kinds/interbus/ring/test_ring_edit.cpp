@@ -14,7 +14,7 @@ using test::plant;
 using test::ring;
 using test::texts;
 
-Participant encoder()
+RingDevice encoder()
 {
     return test::participant(QStringLiteral("1.0"));
 }
@@ -164,7 +164,7 @@ TEST(RingEdit, RandomEditsNeverBreakARule)
         ASSERT_EQ(edited->from.size(), edited->structure.size());
         for (std::size_t i = 0; i < edited->from.size(); ++i)
             if (const auto from = edited->from[i]) {
-                ASSERT_EQ(edited->structure[i].idCode, structure[*from].idCode);
+                ASSERT_EQ(edited->structure[i].idCode(), structure[*from].idCode());
             }
         ASSERT_TRUE(checkRing(edited->structure).empty())
             << texts(edited->structure).join(u' ').toStdString();

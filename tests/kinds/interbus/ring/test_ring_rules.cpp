@@ -8,9 +8,9 @@
 namespace codewheel {
 namespace {
 
-Participant device(DeviceNumber number, int level, unsigned idCode, int words)
+RingDevice device(DeviceNumber number, int level, unsigned idCode, int words)
 {
-    return {number.node(), idCode, 0x0100 | idCode, words, words, {}, level};
+    return {number.node(), 0x0100 | idCode, words, words, {}, level};
 }
 
 // A terminal with this many devices on its local bus, one word each.

@@ -27,9 +27,9 @@ const Place thirdPlace = "3.0"_ring;
 
 RingStructure mixedRing()
 {
-    return {{firstPlace.node, 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
-            {secondPlace.node, 0x37, 0x0237, 2, 2, {}},
-            {thirdPlace.node, 0xBE, 0x81BE, 1, 0, {}}};
+    return {{firstPlace.node, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
+            {secondPlace.node, 0x0237, 2, 2, {}},
+            {thirdPlace.node, 0x81BE, 1, 0, {}}};
 }
 
 // Two encoders, one of unknown make, and a digital input.

@@ -28,7 +28,7 @@ TEST(RingTree, NumbersFollowFromTheRingOrder)
 {
     RingStructure structure = test::ring(test::plant());
     const RingTree tree = ringTree(structure);
-    for (Participant &device : structure) {
+    for (RingDevice &device : structure) {
         device.number = {};
         device.level = 0;
     }

@@ -11,15 +11,11 @@
 namespace codewheel {
 namespace {
 
-const std::map<QString, Participant> kinds{
-    {QStringLiteral("K1"), {{}, 0x36, 0x0136, 1, 0, {}}},
-    {QStringLiteral("K2"), {{}, 0x36, 0x0236, 2, 0, {}}},
-    {QStringLiteral("K3"), {{}, 0x37, 0x0237, 2, 2, {}}},
-    {QStringLiteral("K3L"), {{}, 0xB3, 0x02B3, 2, 2, {}}},
-    {QStringLiteral("LA"), {{}, 0x33, 0x0233, 2, 2, {}}},
-    {QStringLiteral("BT"), {{}, 0x0C, 0x000C, 0, 0, {}}},
-    {QStringLiteral("DI"), {{}, 0xBE, 0x81BE, 1, 0, {}}},
-    {QStringLiteral("DI2"), {{}, 0xBE, 0x02BE, 2, 0, {}}},
+const std::map<QString, RingDevice> kinds{
+    {QStringLiteral("K1"), {{}, 0x0136, 1, 0, {}}}, {QStringLiteral("K2"), {{}, 0x0236, 2, 0, {}}},
+    {QStringLiteral("K3"), {{}, 0x0237, 2, 2, {}}}, {QStringLiteral("K3L"), {{}, 0x02B3, 2, 2, {}}},
+    {QStringLiteral("LA"), {{}, 0x0233, 2, 2, {}}}, {QStringLiteral("BT"), {{}, 0x000C, 0, 0, {}}},
+    {QStringLiteral("DI"), {{}, 0x81BE, 1, 0, {}}}, {QStringLiteral("DI2"), {{}, 0x02BE, 2, 0, {}}},
 };
 
 } // namespace
@@ -31,7 +27,7 @@ RingStructure writtenRing(const char *text)
         const bool onLocalBus = word.startsWith(u'.');
         const auto level = static_cast<int>(word.count(u'/'));
         word.remove(u'.').remove(u'/');
-        Participant participant = kinds.at(word);
+        RingDevice participant = kinds.at(word);
         participant.number = DeviceNumber{1, onLocalBus ? 1 : 0}.node();
         participant.level = level;
         ring.push_back(participant);

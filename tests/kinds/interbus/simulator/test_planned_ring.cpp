@@ -19,12 +19,11 @@ protected:
     void add(DeviceNumber number, const QString &key, unsigned deviceCode, int inWords, int outWords)
     {
         ProjectDevice device;
-        device.participant = {.number = number.node(),
-                              .idCode = deviceCode & 0xFF,
-                              .deviceCode = deviceCode,
-                              .inWords = inWords,
-                              .outWords = outWords,
-                              .deviceKey = key};
+        device.participant = RingDevice{.number = number.node(),
+                                        .deviceCode = deviceCode,
+                                        .inWords = inWords,
+                                        .outWords = outWords,
+                                        .deviceKey = key};
         m_project.devices.push_back(device);
     }
     std::vector<Word> exchange(const std::vector<Word> &out)

@@ -32,13 +32,13 @@ TEST_F(TheTrainingBus, IsThePlantOfItsFile)
     const auto structure = m_bus.link->open();
     ASSERT_TRUE(structure);
     const RingStructure plant{
-        {NodeId("1.0"), 0x37, 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
-        {NodeId("2.0"), 0x37, 0x0237, 2, 2, QStringLiteral("baumer-gxp6w")},
-        {NodeId("3.0"), 0x36, 0x0136, 1, 0, QStringLiteral("fraba-ocd-ib-k1")},
-        {NodeId("4.0"), 0x36, 0x0236, 2, 0, QStringLiteral("fraba-ocd-ib-k2")},
-        {NodeId("5.0"), 0x33, 0x0233, 2, 2, QStringLiteral("tr-la66")},
-        {NodeId("6.0"), 0x0C, 0x000C, 0, 0, {}},
-        {NodeId("6.1"), 0xB3, 0x02B3, 2, 2, QStringLiteral("fraba-ocd-ib-loop2")},
+        {NodeId("1.0"), 0x0237, 2, 2, QStringLiteral("fraba-ocd-ib")},
+        {NodeId("2.0"), 0x0237, 2, 2, QStringLiteral("baumer-gxp6w")},
+        {NodeId("3.0"), 0x0136, 1, 0, QStringLiteral("fraba-ocd-ib-k1")},
+        {NodeId("4.0"), 0x0236, 2, 0, QStringLiteral("fraba-ocd-ib-k2")},
+        {NodeId("5.0"), 0x0233, 2, 2, QStringLiteral("tr-la66")},
+        {NodeId("6.0"), 0x000C, 0, 0, {}},
+        {NodeId("6.1"), 0x02B3, 2, 2, QStringLiteral("fraba-ocd-ib-loop2")},
     };
     EXPECT_EQ(*structure, plant);
     EXPECT_EQ(m_bus.link->readBackOut().value(), std::vector<Word>(7));

@@ -51,7 +51,7 @@ void LedRow::refresh()
     const Snapshot &latest = m_ring.latest();
     const RingStructure &structure = m_ring.structure();
     const auto device =
-        m_place ? std::ranges::find(structure, m_place->node, &Participant::number) : structure.end();
+        m_place ? std::ranges::find(structure, m_place->node, &RingDevice::number) : structure.end();
     const auto index = static_cast<std::size_t>(device - structure.begin());
     const bool isShown =
         m_ring.isOpen() && index < latest.devices.size() && hasRemoteBusLeds(m_ring.encoder(device->number));

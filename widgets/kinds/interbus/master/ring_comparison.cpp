@@ -93,7 +93,7 @@ void RingComparison::loadBack()
 {
     const KeptConfiguration kept = *m_kept;
     const Comparison lines = compareRings(configured(), kept.structure);
-    edits().takeOver({kept.structure, {}}, lines, allLines(lines),
+    edits().takeOver({participantsOf(kept.structure), {}}, lines, allLines(lines),
                      tr("Load the configuration of the master"));
     message().showMessage(Role::running, tr("The ring is planned as the master keeps it: %1, %n devices.",
                                             nullptr, static_cast<int>(kept.structure.size()))

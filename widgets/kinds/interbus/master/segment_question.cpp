@@ -2,6 +2,7 @@
 #include "widgets/kinds/interbus/master/segment_question.h"
 
 #include "bus/word_channel.h"
+#include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/segment_reach.h"
 #include "vocabulary/hex.h"
@@ -14,11 +15,11 @@ namespace {
 
 constexpr qsizetype devicesNamed = 8;
 
-QString lostDeviceText(const RingSession &bus, const Participant &device)
+QString lostDeviceText(const RingSession &bus, const RingDevice &device)
 {
     const EncoderSession *encoder = bus.encoder(device.number);
     return QStringLiteral("%1 %2").arg(device.number.toString(),
-                                       participantName(device, encoder ? &encoder->device() : nullptr));
+                                       nameOrTerminal(device, encoder ? &encoder->device() : nullptr));
 }
 
 QString listText(const QStringList &texts)
@@ -36,7 +37,7 @@ QString segmentQuestion(const RingSession &bus, int segment)
     QStringList outputs;
     int withOutputs = 0;
     for (const std::size_t place : placesBehindSegment(bus.structure(), segment)) {
-        const Participant &device = bus.structure()[place];
+        const RingDevice &device = bus.structure()[place];
         devices << lostDeviceText(bus, device);
         withOutputs += device.outWords > 0 ? 1 : 0;
         if (const WordChannel *channel = bus.channel(device.number); channel && channel->out() != 0)
