@@ -1050,26 +1050,6 @@
 <context>
     <name>KnownText</name>
     <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>read</source>
-        <translation>gelesen</translation>
-    </message>
-    <message>
-        <source>echoed</source>
-        <translation>quittiert</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
-        <source>It was read from the encoder.</source>
-        <translation>Aus dem Geber ausgelesen.</translation>
-    </message>
-    <message>
         <source>The encoder is in operation.</source>
         <translation>Der Geber ist in Betrieb.</translation>
     </message>
@@ -1100,30 +1080,6 @@
     <message>
         <source>The encoder does not answer any more.</source>
         <translation>Der Geber antwortet nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Not known: read it from the encoder.</source>
-        <translation>Unbekannt: aus dem Geber lesen.</translation>
-    </message>
-    <message>
-        <source>Confirmed in a handshake, but not read back since: read it.</source>
-        <translation>Im Handshake bestätigt, seitdem aber nicht zurückgelesen: auslesen.</translation>
-    </message>
-    <message>
-        <source>Confirmed in a handshake; the encoder cannot be read.</source>
-        <translation>Im Handshake bestätigt; der Geber lässt sich nicht auslesen.</translation>
-    </message>
-    <message>
-        <source>Not known, and the encoder cannot be read: set it manually, or write it.</source>
-        <translation>Unbekannt, und der Geber lässt sich nicht auslesen: von Hand setzen oder schreiben.</translation>
-    </message>
-    <message>
-        <source>Set manually or by the plan of the bus, not by the encoder: read it.</source>
-        <translation>Von Hand oder durch den Busplan gesetzt, nicht vom Geber gemeldet: auslesen.</translation>
-    </message>
-    <message>
-        <source>Set manually or by the plan of the bus; the encoder cannot be read.</source>
-        <translation>Von Hand oder durch den Busplan gesetzt; der Geber lässt sich nicht auslesen.</translation>
     </message>
     <message>
         <source>It has its earlier values again: they were read back and match.</source>
@@ -13369,6 +13325,53 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::KnownWords</name>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>quittiert</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>It was read from the encoder.</source>
+        <translation>Aus dem Geber ausgelesen.</translation>
+    </message>
+    <message>
+        <source>Confirmed in a handshake, but not read back since: read it.</source>
+        <translation>Im Handshake quittiert, seitdem aber nicht zurückgelesen: auslesen.</translation>
+    </message>
+    <message>
+        <source>Confirmed in a handshake; the encoder cannot be read.</source>
+        <translation>Im Handshake quittiert; der Geber lässt sich nicht auslesen.</translation>
+    </message>
+    <message>
+        <source>Not known: read it from the encoder.</source>
+        <translation>Unbekannt: aus dem Geber lesen.</translation>
+    </message>
+    <message>
+        <source>Not known, and the encoder cannot be read: set it manually, or write it.</source>
+        <translation>Unbekannt, und der Geber lässt sich nicht auslesen: von Hand setzen oder schreiben.</translation>
+    </message>
+    <message>
+        <source>Set manually or by the plan of the bus, not by the encoder: read it.</source>
+        <translation>Von Hand oder durch den Busplan gesetzt, nicht vom Geber gemeldet: auslesen.</translation>
+    </message>
+    <message>
+        <source>Set manually or by the plan of the bus; the encoder cannot be read.</source>
+        <translation>Von Hand oder durch den Busplan gesetzt; der Geber lässt sich nicht auslesen.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::LabelKey</name>
     <message>
         <source>any letters or digits, %1 in all</source>
@@ -17566,18 +17569,6 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>%1 (no description of it is known)</source>
         <translation>%1 (keine Beschreibung dazu bekannt)</translation>
-    </message>
-    <message>
-        <source>read</source>
-        <translation>gelesen</translation>
-    </message>
-    <message>
-        <source>echoed</source>
-        <translation>quittiert</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -21883,18 +21874,6 @@ Worte: IN %3, OUT %4</translation>
 <context>
     <name>codewheel::TransferWords</name>
     <message>
-        <source>read</source>
-        <translation>gelesen</translation>
-    </message>
-    <message>
-        <source>echoed</source>
-        <translation>quittiert</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
         <source>Written</source>
         <translation>Geschrieben</translation>
     </message>
@@ -21913,10 +21892,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Written, confirmed by the handshake</source>
         <translation>Geschrieben, im Handshake quittiert</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
     </message>
     <message>
         <source>in operation</source>

@@ -4,6 +4,7 @@
 #include "catalog/total_range.h"
 #include "report/report_words.h"
 #include "report/texts.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/sentence.h"
 
 #include <algorithm>
@@ -104,7 +105,7 @@ QString wantedTitle(unsigned program)
 
 QString knownTitle(const StoredCams &known, bool asWanted, const QDateTime &now)
 {
-    const QStringList parts{QString::number(known.program.number), report_words::evidence(known.evidence),
+    const QStringList parts{QString::number(known.program.number), known_words::word(known.evidence),
                             report_words::time(known.at, now)};
     return asWanted ? sentence(ReportTexts::tr("Cam program %1, as wanted, known: %2, %3"), parts)
                     : sentence(ReportTexts::tr("Cam program %1, known: %2, %3"), parts);

@@ -5,6 +5,7 @@
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/sentence.h"
 
 #include <algorithm>
@@ -55,12 +56,11 @@ void addRows(ReportTable &table, const ReportedDevice &device, const Deviations 
     for (const ValueDeviation &each : found.values)
         table.rows.push_back(
             {{place, station, parameterName(each.parameter), withUnit(device, each.parameter, each.wanted),
-              withUnit(device, each.parameter, each.known.value),
-              report_words::evidence(each.known.evidence)}});
+              withUnit(device, each.parameter, each.known.value), known_words::word(each.known.evidence)}});
     for (const CamDeviation &each : found.cams)
         table.rows.push_back(
             {{place, station, camFieldName(each.program, each.field), camValue(each.field, each.wanted),
-              camValue(each.field, each.known), report_words::evidence(each.evidence)}});
+              camValue(each.field, each.known), known_words::word(each.evidence)}});
 }
 
 void addValues(ReportSection &section, const std::vector<ReportedDevice> &devices)

@@ -5,6 +5,7 @@
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/sentence.h"
 
 namespace codewheel::report_sections {
@@ -26,7 +27,7 @@ QString serialNumber(const ReportedDevice &device)
     const StoredValue *known = device.known(Parameter::serialNumber);
     if (known != nullptr)
         parts << QStringLiteral("%1 (%2)").arg(report_words::serialNumber(known->value.toString()),
-                                               report_words::evidence(known->evidence));
+                                               known_words::word(known->evidence));
     if (const QString &label = device.planned->label.serialNumber; !label.isEmpty())
         parts << sentence(
             ReportTexts::tr("%1 (from the label)"),
@@ -93,8 +94,7 @@ ReportTable::Row rowOf(const ReportedDevice &device, Parameter parameter, const 
     const StoredValue *known = device.known(parameter);
     return {{parameterName(parameter), wanted ? report_words::value(device, parameter, *wanted) : QString(),
              known ? report_words::value(device, parameter, known->value) : report_words::unknown(),
-             report_words::unit(device, parameter),
-             known ? report_words::evidence(known->evidence) : QString(),
+             report_words::unit(device, parameter), known ? known_words::word(known->evidence) : QString(),
              known ? report_words::time(known->at, now) : QString(), remark(wanted, known)},
             wanted && known && *wanted != known->value};
 }
@@ -132,10 +132,11 @@ std::vector<ReportSection> encoders(const ReportInput &input, const std::vector<
 {
     std::vector<ReportSection> sections{
         {.heading = ReportTexts::tr("Encoders"),
-         .blocks = {ReportTexts::tr(
-             "Known values are: read, from the encoder; echoed, the encoder confirmed the value in a "
-             "handshake and went into operation with it; by hand, set by somebody, and the encoder was not "
-             "asked; unknown, nobody knows what the encoder has.")}}};
+         .blocks = {
+             ReportTexts::tr("Known values are: read, from the encoder; confirmed, by the encoder in a "
+                             "handshake, after which it went into operation with them; by hand, set by "
+                             "somebody, and the encoder was not asked; unknown, nobody knows what the "
+                             "encoder has.")}}};
     for (const ReportedDevice &device : devices)
         if (device.description)
             sections.push_back(encoder(device, input.now));

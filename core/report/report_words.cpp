@@ -4,6 +4,7 @@
 #include "catalog/value_text.h"
 #include "report/texts.h"
 #include "vocabulary/freshness_text.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/serial_number_text.h"
 
@@ -64,22 +65,9 @@ QString serialNumberOfLabel(const QString &typed, std::optional<std::int64_t> re
     return isHex && (!isDecimal || read == hex) ? serialNumber(QString::number(hex)) : typed;
 }
 
-QString evidence(Evidence evidence)
-{
-    switch (evidence) {
-    case Evidence::read:
-        return ReportTexts::tr("read");
-    case Evidence::echoed:
-        return ReportTexts::tr("echoed");
-    case Evidence::told:
-        break;
-    }
-    return ReportTexts::tr("by hand");
-}
-
 QString unknown()
 {
-    return ReportTexts::tr("unknown");
+    return known_words::word(std::nullopt);
 }
 
 QString lastSeen(const NotLive &old, const QDateTime &now)

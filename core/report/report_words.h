@@ -13,7 +13,6 @@ QString device(const ReportedDevice &device);
 // Without unit, "3 (CW)".
 QString value(const ReportedDevice &device, Parameter parameter, const Value &value);
 QString unit(const ReportedDevice &device, Parameter parameter);
-QString evidence(Evidence evidence);
 // As serialNumberText(). Anything else is shown as it is.
 QString serialNumber(const QString &decimal);
 // As typed from a label. With letters, or where `read` is this number, it is hexadecimal; of digits alone

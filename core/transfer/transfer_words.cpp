@@ -5,6 +5,7 @@
 #include "catalog/value_text.h"
 #include "jobs/job_report.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
@@ -22,19 +23,6 @@ struct TransferWords
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferWords)
 };
-
-QString evidence(Evidence evidence)
-{
-    switch (evidence) {
-    case Evidence::read:
-        return TransferWords::tr("read");
-    case Evidence::echoed:
-        return TransferWords::tr("echoed");
-    case Evidence::told:
-        break;
-    }
-    return TransferWords::tr("by hand");
-}
 
 QString text(Became became)
 {
@@ -102,8 +90,8 @@ QString value(const DeviceDescription *device, const ParameterValue &value)
 QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)
 {
     if (!known)
-        return TransferWords::tr("unknown");
-    return QStringLiteral("%1 (%2)").arg(value(device, {parameter, known->value}), evidence(known->evidence));
+        return known_words::word(known);
+    return QStringLiteral("%1 (%2)").arg(value(device, {parameter, known->value}), known_words::word(known));
 }
 
 QString leftIn(EncoderState state)

@@ -93,8 +93,8 @@ TEST(CliRead, AnEncoderWithoutReadOutTellsWhatWasWrittenFromHere)
     const CliRun run = shared.runLine(QStringLiteral("read 2.0"));
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(run.out, "Last written from here:\n"
-                       "  steps   = 4096          confirmed by the handshake\n"
-                       "  coding  = gray-ccw (6)  confirmed by the handshake\n");
+                       "  steps   = 4096          confirmed\n"
+                       "  coding  = gray-ccw (6)  confirmed\n");
     EXPECT_THAT(run.err, HasSubstr("has no read-out"));
     const QJsonObject json = shared.runLine(QStringLiteral("read 2.0 --json")).json();
     EXPECT_EQ(json[u"known"][0][u"value"], 4096);

@@ -149,7 +149,7 @@ TEST_F(CliTransfer, StoreKeepsWhatWasReadInTheProject)
 {
     const CliRun run = runIt("store @ 1.0 2.0");
     EXPECT_EQ(run.exit, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("  serial-number             = 20417 (4FC1h)   read from the encoder\n"));
+    EXPECT_THAT(run.out, HasSubstr("  serial-number             = 20417 (4FC1h)   read\n"));
     EXPECT_THAT(run.out, HasSubstr("2.0  Baumer GXP6W K3\n  Nothing is known of it.\n"));
     EXPECT_EQ(shared.eepromWrites(), 0);
     const auto stored = loadProject(file);

@@ -87,7 +87,7 @@ TEST(CommissioningReport, EveryValueHasItsEvidenceAndTime)
     EXPECT_THAT(rowsOf(sectionOf(reportOf(exampleInput()), frabaHeading)),
                 ElementsAre("Steps | 4096 | 8192 | steps | read | 1 Mar 2026 12:00:00 | differs",
                             "Revolutions |  | unknown | revolutions |  |  | ",
-                            "Direction | 3 (CW) | 3 (CW) |  | echoed | 1 Mar 2026 12:01:00 | as wanted",
+                            "Direction | 3 (CW) | 3 (CW) |  | confirmed | 1 Mar 2026 12:01:00 | as wanted",
                             "Preset | 0 | unknown | steps |  |  | not compared",
                             "Zero offset |  | unknown | steps |  |  | "));
 }

@@ -57,7 +57,7 @@ TEST(ReportedCams, OnePictureIsEnoughWhereBothAgree)
     const std::vector<CamPicture> pictures = picturesOf(input);
     ASSERT_EQ(pictures.size(), 1U);
     EXPECT_EQ(pictures[0].title,
-              QStringLiteral("Cam program 2, as wanted, known: echoed, 1 Mar 2026 14:00:00"));
+              QStringLiteral("Cam program 2, as wanted, known: confirmed, 1 Mar 2026 14:00:00"));
 }
 
 TEST(ReportedCams, ActiveCamsAreToldAsBits)

@@ -4,6 +4,7 @@
 #include "catalog/value_text.h"
 #include "jobs/job_report.h"
 #include "jobs/value_notes.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/state_text.h"
@@ -39,43 +40,9 @@ QStringList whereItWent(const EncoderSession &encoder, const Outcome &outcome)
 
 } // namespace
 
-QString evidenceText(const std::optional<Known> &known)
-{
-    if (!known)
-        return KnownText::tr("unknown");
-    switch (known->evidence) {
-    case Evidence::read:
-        return KnownText::tr("read");
-    case Evidence::echoed:
-        return KnownText::tr("echoed");
-    case Evidence::told:
-        return KnownText::tr("by hand");
-    }
-    return {};
-}
-
-QString evidenceExplanation(const std::optional<Known> &known, bool reads)
-{
-    if (!known)
-        return reads ? KnownText::tr("Not known: read it from the encoder.")
-                     : KnownText::tr(
-                           "Not known, and the encoder cannot be read: set it manually, or write it.");
-    switch (known->evidence) {
-    case Evidence::read:
-        return KnownText::tr("It was read from the encoder.");
-    case Evidence::echoed:
-        return reads ? KnownText::tr("Confirmed in a handshake, but not read back since: read it.")
-                     : KnownText::tr("Confirmed in a handshake; the encoder cannot be read.");
-    case Evidence::told:
-        return reads ? KnownText::tr("Set manually or by the plan of the bus, not by the encoder: read it.")
-                     : KnownText::tr("Set manually or by the plan of the bus; the encoder cannot be read.");
-    }
-    return {};
-}
-
 QString howKnown(const std::optional<Known> &known, const EncoderSession &encoder)
 {
-    const QString how = evidenceExplanation(known, encoder.can().reads);
+    const QString how = known_words::explanation(known, encoder.can().reads);
     return known ? how + u'\n' + QLocale().toString(encoder.dateTime(known->at), QLocale::ShortFormat) : how;
 }
 
@@ -114,9 +81,9 @@ QString valueList(const DeviceDescription &device, const ParameterValues &values
 QString knownText(const DeviceDescription &device, const std::optional<Known> &known)
 {
     if (!known)
-        return evidenceText(known);
+        return known_words::word(known);
     return QStringLiteral("%1 (%2)").arg(valueWithUnit(device, {known->parameter, known->value}),
-                                         evidenceText(known));
+                                         known_words::word(known));
 }
 
 QString restoredText(const std::optional<Evidence> &restored)

@@ -9,11 +9,7 @@
 
 namespace codewheel {
 
-// "read", "echoed", "told", "unknown": how a value is known.
-QString evidenceText(const std::optional<Known> &known);
-// In a sentence, with what would make it more certain. reads: the encoder can be read.
-QString evidenceExplanation(const std::optional<Known> &known, bool reads);
-// With the date and time of when it became known.
+// In a sentence, with the date and time of when it became known.
 QString howKnown(const std::optional<Known> &known, const EncoderSession &encoder);
 // Why even a word written by hand, which the encoder has confirmed, does not tell its steps; empty: it does.
 QString whyNotToldByWord(Parameter parameter, const EncoderSession &encoder);

@@ -39,9 +39,10 @@ QString activeText(const EncoderSession &encoder, const ParameterValues &written
         const auto known = encoder.known(value.parameter);
         return known && known->evidence == Evidence::read;
     };
-    const QString verified = std::ranges::all_of(written, isReadBack)
-                                 ? OutcomeText::tr("%1 written, active and read back.", "names of parameters")
-                                 : OutcomeText::tr("%1 written, echoed and active.", "names of parameters");
+    const QString verified =
+        std::ranges::all_of(written, isReadBack)
+            ? OutcomeText::tr("%1 written, active and read back.", "names of parameters")
+            : OutcomeText::tr("%1 written, confirmed and active.", "names of parameters");
     return verified.arg(namesOfValues(written));
 }
 

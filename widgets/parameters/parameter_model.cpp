@@ -3,6 +3,7 @@
 
 #include "catalog/value_text.h"
 #include "vocabulary/freshness_text.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/job/known_text.h"
 #include "widgets/look/fonts.h"
@@ -268,7 +269,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     case shortDetailRole: // without the time, which the tooltip gives
         if (column == wantedColumn && isOnlyRead(row))
             return QString();
-        return column == knownColumn && row.known ? evidenceText(row.known) : detail(row, column);
+        return column == knownColumn && row.known ? known_words::word(row.known) : detail(row, column);
     case detailMarkRole:
         return column == wantedColumn && row.differs() ? QVariant(static_cast<int>(Role::attention))
                                                        : QVariant();
@@ -292,7 +293,7 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
                    : valueWithUnit(m_encoder.device(), {parameter, value}, options);
     };
     if (column == knownColumn)
-        return row.known ? shown(row.known->value) : evidenceText(row.known);
+        return row.known ? shown(row.known->value) : known_words::word(row.known);
     if (row.isTold())
         return m_encoder.session() != nullptr ? tr("set it") : QString();
     if (row.isReadOnly())
@@ -308,7 +309,7 @@ QString ParameterModel::detail(const ParameterRow &row, int column) const
     if (column == knownColumn && row.known) {
         const QTime time = m_encoder.session()->dateTime(row.known->at).time();
         return tr("%1 %2", "how known, time: read 14:02")
-            .arg(evidenceText(row.known), QLocale().toString(time, QLocale::ShortFormat));
+            .arg(known_words::word(row.known), QLocale().toString(time, QLocale::ShortFormat));
     }
     if (column == knownColumn && m_encoder.session() != nullptr && !row.isTold())
         return m_encoder.can().reads ? tr("not read yet") : tr("cannot be read");

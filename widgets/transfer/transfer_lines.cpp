@@ -10,6 +10,7 @@
 #include "transfer/transfer_words.h"
 #include "transfer/value_store.h"
 #include "vocabulary/freshness_text.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/job/known_text.h"
 
@@ -147,7 +148,7 @@ QString howStored(const ProjectDevice &planned, Parameter parameter)
                ? TransferLines::tr("The project has none stored.")
                : TransferLines::tr("As known on %1: %2", "date and time, by hand")
                      .arg(QLocale().toString(found->at.toLocalTime(), QLocale::ShortFormat),
-                          evidenceText(Known{.evidence = found->evidence}));
+                          known_words::word(found->evidence));
 }
 
 QString readingText(const EncoderSession &encoder, const EncoderJobs &jobs)

@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/position_mode.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/job/known_before_bar.h"
@@ -130,9 +131,9 @@ void KnownPage::showTable()
                                   known ? valueWithUnit(encoder.device(), {parameter, known->value},
                                                         valueOptionsOf(&encoder))
                                         : QString(QChar(0x2013)),
-                                  evidenceText(known)},
-                        .tip = known ? evidenceExplanation(known, encoder.can().reads)
-                                     : (evidenceExplanation(known, encoder.can().reads) + u'\n' +
+                                  known_words::word(known)},
+                        .tip = known ? known_words::explanation(known, encoder.can().reads)
+                                     : (known_words::explanation(known, encoder.can().reads) + u'\n' +
                                         whyNotToldByWord(parameter, encoder))
                                            .trimmed()});
     }

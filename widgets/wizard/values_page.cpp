@@ -3,8 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/refusal_text.h"
-#include "widgets/job/known_text.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
@@ -27,8 +27,8 @@ constexpr int widestField = 240; // px: a number far from its name is hard to fi
 QString nowText(const DeviceDescription &device, Parameter parameter, const std::optional<Known> &known)
 {
     return known ? QStringLiteral("%1 (%2)").arg(valueText(*device.find(parameter), known->value),
-                                                 evidenceText(known))
-                 : evidenceText(known);
+                                                 known_words::word(known))
+                 : known_words::word(known);
 }
 
 } // namespace

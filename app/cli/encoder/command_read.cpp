@@ -9,6 +9,7 @@
 #include "cli/encoder/parameter_arguments.h"
 #include "cli/encoder/parameter_text.h"
 #include "cli/encoder/value_lines.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/sentence.h"
 
 #include <array>
@@ -36,7 +37,7 @@ Answer whatIsKnown(const EncoderSession &encoder)
         if (!value)
             continue;
         table.add({parameterKey(parameter.parameter), valueCell(parameter, value->value),
-                   evidenceText(value->evidence)});
+                   known_words::word(value)});
         QJsonObject json = valueJson(parameter, value->value);
         json.insert(QStringLiteral("evidence"), evidenceKey(value->evidence));
         known.append(json);

@@ -41,17 +41,4 @@ QString rangeText(const ParameterDescription &parameter)
                   [&](const Choice &choice) { return typedValue(parameter, choice.value); });
 }
 
-QString evidenceText(Evidence evidence)
-{
-    switch (evidence) {
-    case Evidence::read:
-        return CommandLine::tr("read from the encoder");
-    case Evidence::echoed:
-        return CommandLine::tr("confirmed by the handshake");
-    case Evidence::told:
-        break;
-    }
-    return CommandLine::tr("by hand, not checked");
-}
-
 } // namespace codewheel

@@ -3,7 +3,6 @@
 
 #include "catalog/device_description.h"
 #include "vocabulary/encoder_session.h"
-#include "vocabulary/known.h"
 
 namespace codewheel {
 
@@ -13,7 +12,4 @@ QString typedValue(const ParameterDescription &parameter, const Value &value, co
 QString typedValue(const DeviceDescription *device, const ParameterValue &value);
 // "1..33554431", "cw (3), ccw (4)"; the same in every language
 QString rangeText(const ParameterDescription &parameter);
-// "read from the encoder"
-QString evidenceText(Evidence evidence);
-
 } // namespace codewheel

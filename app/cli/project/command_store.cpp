@@ -16,6 +16,7 @@
 #include "project/project_file.h"
 #include "transfer/project_places.h"
 #include "transfer/value_store.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/value_json.h"
 
@@ -73,7 +74,7 @@ std::vector<EncoderJobs> jobsFor(const Call &call, const std::vector<ProjectDevi
 // What the project had of it, and nobody has read or confirmed now, says so.
 QString howItIsKnown(const EncoderSession &encoder, const StoredValue &stored)
 {
-    const QString evidence = evidenceText(stored.evidence);
+    const QString evidence = known_words::word(stored.evidence);
     return encoder.known(stored.parameter) ? evidence
                                            : sentence(CommandLine::tr("%1, kept from before"), {evidence});
 }

@@ -14,6 +14,7 @@
 #include "journal/eeprom_cost.h"
 #include "transfer/transfer_words.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/known_words.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/value_json.h"
@@ -34,24 +35,11 @@ const DeviceDescription *deviceAt(const Buses &buses, Place place)
     return encoder ? &encoder->device() : nullptr;
 }
 
-QString evidenceWord(Evidence evidence)
-{
-    switch (evidence) {
-    case Evidence::read:
-        return CommandLine::tr("read");
-    case Evidence::echoed:
-        return CommandLine::tr("confirmed");
-    case Evidence::told:
-        break;
-    }
-    return CommandLine::tr("by hand");
-}
-
 QString known(const DeviceDescription *device, Parameter parameter, const std::optional<Known> &known)
 {
     return known ? QStringLiteral("%1 (%2)").arg(typedValue(device, {parameter, known->value}),
-                                                 evidenceWord(known->evidence))
-                 : CommandLine::tr("unknown");
+                                                 known_words::word(known))
+                 : known_words::word(known);
 }
 
 QString programName(unsigned program)

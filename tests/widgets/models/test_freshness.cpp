@@ -3,10 +3,10 @@
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "tests/widgets/rod_bus.h"
 #include "tests/widgets/training_bus_session.h"
+#include "vocabulary/known_words.h"
 #include "widgets/dial/code_disc.h"
 #include "widgets/dial/dial_panel.h"
 #include "widgets/dial/rod_view.h"
-#include "widgets/job/known_text.h"
 #include "widgets/models/age_timer.h"
 #include "widgets/monitor/bar_view.h"
 #include "widgets/monitor/number_field.h"
@@ -179,13 +179,14 @@ TEST_F(FreshnessTest, WhereNoPositionIsKnownTheTreeShowsADashAndTellsWhy)
 TEST_F(FreshnessTest, HowAValueIsKnownSaysWhatWouldMakeItSurer)
 {
     const auto words = [](Evidence evidence, bool reads) {
-        return evidenceExplanation(Known{Parameter::steps, 255, evidence, {}}, reads);
+        return known_words::explanation(Known{Parameter::steps, 255, evidence, {}}, reads);
     };
     EXPECT_TRUE(words(Evidence::echoed, true).endsWith(QStringLiteral("but not read back since: read it.")));
     EXPECT_TRUE(words(Evidence::echoed, false).endsWith(QStringLiteral("cannot be read.")));
     EXPECT_TRUE(words(Evidence::told, true).endsWith(QStringLiteral("read it.")));
-    EXPECT_TRUE(evidenceExplanation({}, true).endsWith(QStringLiteral("read it from the encoder.")));
-    EXPECT_TRUE(evidenceExplanation({}, false).endsWith(QStringLiteral("set it manually, or write it.")));
+    EXPECT_TRUE(known_words::explanation({}, true).endsWith(QStringLiteral("read it from the encoder.")));
+    EXPECT_TRUE(
+        known_words::explanation({}, false).endsWith(QStringLiteral("set it manually, or write it.")));
 }
 
 TEST_F(FreshnessTest, AMonitorShowsOldBitsAndNumbersGrey)

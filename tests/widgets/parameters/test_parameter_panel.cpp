@@ -174,13 +174,13 @@ TEST_F(Parameters, UnknownIsShownAsUnknownAndNeverAsADefault)
     EXPECT_TRUE(tip.contains(QStringLiteral("Factory setting: 8192"))) << tip.toStdString();
 }
 
-// Words sent elsewhere are echoed, but not read back.
+// Words sent elsewhere are confirmed, but not read back.
 TEST_F(Parameters, WhatASequenceWroteIsNotSaidToBeReadBack)
 {
     bus.encoder(fraba)->tell(Parameter::multiTurnAndStepsMinusOne, 2);
     ASSERT_TRUE(bus.encoder(fraba)->start(SendWords{.words = {0x0600'0003, 0x8000'0000, 0x0000'0000}}));
     bus.advance(100);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Direction written, echoed and active.")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Direction written, confirmed and active.")))
         << message().toStdString();
 }
 
@@ -246,7 +246,7 @@ TEST_F(Parameters, AJobThatEndsBadlyAfterOthersTellsWhatTheyHaveDone)
     encoder.cancel(OnCancel::restorePrevious);
     finishJob();
     EXPECT_TRUE(message().contains(
-        QStringLiteral("Done before that: Steps written, echoed and active. EEPROM writes: 1.")))
+        QStringLiteral("Done before that: Steps written, confirmed and active. EEPROM writes: 1.")))
         << message().toStdString();
 }
 
@@ -616,7 +616,7 @@ TEST_F(Parameters, WhatCannotBeRestoredIsNotOffered)
     training.controls->setFault(TrainingFault::slowConfirmation, baumer.node, 0);
     finishJob(baumer);
     EXPECT_TRUE(table().isVisible()) << "there is nothing left to cancel";
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Steps, Revolutions written, echoed and active.")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Steps, Revolutions written, confirmed and active.")))
         << message().toStdString();
 }
 

@@ -712,7 +712,7 @@ TEST_F(WizardPages, TheReportIsSavedAsTextAndAsHtml)
     ASSERT_TRUE(text.open(QIODevice::ReadOnly));
     ASSERT_TRUE(html.open(QIODevice::ReadOnly));
     for (const QString &report : {QString::fromUtf8(text.readAll()), QString::fromUtf8(html.readAll())})
-        for (const char *part : {"2.0", "Baumer GXP6W K3", "2026", "02001000", "(echoed)", "EEPROM writes",
+        for (const char *part : {"2.0", "Baumer GXP6W K3", "2026", "02001000", "(confirmed)", "EEPROM writes",
                                  "Position before", "cannot be read"})
             EXPECT_TRUE(report.contains(QString::fromLatin1(part))) << part << report.toStdString();
 }
