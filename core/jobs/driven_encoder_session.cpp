@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/driven_encoder_session.h"
 
+#include "catalog/kept_values.h"
 #include "jobs/job_report.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
@@ -57,11 +58,17 @@ std::optional<KnownCams> DrivenEncoderSession::cams(unsigned program) const
 void DrivenEncoderSession::tell(Parameter parameter, const std::optional<Value> &value)
 {
     if (value)
-        m_known[parameter] = {parameter, *value, Evidence::told, now()};
+        m_known[parameter] = withKept({parameter, *value, Evidence::told, now()});
     else if (m_known.erase(parameter) == 0)
         return;
     postAllKnown();
     Q_EMIT knownChanged();
+}
+
+Known DrivenEncoderSession::withKept(Known known) const
+{
+    known.kept = keptOf(m_description, known.parameter, known.kept);
+    return known;
 }
 
 void DrivenEncoderSession::postAllKnown()
@@ -208,7 +215,7 @@ std::vector<Parameter> DrivenEncoderSession::readableDoubts() const
 void DrivenEncoderSession::take(const KnowledgeChanged &change)
 {
     for (const Known &known : change.known)
-        m_known[known.parameter] = known;
+        m_known[known.parameter] = withKept(known);
     for (const Parameter parameter : change.noLongerKnown)
         m_known.erase(parameter);
     for (const KnownCams &known : change.cams)
@@ -240,7 +247,8 @@ void DrivenEncoderSession::takeOver(const KnownBefore &before)
 {
     for (const KnownBefore::Entry &value : before.values) {
         const Instant at = instantOf(value.at);
-        m_known.try_emplace(value.parameter, Known{value.parameter, value.value, value.evidence, at});
+        m_known.try_emplace(value.parameter,
+                            withKept({value.parameter, value.value, value.evidence, at, value.kept}));
     }
     if (before.serialNumber && !before.values.empty()) {
         const Instant at =
@@ -262,6 +270,15 @@ void DrivenEncoderSession::forgetValues()
     std::erase_if(m_known, isGivenValue);
     m_cams.clear();
     postAllKnown();
+}
+
+void DrivenEncoderSession::forgetWhatWasNotStored()
+{
+    std::erase_if(m_known,
+                  [](const auto &one) { return isGivenValue(one) && one.second.kept != Kept::stored; });
+    m_cams.clear();
+    postAllKnown();
+    Q_EMIT knownChanged();
 }
 
 void DrivenEncoderSession::forgetKnown()

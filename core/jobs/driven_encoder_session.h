@@ -67,11 +67,14 @@ protected:
     bool knowsValues() const; // besides which encoder it is
     // What it had; not what tells which encoder it is.
     void forgetValues();
+    // It has started anew: what it had in force is in force again only if it was stored.
+    void forgetWhatWasNotStored();
     // It was out of sight, and may be another encoder by now. What was known before stays so.
     void forgetKnown();
 
 private:
     void takeOver(const KnownBefore &before) override;
+    Known withKept(Known known) const;
     void take(const Outcome &outcome, Instant at);
     void take(const KnowledgeChanged &change);
     void compareWithBefore();

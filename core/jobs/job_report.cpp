@@ -51,6 +51,13 @@ Message written(const Outcome &outcome, const DeviceDescription &device, const P
                    items, outcome.eepromWrites);
 }
 
+Message stored(const Outcome &outcome, const DeviceDescription &device)
+{
+    MessageItems items;
+    addValues(items, outcome.stored, device);
+    return listing(MessageId::parametersStored, items, outcome.eepromWrites);
+}
+
 Message presetDone(const Outcome &outcome)
 {
     return {.id = MessageId::presetDone,
@@ -147,6 +154,8 @@ struct Success
         std::vector<Message> messages;
         if (!outcome.written.empty())
             messages.push_back(written(outcome, device, known));
+        else if (!outcome.stored.empty()) // otherwise the same write has stored it
+            messages.push_back(stored(outcome, device));
         if (!outcome.camsWritten.empty())
             messages.push_back(
                 {.id = MessageId::camsWritten,

@@ -14,6 +14,9 @@ void KnownValues::set(const std::vector<Known> &known)
 
 void KnownValues::learn(Known known)
 {
+    const auto before = m_known.find(known.parameter);
+    if (known.kept == Kept::byItself && before != m_known.end() && before->second.value == known.value)
+        known.kept = before->second.kept;
     m_known[known.parameter] = known;
     std::erase(m_changes.noLongerKnown, known.parameter);
     std::erase_if(m_changes.known, [&](const Known &other) { return other.parameter == known.parameter; });
@@ -30,11 +33,36 @@ void KnownValues::forget(Parameter parameter)
     m_changed = true;
 }
 
+void KnownValues::setKept(Kept kept, bool (*isMeant)(const Known &))
+{
+    for (const auto &[parameter, one] : m_known)
+        if (Known known = one; isMeant(known)) {
+            known.kept = kept;
+            learn(known); // replaces the value of a key that is there
+        }
+}
+
+void KnownValues::haveBeenStored()
+{
+    setKept(Kept::stored, [](const Known &) { return true; });
+}
+
+void KnownValues::mayHaveBeenStored()
+{
+    setKept(Kept::notKnown, [](const Known &known) { return known.kept == Kept::untilPowerOff; });
+}
+
 void KnownValues::countEepromWrite()
 {
     ++m_eepromWrites;
     ++m_changes.eepromWrites;
     m_changed = true;
+}
+
+std::optional<Known> KnownValues::known(Parameter parameter) const
+{
+    const auto found = m_known.find(parameter);
+    return found == m_known.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<std::int64_t> KnownValues::value(Parameter parameter) const

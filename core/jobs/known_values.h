@@ -14,10 +14,15 @@ class KnownValues
 public:
     // Replaces all that is known, e.g. after the user told something. Not reported as a change.
     void set(const std::vector<Known> &known);
+    // A value that is what it was is kept as it was, unless that is said.
     void learn(Known known);
     void forget(Parameter parameter);
+    // By a step that stores all that is in force. Where nobody saw its answer, it may have been.
+    void haveBeenStored();
+    void mayHaveBeenStored();
     void countEepromWrite();
 
+    std::optional<Known> known(Parameter parameter) const;
     // Its number.
     std::optional<std::int64_t> value(Parameter parameter) const;
     ParameterValues values() const;
@@ -27,6 +32,8 @@ public:
     std::optional<KnowledgeChanged> takeChanges();
 
 private:
+    void setKept(Kept kept, bool (*isMeant)(const Known &));
+
     std::map<Parameter, Known> m_known;
     KnowledgeChanged m_changes;
     bool m_changed = false;

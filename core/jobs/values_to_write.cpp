@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/values_to_write.h"
 
+#include "catalog/kept_values.h"
 #include "catalog/preset_storage.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
@@ -54,6 +55,14 @@ bool isRead(const EncoderSession &encoder, Parameter parameter)
 {
     const auto known = encoder.known(parameter);
     return known && known->evidence == Evidence::read;
+}
+
+// Empty: it may be another value.
+std::optional<Known> knownToBe(const EncoderSession &encoder, const ParameterValue &value)
+{
+    const auto known = encoder.known(value.parameter);
+    const bool isSure = known && (known->evidence != Evidence::told || !encoder.can().reads);
+    return isSure && known->value == value.value ? known : std::nullopt;
 }
 
 std::optional<RefusalCode> errorOf(const EncoderSession &encoder)
@@ -120,9 +129,14 @@ std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const Para
 
 bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value)
 {
-    const auto known = encoder.known(value.parameter);
-    const bool isSure = known && (known->evidence != Evidence::told || !encoder.can().reads);
-    return isSure && known->value == value.value;
+    const auto known = knownToBe(encoder, value);
+    return known && !hasToBeStored(encoder.device(), *known);
+}
+
+bool isOnlyToBeStored(const EncoderSession &encoder, const ParameterValue &value)
+{
+    const auto known = knownToBe(encoder, value);
+    return known && hasToBeStored(encoder.device(), *known);
 }
 
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
@@ -138,8 +152,8 @@ WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish)
         if (!writesAll && !rearms && isThereAlready(encoder, wanted))
             continue;
         job.values.push_back(wanted);
-        const bool readFirst =
-            !isRead(encoder, wanted.parameter) || (rearms && !isRead(encoder, Parameter::presetFlag));
+        const bool readFirst = !isRead(encoder, wanted.parameter) || isOnlyToBeStored(encoder, wanted) ||
+                               (rearms && !isRead(encoder, Parameter::presetFlag));
         const bool canBeRead = description->canBeRead;
         if (!writesAll && encoder.can().reads && canBeRead && readFirst)
             job.onlyWhatDiffers = true;

@@ -25,8 +25,10 @@ std::optional<ParameterValue> offsetLeftOut(const DeviceDescription &device, con
 ParameterValues inTurn(const DeviceDescription &device, const WriteWish &wish);
 
 // Whether the encoder is known to have the value, so that it need not be written. A value that was only told
-// counts if the encoder cannot be read.
+// counts if the encoder cannot be read; one in force that may be lost without supply does not.
 bool isThereAlready(const EncoderSession &encoder, const ParameterValue &value);
+// Whether it is known to work with the value, which only has to be stored.
+bool isOnlyToBeStored(const EncoderSession &encoder, const ParameterValue &value);
 
 // Error 3. What can be read from it, if anything, is not what it works with: only parameters 1 to 4, all of
 // them, bring it back, or its default values.
@@ -37,10 +39,10 @@ bool holdsOtherValues(const EncoderSession &encoder);
 // Of parameters 1 to 4, those that are not among the values; none if the encoder has not lost them.
 std::vector<Parameter> lostAndNotAmong(const EncoderSession &encoder, const ParameterValues &values);
 
-// The job for a wish: what is known and equal is left out. If the encoder can be read and a value is not
-// known from reading, the job reads it first and leaves it out if it is already there. An encoder that holds
-// other values gets all of it; the position to be set is its preset. A used-up preset
-// (FRABA) is programmed again, as it could not be initialised otherwise.
+// The job for a wish: what is known, equal and kept is left out. If the encoder can be read and a value is
+// not known from reading, the job reads it first and leaves it out if it is already there. An encoder that
+// holds other values gets all of it; the position to be set is its preset. A used-up preset (FRABA) is
+// programmed again, as it could not be initialised otherwise.
 WriteParameters jobForWish(const EncoderSession &encoder, const WriteWish &wish);
 
 // All of it, one job after the other: writing the values, then setting the position to a value, or to a

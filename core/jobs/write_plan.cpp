@@ -46,6 +46,11 @@ bool isRearmed(const EncoderSession &encoder, const WriteWish &wish, const Write
            !holdsOtherValues(encoder) && isThereAlready(encoder, row.wanted);
 }
 
+bool isOnlyStored(const EncoderSession &encoder, const WriteWish &wish, const WriteRow &row)
+{
+    return row.step && !wish.writeAll && !holdsOtherValues(encoder) && isOnlyToBeStored(encoder, row.wanted);
+}
+
 std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WriteWish &wish, const WritePlan &plan)
 {
     const ParameterValues allWanted = inTurn(encoder.device(), wish);
@@ -62,6 +67,10 @@ std::vector<WriteRow> rowsOf(const EncoderSession &encoder, const WriteWish &wis
             row.hindrance = checked.error();
         row.isThere = !row.step && !row.hindrance && !findValue(plan.job.values, row.wanted.parameter);
         row.isRearmed = isRearmed(encoder, wish, row);
+        row.isOnlyStored = isOnlyStored(encoder, wish, row);
+        const auto storing = std::ranges::find(plan.steps, Effect::stores, &Step::effect);
+        if (row.isOnlyStored && storing != plan.steps.end())
+            row.step = *storing;
     }
     return rows;
 }
@@ -163,6 +172,13 @@ QStringList howItIsWritten(const WritePlan &plan)
         notes << WriteWords::tr("The encoder takes all its values at once. These go along as they are "
                                 "known, otherwise as from the factory: %1.")
                      .arg(parameterNames(besides));
+    std::vector<Parameter> onlyStored;
+    for (const WriteRow &row : plan.rows)
+        if (row.isOnlyStored)
+            onlyStored.push_back(row.wanted.parameter);
+    if (!onlyStored.empty())
+        notes << WriteWords::tr("In force already; only stored, since that may not have been done: %1.")
+                     .arg(parameterNames(onlyStored));
     if (plan.job.onlyWhatDiffers)
         notes << readsFirstText();
     if (plan.stepsMayBeLess)

@@ -16,6 +16,7 @@ struct WriteRow
     std::optional<Step> step{};   // that carries it: its word, or its request; empty: it is not sent
     bool isThere = false;         // known to be there already: left out
     bool goesAlong = false;       // not wanted: computed from the others, like the factor of a serial encoder
+    bool isOnlyStored = false;    // in force already, and perhaps lost without supply
     bool isRearmed = false;       // there already, and written all the same if the preset is used up
     std::optional<Refusal> hindrance{}; // why the encoder does not take it
 

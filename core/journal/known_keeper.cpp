@@ -9,10 +9,11 @@
 namespace codewheel {
 namespace {
 
-// What an encoder keeps without supply, and what is printed on it. Not the mode it is in.
-bool lasts(const ParameterDescription &parameter)
+// What an encoder keeps without supply, as far as is known, and what is printed on it. Not the mode it is in.
+bool lasts(const ParameterDescription &parameter, const Known &known)
 {
-    return (parameter.canBeWritten && parameter.stored) || parameter.onLabel;
+    const bool isStored = parameter.canBeWritten && parameter.stored && known.kept != Kept::untilPowerOff;
+    return isStored || parameter.onLabel;
 }
 
 bool has(const KnownBefore &known, Parameter parameter)
@@ -25,9 +26,10 @@ KnownBefore knownOf(const EncoderSession &encoder, bool isSimulated)
 {
     KnownBefore all{.values = {}, .serialNumber = reportedSerialNumber(encoder)};
     for (const ParameterDescription &parameter : encoder.device().parameters)
-        if (const auto known = encoder.known(parameter.parameter); known && (isSimulated || lasts(parameter)))
-            all.values.push_back(
-                {parameter.parameter, known->value, known->evidence, encoder.dateTime(known->at)});
+        if (const auto known = encoder.known(parameter.parameter);
+            known && (isSimulated || lasts(parameter, *known)))
+            all.values.push_back({parameter.parameter, known->value, known->evidence,
+                                  encoder.dateTime(known->at), known->kept});
     if (const auto &before = encoder.knownBefore()) {
         for (const KnownBefore::Entry &value : before->values)
             if (!has(all, value.parameter))

@@ -56,7 +56,7 @@ void addRows(ReportTable &table, const ReportedDevice &device, const Deviations 
     for (const ValueDeviation &each : found.values)
         table.rows.push_back(
             {{place, station, parameterName(each.parameter), withUnit(device, each.parameter, each.wanted),
-              withUnit(device, each.parameter, each.known.value), known_words::word(each.known.evidence)}});
+              withUnit(device, each.parameter, each.known.value), device.evidence(each.parameter)}});
     for (const CamDeviation &each : found.cams)
         table.rows.push_back(
             {{place, station, camFieldName(each.program, each.field), camValue(each.field, each.wanted),

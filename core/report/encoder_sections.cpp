@@ -5,7 +5,6 @@
 #include "report/report_words.h"
 #include "report/sections.h"
 #include "report/texts.h"
-#include "vocabulary/known_words.h"
 #include "vocabulary/sentence.h"
 
 namespace codewheel::report_sections {
@@ -27,7 +26,7 @@ QString serialNumber(const ReportedDevice &device)
     const StoredValue *known = device.known(Parameter::serialNumber);
     if (known != nullptr)
         parts << QStringLiteral("%1 (%2)").arg(report_words::serialNumber(known->value.toString()),
-                                               known_words::word(known->evidence));
+                                               device.evidence(Parameter::serialNumber));
     if (const QString &label = device.planned->label.serialNumber; !label.isEmpty())
         parts << sentence(
             ReportTexts::tr("%1 (from the label)"),
@@ -94,7 +93,7 @@ ReportTable::Row rowOf(const ReportedDevice &device, Parameter parameter, const 
     const StoredValue *known = device.known(parameter);
     return {{parameterName(parameter), wanted ? report_words::value(device, parameter, *wanted) : QString(),
              known ? report_words::value(device, parameter, known->value) : report_words::unknown(),
-             report_words::unit(device, parameter), known ? known_words::word(known->evidence) : QString(),
+             report_words::unit(device, parameter), device.evidence(parameter),
              known ? report_words::time(known->at, now) : QString(), remark(wanted, known)},
             wanted && known && *wanted != known->value};
 }

@@ -2,6 +2,7 @@
 #include "report/live_encoders.h"
 
 #include "bus/buses.h"
+#include "jobs/values_to_write.h"
 #include "project/plan_rules.h"
 #include "transfer/project_places.h"
 #include "transfer/value_store.h"
@@ -10,6 +11,14 @@
 
 namespace codewheel {
 namespace {
+
+std::map<Parameter, Kept> keptBy(const EncoderSession &encoder)
+{
+    std::map<Parameter, Kept> kept;
+    for (const Known &known : allKnown(encoder))
+        kept[known.parameter] = known.kept;
+    return kept;
+}
 
 bool isTold(const StoredValue &value)
 {
@@ -38,7 +47,7 @@ void addConnected(ReportInput &input, const Buses &buses)
     for (const auto &[planned, encoder] : connectedEncoders(input.project, buses)) {
         const EncoderBus &bus = *buses.busOf(encoder->place());
         LiveEncoder known{valuesToStore(*encoder), camsToStore(*encoder), notLive(bus, encoder->place()),
-                          bus.isSimulated()};
+                          bus.isSimulated(), keptBy(*encoder)};
         if (!known.cams.empty() || !std::ranges::all_of(known.values, isTold))
             input.live[encoder->place()] = std::move(known);
         input.writes[encoder->place()] = encoder->eepromCount();

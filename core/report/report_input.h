@@ -17,6 +17,7 @@ struct LiveEncoder
     std::vector<StoredCams> cams;
     std::optional<NotLive> notLive{};
     bool isSimulated = false;
+    std::map<Parameter, Kept> kept{}; // its values
 };
 
 // Everything a commissioning report is made of; no other source is used.

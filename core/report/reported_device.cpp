@@ -2,6 +2,7 @@
 #include "report/reported_device.h"
 
 #include "vocabulary/bus_names.h"
+#include "vocabulary/known_words.h"
 
 #include <algorithm>
 
@@ -32,6 +33,15 @@ const StoredValue *ReportedDevice::known(Parameter parameter) const
 {
     const auto found = std::ranges::find(values, parameter, &StoredValue::parameter);
     return found == values.end() ? nullptr : &*found;
+}
+
+QString ReportedDevice::evidence(Parameter parameter) const
+{
+    const StoredValue *value = known(parameter);
+    if (value == nullptr)
+        return {};
+    const auto its = kept.find(parameter);
+    return known_words::word(value->evidence, its == kept.end() ? Kept::byItself : its->second);
 }
 
 const StoredCams *ReportedDevice::knownCams(unsigned program) const
@@ -93,6 +103,7 @@ std::vector<ReportedDevice> reportedDevices(const ReportInput &input, const Cata
             device.notLive = live->second.notLive;
             device.isSimulated = live->second.isSimulated;
             device.values = live->second.values;
+            device.kept = live->second.kept;
             device.cams = live->second.cams;
         }
         devices.push_back(std::move(device));

@@ -18,9 +18,12 @@ struct ReportedDevice
     std::optional<NotLive> notLive{}; // of a connected one: what is known of it is of before
     std::vector<StoredValue> values;
     std::vector<StoredCams> cams;
+    std::map<Parameter, Kept> kept{}; // as far as somebody knows
 
     Place place() const { return planned->place(); }
     const StoredValue *known(Parameter parameter) const;
+    // How it is known, and how it is kept: "read, stored"; empty: it is not known.
+    QString evidence(Parameter parameter) const;
     const StoredCams *knownCams(unsigned program) const;
     const CamProgram *wantedCams(unsigned program) const;
     ParameterValues knownValues() const;

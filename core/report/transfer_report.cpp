@@ -82,7 +82,7 @@ ReportTable tableOf(const EncoderAccount &account, const Catalog &catalog)
         table.rows.push_back({{parameterName(row.wanted.parameter),
                                transfer_words::known(device, row.wanted.parameter, row.before),
                                transfer_words::value(device, row.wanted), transfer_words::became(row)},
-                              row.became != Became::written && row.became != Became::alreadyThere});
+                              !isThere(row.became)});
     for (const AccountCamRow &row : account.cams)
         table.rows.push_back(
             {{TransferReport::tr("Cam program %1").arg(row.program), {}, {}, transfer_words::became(row)},
@@ -158,6 +158,9 @@ Report reportOf(const TransferAccount &account, const Catalog &catalog, const QS
         {TransferReport::tr("EEPROM writes"),
          eepromWritesText(account.eepromWrites(), account.eepromWritesPerhaps())},
         {TransferReport::tr("Software"), QStringLiteral("Codewheel %1").arg(version)}};
+    if (const int stored = account.count(Became::stored); stored > 0)
+        report.facts.insert(report.facts.end() - 2,
+                            {TransferReport::tr("Stored, in force before"), QString::number(stored)});
     for (const EncoderAccount &encoder : account.encoders)
         report.sections.push_back(
             {.heading = headingOf(encoder), .blocks = {accountFacts(encoder), tableOf(encoder, catalog)}});

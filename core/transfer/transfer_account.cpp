@@ -24,6 +24,8 @@ Became becameOf(const WriteRow &row, const std::vector<Outcome> &outcomes)
             became = Became::confirmed;
         } else if (findValue(outcome.notActive, row.wanted.parameter) == row.wanted.value) {
             became = Became::notActive;
+        } else if (findValue(outcome.stored, row.wanted.parameter) == row.wanted.value) {
+            became = Became::stored;
         } else if (findValue(outcome.alreadyThere, row.wanted.parameter) == row.wanted.value) {
             became = Became::alreadyThere;
         }
@@ -141,11 +143,6 @@ void addPresetThatIsLeft(EncoderAccount &account, const EncoderPlan &plan, const
                                 .became = Became::written});
 }
 
-bool isThere(Became became)
-{
-    return became == Became::written || became == Became::alreadyThere;
-}
-
 std::optional<ValueNote> whatIsNotInForce(const EncoderSession &encoder, const std::vector<AccountRow> &rows)
 {
     ParameterValues there;
@@ -197,6 +194,11 @@ bool wasCancelled(const EncoderAccount &account)
 }
 
 } // namespace
+
+bool isThere(Became became)
+{
+    return became == Became::written || became == Became::alreadyThere || became == Became::stored;
+}
 
 bool EncoderAccount::isDone() const
 {
@@ -256,11 +258,12 @@ TransferAccount accountOf(const Buses &buses, TransferKind kind, const TransferP
 Message messageOf(const TransferAccount &account)
 {
     const auto done = std::ranges::count_if(account.encoders, &EncoderAccount::isDone);
-    Message message{.severity = account.isDone() ? Severity::information : Severity::attention,
-                    .id = account.isCancelled() ? MessageId::transferCancelled : MessageId::transferDone,
-                    .arguments = {std::int64_t{done}, std::int64_t{account.count(Became::written)},
-                                  std::int64_t{account.count(Became::alreadyThere)},
-                                  std::int64_t{account.eepromWrites()}}};
+    Message message{
+        .severity = account.isDone() ? Severity::information : Severity::attention,
+        .id = account.isCancelled() ? MessageId::transferCancelled : MessageId::transferDone,
+        .arguments = {
+            std::int64_t{done}, std::int64_t{account.count(Became::written) + account.count(Became::stored)},
+            std::int64_t{account.count(Became::alreadyThere)}, std::int64_t{account.eepromWrites()}}};
     if (account.encoders.size() == 1)
         message.place = account.encoders.front().place;
     const auto set = std::ranges::find_if(account.encoders, [](const EncoderAccount &encoder) {

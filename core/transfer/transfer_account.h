@@ -13,12 +13,15 @@ class Buses;
 enum class Became : std::uint8_t {
     written,      // and active
     alreadyThere, // known, or found by reading first: not written
+    stored,       // in force before, and perhaps not stored
     restored,     // written, and then the previous value again
     confirmed,    // accepted, but not active: the encoder waits for run
     notActive,    // accepted, but not active: the encoder shows an error
     unknown,      // sent, and nobody knows whether the encoder has it
     notDone,
 };
+// The encoder has the value as it was wanted.
+bool isThere(Became became);
 
 struct AccountRow
 {

@@ -31,6 +31,8 @@ QString text(Became became)
         return TransferWords::tr("Written");
     case Became::alreadyThere:
         return TransferWords::tr("Already there");
+    case Became::stored:
+        return TransferWords::tr("In force before, and stored now");
     case Became::restored:
         return TransferWords::tr("Earlier value restored");
     case Became::confirmed:

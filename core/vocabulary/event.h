@@ -65,6 +65,7 @@ struct Outcome
     ParameterValues written;      // confirmed and activated by run
     ParameterValues confirmed{};  // but not activated: takes effect only once run is sent
     ParameterValues alreadyThere; // left out because read and equal
+    ParameterValues stored{};     // likewise, but perhaps not stored before
     ParameterValues setAlong{};   // changed by the encoder itself along with what was written, and read back
     ParameterValues read;         // ReadParameters: what the encoder reported
     // IN was 00000000h from run to the end: position 0, or no power. Without a read-out the two cannot be

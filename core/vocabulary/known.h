@@ -14,12 +14,21 @@ enum class Evidence : std::uint8_t {
     told,   // given by the user, or by the plan of the training bus
 };
 
+// Whether a value in force is in force again after the encoder was without supply.
+enum class Kept : std::uint8_t {
+    byItself,      // nothing to say: this encoder keeps what is in force, or nobody writes it
+    notKnown,      // only read, or nobody has seen the answer to the step that stores
+    untilPowerOff, // not stored yet, or never
+    stored,
+};
+
 struct Known
 {
     Parameter parameter = Parameter::steps;
     Value value = 0;
     Evidence evidence = Evidence::told;
     Instant at{};
+    Kept kept = Kept::byItself;
 
     friend bool operator==(const Known &, const Known &) = default;
 };

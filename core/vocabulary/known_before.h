@@ -20,6 +20,7 @@ struct KnownBefore
         Value value = 0;
         Evidence evidence = Evidence::told;
         QDateTime at{};
+        Kept kept = Kept::byItself;
     };
 
     std::vector<Entry> values;

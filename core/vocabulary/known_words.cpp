@@ -12,6 +12,36 @@ struct KnownWords
     Q_DECLARE_TR_FUNCTIONS(codewheel::KnownWords)
 };
 
+QString howItBecameKnown(const Known &known, bool reads)
+{
+    switch (known.evidence) {
+    case Evidence::read:
+        return KnownWords::tr("It was read from the encoder.");
+    case Evidence::echoed:
+        return reads ? KnownWords::tr("Confirmed in a handshake, but not read back since: read it.")
+                     : KnownWords::tr("Confirmed in a handshake; the encoder cannot be read.");
+    case Evidence::told:
+        break;
+    }
+    return reads ? KnownWords::tr("Set manually or by the plan of the bus, not by the encoder: read it.")
+                 : KnownWords::tr("Set manually or by the plan of the bus; the encoder cannot be read.");
+}
+
+QString howItIsKept(Kept kept)
+{
+    switch (kept) {
+    case Kept::stored:
+        return KnownWords::tr("It is stored: the encoder keeps it without supply.");
+    case Kept::untilPowerOff:
+        return KnownWords::tr("It is not stored: without supply the encoder loses it.");
+    case Kept::notKnown:
+        return KnownWords::tr("Whether it is stored is not known.");
+    case Kept::byItself:
+        break;
+    }
+    return {};
+}
+
 } // namespace
 
 QString word(Evidence evidence)
@@ -27,9 +57,29 @@ QString word(Evidence evidence)
     return KnownWords::tr("by hand");
 }
 
+QString word(Kept kept)
+{
+    switch (kept) {
+    case Kept::stored:
+        return KnownWords::tr("stored");
+    case Kept::untilPowerOff:
+        return KnownWords::tr("not stored");
+    case Kept::notKnown:
+    case Kept::byItself:
+        break;
+    }
+    return {};
+}
+
+QString word(Evidence evidence, Kept kept)
+{
+    const QString isKept = word(kept);
+    return isKept.isEmpty() ? word(evidence) : QStringLiteral("%1, %2").arg(word(evidence), isKept);
+}
+
 QString word(const std::optional<Known> &known)
 {
-    return known ? word(known->evidence) : KnownWords::tr("unknown");
+    return known ? word(known->evidence, known->kept) : KnownWords::tr("unknown");
 }
 
 QString explanation(const std::optional<Known> &known, bool reads)
@@ -38,17 +88,7 @@ QString explanation(const std::optional<Known> &known, bool reads)
         return reads ? KnownWords::tr("Not known: read it from the encoder.")
                      : KnownWords::tr(
                            "Not known, and the encoder cannot be read: set it manually, or write it.");
-    switch (known->evidence) {
-    case Evidence::read:
-        return KnownWords::tr("It was read from the encoder.");
-    case Evidence::echoed:
-        return reads ? KnownWords::tr("Confirmed in a handshake, but not read back since: read it.")
-                     : KnownWords::tr("Confirmed in a handshake; the encoder cannot be read.");
-    case Evidence::told:
-        break;
-    }
-    return reads ? KnownWords::tr("Set manually or by the plan of the bus, not by the encoder: read it.")
-                 : KnownWords::tr("Set manually or by the plan of the bus; the encoder cannot be read.");
+    return QStringLiteral("%1 %2").arg(howItBecameKnown(*known, reads), howItIsKept(known->kept)).trimmed();
 }
 
 } // namespace codewheel::known_words

@@ -14,9 +14,13 @@ namespace known_words {
 
 // "read", "confirmed", "by hand"
 QString word(Evidence evidence);
+// "stored", "not stored"; empty: there is nothing to say, or it is not known.
+QString word(Kept kept);
+// "read, stored"
+QString word(Evidence evidence, Kept kept);
 // "unknown" if it is not.
 QString word(const std::optional<Known> &known);
-// In a sentence, with what would make it more certain. reads: the encoder can be read.
+// In sentences, with what would make it more certain. reads: the encoder can be read.
 QString explanation(const std::optional<Known> &known, bool reads);
 
 } // namespace known_words

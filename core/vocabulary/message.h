@@ -26,7 +26,8 @@ enum class MessageId : std::uint8_t {
     watchOn,           // nothing is sent any more
     computerSlept,     // seconds; writing is no longer allowed
     wordWritten,       // Word
-    parametersWritten, // number of parameters, EEPROM writes, MessageItems; so for the next three
+    parametersWritten, // number of parameters, EEPROM writes, MessageItems; so for the next four
+    parametersStored,  // which were in force before
     writtenUnscaled,   // some of them act only while the encoder scales its position
     restoredReadBack,  // previous values and cam programs
     restoredConfirmed, // likewise, where nothing can be read

@@ -34,10 +34,13 @@ constexpr std::array messageRows{
     SentenceRow{
         MessageId::parametersWritten, "parametersWritten",
         QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
+    SentenceRow{
+        MessageId::parametersStored, "parametersStored",
+        QT_TRANSLATE_NOOP("Message", "Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).")},
     SentenceRow{MessageId::writtenUnscaled, "writtenUnscaled",
-                QT_TRANSLATE_NOOP("Message",
-                                  "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
-                                  "acts only while scaling is on.")},
+               QT_TRANSLATE_NOOP("Message",
+                                 "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
+                                 "acts only while scaling is on.")},
     SentenceRow{
         MessageId::restoredReadBack, "restoredReadBack",
         QT_TRANSLATE_NOOP("Message",
@@ -269,6 +272,7 @@ QStringList messageParts(const Message &message)
     case MessageId::training:
         return {trainingActText(message.arguments)};
     case MessageId::parametersWritten:
+    case MessageId::parametersStored:
     case MessageId::writtenUnscaled:
         return partsOfWritten(message);
     case MessageId::restoredReadBack:

@@ -39,6 +39,7 @@ Outcome DoneJobs::followedBy(Outcome outcome) const
         outcome.eepromWrites += before->eepromWrites;
         prepend(outcome.written, before->written);
         prepend(outcome.alreadyThere, before->alreadyThere);
+        prepend(outcome.stored, before->stored);
         prepend(outcome.read, before->read);
         prepend(outcome.setAlong, before->setAlong);
         if (before->positionBefore)

@@ -86,6 +86,9 @@ QStringList doneTexts(const EncoderSession &encoder, const Outcome &outcome)
         sentences << OutcomeText::tr("%1: %2, set by the encoder itself with the steps.",
                                      "name of a parameter, value")
                          .arg(parameterName(along.parameter), plainText(along.value));
+    if (!outcome.stored.empty())
+        sentences << OutcomeText::tr("%1 stored, in force before.", "names of parameters")
+                         .arg(namesOfValues(outcome.stored));
     if (!outcome.written.empty() || outcome.eepromWrites > 0)
         sentences << OutcomeText::tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     if (outcome.positionAfter)
@@ -112,7 +115,7 @@ QString successText(const EncoderSession &encoder, const Outcome &outcome, bool 
         sentences << modeSentence(encoder.latest());
     if (!outcome.alreadyThere.empty())
         sentences << OutcomeText::tr("Already there: %1.").arg(outcome.alreadyThere.size());
-    else if (outcome.written.empty() && !outcome.read.empty())
+    else if (outcome.written.empty() && outcome.stored.empty() && !outcome.read.empty())
         sentences << OutcomeText::tr("Values read: %1.").arg(outcome.read.size());
     sentences << leftInText(outcome.leftIn);
     if (outcome.onlyZeroSinceRun)

@@ -85,7 +85,7 @@ QStringList tipsOf(const EncoderSession *encoder, const std::optional<Known> &kn
 
 bool stores(const DeviceDescription *device, const WriteRow &row)
 {
-    return device != nullptr && row.step && storingSteps({&*row.step, 1}, *device) > 0;
+    return device != nullptr && row.step && !row.isOnlyStored && storingSteps({&*row.step, 1}, *device) > 0;
 }
 
 // The values are those of the new encoder if it replaces another.

@@ -112,6 +112,7 @@ void ReviewPage::plan()
             rows.push_back({{parameterName(row.wanted.parameter), knownText(encoder.device(), row.known),
                              valueWithUnit(encoder.device(), row.wanted),
                              row.isThere                ? tr("already there, not written")
+                             : row.isOnlyStored         ? tr("in force already, only stored")
                              : row.isRearmed            ? tr("already there, written if used up")
                              : row.isInStepOfOthers()   ? tr("not wanted, goes along")
                              : plan.job.onlyWhatDiffers ? tr("read, written if it differs")

@@ -23,6 +23,11 @@ constexpr NamedValue<Mode> modeKeys[] = {
     {"velocity", Mode::velocity},
     {"cam", Mode::cam},
 };
+constexpr NamedValue<Kept> keptKeys[] = {
+    {"notKnown", Kept::notKnown},
+    {"untilPowerOff", Kept::untilPowerOff},
+    {"stored", Kept::stored},
+};
 constexpr NamedValue<EncoderState> stateKeys[] = {
     {"unknown", EncoderState::unknown},     {"notSeen", EncoderState::notSeen},
     {"operation", EncoderState::operation}, {"parameterization", EncoderState::parameterization},
@@ -104,15 +109,22 @@ QJsonValue textJson(const QString &text)
     return text.isEmpty() ? QJsonValue() : QJsonValue(text);
 }
 
-QJsonValue evidenceJson(const std::optional<Known> &known)
+void addEvidence(QJsonObject &json, const std::optional<Known> &known)
 {
-    return known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue();
+    json.insert(QStringLiteral("evidence"), known ? QJsonValue(evidenceKey(known->evidence)) : QJsonValue());
+    addKept(json, known);
+}
+
+void addKept(QJsonObject &json, const std::optional<Known> &known)
+{
+    if (known && known->kept != Kept::byItself)
+        json.insert(QStringLiteral("kept"), keyOf(keptKeys, known->kept));
 }
 
 void addKnown(QJsonObject &json, const std::optional<Known> &known)
 {
     json.insert(QStringLiteral("known"), known ? valueToJson(known->value) : QJsonValue());
-    json.insert(QStringLiteral("evidence"), evidenceJson(known));
+    addEvidence(json, known);
 }
 
 void merge(QJsonObject &into, const QJsonObject &more)

@@ -29,7 +29,9 @@ QJsonObject valueJson(const ParameterDescription &parameter, const Value &value)
 
 // "known" and "evidence", null if nothing is known.
 void addKnown(QJsonObject &json, const std::optional<Known> &known);
-QJsonValue evidenceJson(const std::optional<Known> &known);
+// How it is known, and how it is kept if there is something to say.
+void addEvidence(QJsonObject &json, const std::optional<Known> &known);
+void addKept(QJsonObject &json, const std::optional<Known> &known);
 QJsonValue textJson(const QString &text); // null where it is empty
 // Copies everything in `more` into `into`.
 void merge(QJsonObject &into, const QJsonObject &more);

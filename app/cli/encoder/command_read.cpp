@@ -39,7 +39,7 @@ Answer whatIsKnown(const EncoderSession &encoder)
         table.add({parameterKey(parameter.parameter), valueCell(parameter, value->value),
                    known_words::word(value)});
         QJsonObject json = valueJson(parameter, value->value);
-        json.insert(QStringLiteral("evidence"), evidenceKey(value->evidence));
+        addEvidence(json, value);
         known.append(json);
     }
     Answer answer;

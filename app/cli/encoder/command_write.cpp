@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/protocol_rules.h"
 #include "cli/bus/bus_access.h"
 #include "cli/bus/places.h"
 #include "cli/call/json.h"
@@ -85,7 +86,7 @@ QJsonArray writtenJson(const EncoderSession &encoder, const ParameterValues &val
     QJsonArray json;
     for (const ParameterValue &value : values) {
         QJsonObject object = valueJson(*encoder.device().find(value.parameter), value.value);
-        object.insert(QStringLiteral("evidence"), evidenceJson(encoder.known(value.parameter)));
+        addEvidence(object, encoder.known(value.parameter));
         json.append(object);
     }
     return json;
@@ -96,6 +97,8 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
 {
     json.insert(QStringLiteral("written"), writtenJson(encoder, outcome.written));
     json.insert(QStringLiteral("alreadyThere"), writtenJson(encoder, outcome.alreadyThere));
+    if (protocolRules(encoder.device().profile).storesByStep())
+        json.insert(QStringLiteral("stored"), writtenJson(encoder, outcome.stored));
     json.insert(QStringLiteral("eepromWrites"), outcome.eepromWrites);
     json.insert(QStringLiteral("positionBefore"), numberJson(before.reading.position));
     json.insert(QStringLiteral("positionAfter"), numberJson(after.reading.position));

@@ -5,6 +5,7 @@
 #include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/encoder/parameter_text.h"
+#include "vocabulary/known_words.h"
 
 namespace codewheel {
 
@@ -20,8 +21,11 @@ QString valueLines(const EncoderSession &encoder, const ParameterValues &values,
     TextTable table;
     for (const ParameterValue &value : values) {
         const ParameterDescription &parameter = *encoder.device().find(value.parameter);
-        table.add(
-            {parameterKey(value.parameter), valueCell(parameter, value.value, valueOptionsOf(&encoder))});
+        QStringList cells{parameterKey(value.parameter),
+                          valueCell(parameter, value.value, valueOptionsOf(&encoder))};
+        if (const auto known = encoder.known(value.parameter))
+            cells << known_words::word(known->kept);
+        table.add(cells);
     }
     if (!version.isEmpty())
         table.add({QStringLiteral("version"), QStringLiteral("= %1").arg(version)});
@@ -38,6 +42,7 @@ QJsonArray valuesJson(const EncoderSession &encoder, const ParameterValues &valu
         if (parameter.form != nullptr && parameter.form->asSent != nullptr)
             if (const auto sent = parameter.form->asSent(value.value.number(), options))
                 object.insert(QStringLiteral("asSent"), static_cast<qint64>(*sent));
+        addKept(object, encoder.known(value.parameter));
         json.append(object);
     }
     return json;

@@ -28,6 +28,8 @@ QString WriteAccount::fateOf(const ParameterValue &value) const
                    ? CommandLine::tr("written, and read back")
                    : CommandLine::tr("written, confirmed by the handshake");
     }
+    if (findValue(outcome().stored, value.parameter))
+        return CommandLine::tr("in force before, and stored now");
     if (findValue(outcome().alreadyThere, value.parameter))
         return CommandLine::tr("already there");
     if (findValue(outcome().inDoubt.values, value.parameter))

@@ -23,10 +23,9 @@ namespace codewheel {
 namespace {
 
 constexpr NamedValue<Became> becameKeys[] = {
-    {"notDone", Became::notDone},           {"written", Became::written},
-    {"alreadyThere", Became::alreadyThere}, {"restored", Became::restored},
-    {"confirmed", Became::confirmed},       {"unknown", Became::unknown},
-    {"notActive", Became::notActive},
+    {"notDone", Became::notDone},   {"written", Became::written},     {"alreadyThere", Became::alreadyThere},
+    {"restored", Became::restored}, {"stored", Became::stored},       {"confirmed", Became::confirmed},
+    {"unknown", Became::unknown},   {"notActive", Became::notActive},
 };
 
 const DeviceDescription *deviceAt(const Buses &buses, Place place)
@@ -187,6 +186,8 @@ QString accountText(const Call &call, const TransferAccount &account)
                               transfer_words::leftIn(encoder)}) +
                     u'\n';
     }
+    if (const int stored = account.count(Became::stored); stored > 0)
+        text += sentence(CommandLine::tr("Stored, in force before: %1."), {QString::number(stored)}) + u'\n';
     return text +
            sentence(CommandLine::tr("Written: %1. Already there: %2. EEPROM writes: %3."),
                     {QString::number(account.count(Became::written)),

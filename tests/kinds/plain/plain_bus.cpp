@@ -140,8 +140,12 @@ void PlainBus::ask(Seat &seat)
 {
     if (!seat.run)
         return;
-    if (const auto line = seat.run->next())
-        seat.run->answered(exchange(seat, *line));
+    if (const auto line = seat.run->next()) {
+        if (const QByteArray answer = exchange(seat, *line); !answer.isEmpty())
+            seat.run->answered(answer);
+        else
+            seat.run->stop({RefusalKind::link, RefusalId::linkFailed, {QStringLiteral("No answer.")}});
+    }
     if (seat.run->isDone())
         seat.run.reset();
 }
@@ -155,7 +159,8 @@ QByteArray PlainBus::exchange(Seat &seat, const QByteArray &line)
     };
     tellLine(TrafficKind::sent, line);
     const QByteArray answer = seat.node->answer(line);
-    tellLine(TrafficKind::answer, answer);
+    if (!answer.isEmpty())
+        tellLine(TrafficKind::answer, answer);
     return answer;
 }
 
@@ -245,13 +250,13 @@ TelegramNode &PlainBus::telegram(Place place)
     return dynamic_cast<TelegramNode &>(*seatAt(place).node);
 }
 
-// What is known of a plain node may be gone; the other kind says so itself.
+// A plain node has what it stored; the other kind says itself that it lost its values.
 void PlainBus::switchOffAndOn(Place place)
 {
     Seat &seat = seatAt(place);
     seat.node->switchOffAndOn();
     if (seat.known.device.profile == plainProfile)
-        seat.session.forgetValues();
+        seat.session.forgetWhatWasNotStored();
 }
 
 EncoderSession *PlainBus::encoderAt(NodeId node) const

@@ -19,16 +19,19 @@ public:
     QByteArray answer(const QByteArray &line) override;
     void switchOffAndOn() override;
 
-    bool isGiven() const { return !m_given.empty(); } // and not gone with
-    int writes() const { return m_writes; }           // to its EEPROM
+    bool isGiven() const { return !m_given.empty(); }            // and not gone with
+    void loseAnswerTo(const QByteArray &line) { m_lost = line; } // carried out all the same
+    int writes() const { return m_writes; }                      // to its EEPROM
     void lose(const QByteArray &key) { m_inForce.erase(key); }
 
 private:
+    QByteArray carryOut(const QByteArray &line);
     QByteArray give(const QByteArray &values);
 
     Values m_stored;
     Values m_given;
     int m_writes = 0;
+    QByteArray m_lost;
 };
 
 } // namespace codewheel::test

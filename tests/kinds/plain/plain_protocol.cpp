@@ -92,6 +92,11 @@ Value plainValue(const ParameterDescription &parameter, const QByteArray &text)
                               : Value(text.toLongLong());
 }
 
+PlainStep plainStore()
+{
+    return step(PlainStep::Task::keep, Effect::stores, "keep");
+}
+
 std::vector<PlainStep> plainWrites(const DeviceDescription &device, const ParameterValues &values)
 {
     std::vector<PlainStep> steps;
@@ -106,7 +111,7 @@ std::vector<PlainStep> plainWrites(const DeviceDescription &device, const Parame
     if (values.empty())
         return steps;
     steps.push_back(step(PlainStep::Task::go, Effect::activates, "go"));
-    steps.push_back(step(PlainStep::Task::keep, Effect::stores, "keep"));
+    steps.push_back(plainStore());
     for (const ParameterValue &value : values)
         if (device.find(value.parameter)->canBeRead) {
             steps.push_back(reading(PlainStep::Task::check, value.parameter));

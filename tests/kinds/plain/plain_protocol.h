@@ -51,6 +51,7 @@ struct PlainStep : Step
 };
 
 std::vector<PlainStep> plainSteps(const DeviceDescription &device, const Job &job);
+PlainStep plainStore();
 std::vector<PlainStep> plainWrites(const DeviceDescription &device, const ParameterValues &values);
 
 // Its key, and its value as in a line, which has no spaces but those between values.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/kinds/plain/plain_run.h"
 
+#include "catalog/kept_values.h"
 #include "tests/kinds/plain/plain_refusals.h"
 #include "tests/kinds/plain/telegram_protocol.h"
 
@@ -60,11 +61,24 @@ void PlainRun::leaveOutWhatIsThere()
         return;
     ParameterValues left;
     for (const ParameterValue &value : write->values)
-        (findValue(m_account.outcome.read, value.parameter) == value.value ? m_account.outcome.alreadyThere
-                                                                           : left)
+        (findValue(m_account.outcome.read, value.parameter) != value.value ? left
+         : mayBeLost(value)                                                ? m_toStore
+                                                                           : m_account.outcome.alreadyThere)
             .push_back(value);
     m_steps.dropRest();
-    m_steps.append(plainWrites(m_encoder.device, left));
+    m_steps.append(left.empty() && !m_toStore.empty() ? std::vector{plainStore()}
+                                                      : plainWrites(m_encoder.device, left));
+}
+
+bool PlainRun::mayBeLost(const ParameterValue &value) const
+{
+    const auto known = m_encoder.values.known(value.parameter);
+    return !known || hasToBeStored(m_encoder.device, *known);
+}
+
+bool PlainRun::isUnderWay(PlainStep::Task task) const
+{
+    return !m_steps.atEnd() && m_steps.begun && m_steps.current().task == task;
 }
 
 void PlainRun::answered(const QByteArray &answer)
@@ -107,6 +121,8 @@ void PlainRun::done(const QByteArray &answer)
         break;
     case PlainStep::Task::keep:
         m_encoder.values.countEepromWrite();
+        m_encoder.values.haveBeenStored();
+        m_account.outcome.stored = std::exchange(m_toStore, {});
         break;
     case PlainStep::Task::to:
         m_encoder.reading.position = step.line.mid(3).toLongLong();
@@ -142,7 +158,8 @@ void PlainRun::goesInForce()
 {
     for (const ParameterValue &value : std::exchange(m_given, {})) {
         m_account.written(value);
-        m_encoder.values.learn({value.parameter, value.value, Evidence::echoed, m_encoder.reading.at});
+        m_encoder.values.learn(
+            {value.parameter, value.value, Evidence::echoed, m_encoder.reading.at, Kept::untilPowerOff});
     }
 }
 
@@ -153,8 +170,12 @@ void PlainRun::fail(Refusal why)
 
 void PlainRun::stop(const Refusal &why)
 {
-    if (!m_steps.atEnd() && m_steps.begun && m_steps.current().task == PlainStep::Task::go)
+    if (isUnderWay(PlainStep::Task::go))
         m_account.outcome.inDoubt.values = m_given;
+    if (isUnderWay(PlainStep::Task::keep)) {
+        m_account.outcome.inDoubt.eepromWrites = 1;
+        m_encoder.values.mayHaveBeenStored();
+    }
     leaveOutOfSight();
     noteFailure(why);
     finish(result());
@@ -179,6 +200,7 @@ void PlainRun::leaveOffAt(Instant /*now*/)
 void PlainRun::complete(Outcome &outcome)
 {
     outcome.confirmed = m_given;
+    std::ranges::copy(m_toStore, std::back_inserter(outcome.alreadyThere)); // they were not stored
     if (hasRestored())
         outcome.restored = Evidence::read;
     m_encoder.flush();

@@ -43,7 +43,11 @@ private:
     void fail(Refusal why);
 
     PlainKnowledge &m_encoder;
-    ParameterValues m_given; // and not in force yet
+    bool mayBeLost(const ParameterValue &value) const;
+    bool isUnderWay(PlainStep::Task task) const;
+
+    ParameterValues m_given;   // and not in force yet
+    ParameterValues m_toStore; // in force, found by reading
     bool m_isCompared = false;
 };
 

@@ -20,6 +20,7 @@ public:
     QDateTime dateTime(Instant at) const override;
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
     using DrivenEncoderSession::forgetValues;
+    using DrivenEncoderSession::forgetWhatWasNotStored;
 
 private:
     Result<void> mayStart(const Job &job) const override;

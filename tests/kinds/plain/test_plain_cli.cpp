@@ -75,6 +75,41 @@ TEST_F(CliPlainBus, WritesNumbersBelowZeroAndTexts)
     EXPECT_EQ(values[1][u"value"], QStringLiteral("Hoist"));
 }
 
+TEST_F(CliPlainBus, TellsWhetherItsValuesAreStored)
+{
+    EXPECT_EQ(run(QStringLiteral("read n:1 steps --json")).json()[u"values"][0][u"kept"],
+              QStringLiteral("notKnown"));
+    EXPECT_FALSE(run(QStringLiteral("read n:1 serial-number --json"))
+                     .json()[u"values"][0]
+                     .toObject()
+                     .contains(u"kept"));
+    const CliRun written = run(QStringLiteral("write n:1 steps=4096 --yes"));
+    EXPECT_EQ(written.exit, 0) << written.err;
+    EXPECT_THAT(written.out, HasSubstr("In force already; only stored"));
+    EXPECT_THAT(written.out, HasSubstr("in force before, and stored now"));
+    EXPECT_THAT(written.out, HasSubstr("EEPROM writes:   1"));
+    EXPECT_EQ(bus.node(test::plainHoist).writes(), 1);
+    EXPECT_THAT(run(QStringLiteral("read n:1 steps")).out, HasSubstr("stored\n"));
+    EXPECT_THAT(run(QStringLiteral("write n:1 steps=4096 --yes")).out, HasSubstr("nothing to write"));
+    const QJsonObject json = run(QStringLiteral("write n:1 steps=100 --yes --json")).json();
+    EXPECT_EQ(json[u"plan"][0][u"kept"], QStringLiteral("stored"));
+    EXPECT_EQ(json[u"written"][0][u"kept"], QStringLiteral("stored"));
+    EXPECT_TRUE(json[u"stored"].toArray().isEmpty());
+}
+
+TEST_F(CliPlainBus, ATransferStoresWhatIsInForce)
+{
+    want(test::plainGate, {{test::plainFilter(), 0}});
+    const QString transfer = QStringLiteral("transfer ") + file + QStringLiteral(" --yes");
+    const CliRun transferred = run(transfer);
+    EXPECT_EQ(transferred.exit, 0) << transferred.err;
+    EXPECT_THAT(transferred.out, HasSubstr("In force before, and stored now"));
+    EXPECT_THAT(transferred.out, HasSubstr("Stored, in force before: 1."));
+    EXPECT_THAT(transferred.out, HasSubstr("Written: 0. Already there: 0. EEPROM writes: 1."));
+    EXPECT_THAT(run(transfer).out, HasSubstr("It has everything already"));
+    EXPECT_EQ(bus.node(test::plainGate).writes(), 1);
+}
+
 TEST_F(CliPlainBus, WhatDoesNotFitIsRefused)
 {
     EXPECT_EQ(errorKey(run(QStringLiteral("write n:1 2000:1=-1001 --yes --json"))), "valueOutOfRange");

@@ -4,6 +4,7 @@
 #include "jobs/protocol.h"
 #include "jobs/step_text.h"
 #include "jobs/write_plan.h"
+#include "journal/known_keeper.h"
 #include "tests/kinds/plain/plain_bus.h"
 
 #include <gmock/gmock.h>
@@ -33,6 +34,24 @@ protected:
         QObject::disconnect(ended);
         EXPECT_TRUE(outcome);
         return outcome.value_or(Outcome{});
+    }
+    // And does not store it.
+    void putInForce(const ParameterValues &values)
+    {
+        EXPECT_TRUE(encoder.start(WriteParameters{.values = values, .previous = {}}, Pace::byHand));
+        for (int step = 0; step < 2; ++step) { // set, go
+            bus.advance(5ms);
+            encoder.proceed();
+        }
+        bus.advance(5ms);
+        encoder.cancel(OnCancel::leaveAsIs);
+        bus.advance(5ms);
+        EXPECT_FALSE(encoder.runningJob());
+    }
+    std::optional<Kept> keptOf(Parameter parameter) const
+    {
+        const auto known = encoder.known(parameter);
+        return known ? std::optional(known->kept) : std::nullopt;
     }
     RefusalCode whyNot(const ParameterValues &values)
     {
@@ -87,7 +106,83 @@ TEST_F(PlainJobs, WhatIsThereAlreadyIsLeftOut)
         .previous = {}});
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(outcome.written, (ParameterValues{{plainFilter(), 7}}));
-    EXPECT_EQ(outcome.alreadyThere.size(), 2u);
+    EXPECT_EQ(outcome.stored.size(), 2u) << "they were read, and perhaps not stored";
+    EXPECT_TRUE(outcome.alreadyThere.empty());
+    EXPECT_EQ(node.writes(), 1);
+    const Outcome again = finish(
+        WriteParameters{.values = {{Parameter::steps, 4096}}, .onlyWhatDiffers = true, .previous = {}});
+    EXPECT_EQ(again.alreadyThere.size(), 1u);
+    EXPECT_EQ(node.writes(), 1);
+}
+
+TEST_F(PlainJobs, WhatWasNotStoredIsOnlyStoredWhenItIsWrittenAgain)
+{
+    putInForce({{Parameter::steps, 100}});
+    EXPECT_EQ(keptOf(Parameter::steps), Kept::untilPowerOff);
+    const WriteWish wish{.wanted = {{Parameter::steps, 100}}};
+    const WritePlan plan = planWrite(encoder, wish);
+    ASSERT_EQ(plan.rows.size(), 1u);
+    EXPECT_TRUE(plan.rows.front().isOnlyStored);
+    EXPECT_EQ(sentText(*plan.rows.front().step), QStringLiteral("keep"));
+    EXPECT_EQ(eepromWritesOf(plan.steps, encoder.device()), 1);
+    const auto before = static_cast<std::ptrdiff_t>(node.heard().size());
+    const Outcome outcome = finish(plan.job);
+    EXPECT_TRUE(outcome.result);
+    EXPECT_THAT(std::vector(node.heard().begin() + before, node.heard().end()),
+                ElementsAre("get steps", "keep"));
+    EXPECT_EQ(outcome.stored, wish.wanted);
+    EXPECT_TRUE(outcome.written.empty());
+    EXPECT_TRUE(outcome.alreadyThere.empty());
+    EXPECT_EQ(outcome.eepromWrites, 1);
+    EXPECT_EQ(keptOf(Parameter::steps), Kept::stored);
+    EXPECT_TRUE(planWrite(encoder, wish).jobs.empty());
+}
+
+TEST_F(PlainJobs, OfAValueThatWasOnlyReadNobodyKnowsWhetherItIsStored)
+{
+    EXPECT_TRUE(finish(ReadParameters{{Parameter::steps, Parameter::serialNumber}}).result);
+    EXPECT_EQ(keptOf(Parameter::steps), Kept::notKnown);
+    EXPECT_EQ(keptOf(Parameter::serialNumber), Kept::byItself) << "nobody writes it";
+    EXPECT_TRUE(finish(WriteParameters{.values = {{plainFilter(), 7}}, .previous = {}}).result);
+    EXPECT_EQ(keptOf(Parameter::steps), Kept::stored) << "with all that is in force";
+    EXPECT_TRUE(finish(ReadParameters{{Parameter::steps}}).result);
+    EXPECT_EQ(keptOf(Parameter::steps), Kept::stored) << "it is the same value";
+}
+
+TEST_F(PlainJobs, WithoutTheAnswerToTheStoreItIsNotKnown)
+{
+    node.loseAnswerTo("keep");
+    const Outcome outcome = finish(WriteParameters{.values = {{Parameter::steps, 100}}, .previous = {}});
+    EXPECT_FALSE(outcome.result);
+    EXPECT_EQ(outcome.eepromWrites, 0);
+    EXPECT_EQ(outcome.inDoubt.eepromWrites, 1);
+    EXPECT_EQ(keptOf(Parameter::steps), Kept::notKnown);
+}
+
+TEST_F(PlainJobs, AfterARestartOnlyWhatWasStoredIsKnown)
+{
+    EXPECT_TRUE(finish(WriteParameters{.values = {{Parameter::steps, 100}}, .previous = {}}).result);
+    putInForce({{plainFilter(), 7}});
+    bus.switchOffAndOn(plainHoist);
+    EXPECT_EQ(node.inForce("steps"), "100");
+    EXPECT_EQ(encoder.known(Parameter::steps)->value, 100);
+    EXPECT_FALSE(encoder.known(plainFilter()));
+}
+
+TEST_F(PlainJobs, AfterALossOfSightOnlyWhatMayBeStoredIsKnownOfBefore)
+{
+    bus.passForReal();
+    KnownKeeper keeper;
+    keeper.watch(bus);
+    putInForce({{Parameter::steps, 100}});
+    Q_EMIT bus.meetsAgain();
+    EXPECT_FALSE(encoder.knownBefore()) << "it may have been without supply meanwhile";
+    EXPECT_TRUE(finish(WriteParameters{.values = {{Parameter::steps, 100}}, .previous = {}}).result);
+    Q_EMIT bus.meetsAgain();
+    ASSERT_TRUE(encoder.knownBefore());
+    encoder.tell(Parameter::steps, std::nullopt);
+    encoder.takeKnownBefore();
+    EXPECT_EQ(keptOf(Parameter::steps), Kept::stored);
 }
 
 TEST_F(PlainJobs, WhatWasNotStoredIsGoneWithTheSupply)

@@ -35,10 +35,14 @@ TEST(PlainBusReport, HasItsDevicesAndWhatTheyShow)
     }
     setDevicesOn(input.project, test::plainId, std::move(devices));
     input.project.devices.front().wanted = {{test::plainName(), Value(QStringLiteral("Hoist 9"))}};
+    bus.setOperate(true);
+    EXPECT_TRUE(bus.encoder(test::plainHoist)
+                    ->start(WriteParameters{.values = {{test::plainFilter(), -5}}, .previous = {}}));
+    bus.advance(std::chrono::milliseconds(20));
     addConnected(input, buses);
 
     const std::string text = reportAsText(makeReport(input, catalog)).toStdString();
-    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1", "Hoist 9", "250 ms"})
+    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1", "Hoist 9", "250 ms", "read, stored"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 

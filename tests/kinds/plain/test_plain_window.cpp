@@ -63,6 +63,11 @@ TEST_F(PlainBusInWindow, ItsValuesAreTypedReviewedAndWritten)
     EXPECT_EQ(node.writes(), 1);
     EXPECT_TRUE(says(panel(), QStringLiteral("Filter, Node name")) ||
                 says(panel(), QStringLiteral("Node name, Filter")));
+    panel().showParameter(test::plainFilter());
+    const QModelIndex known =
+        panel().findChild<ParameterTable *>()->currentIndex().siblingAtColumn(ParameterModel::knownColumn);
+    EXPECT_EQ(known.data(ParameterModel::shortDetailRole).toString(), QStringLiteral("read, stored"));
+    EXPECT_TRUE(known.data(Qt::ToolTipRole).toString().contains(QStringLiteral("It is stored: ")));
 }
 
 TEST_F(PlainBusInWindow, TheWizardTakesItStepByStep)

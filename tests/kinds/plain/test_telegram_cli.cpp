@@ -53,7 +53,10 @@ TEST_F(TelegramCli, ReadingIsRefusedWithWhatIsKnown)
     EXPECT_EQ(run(QStringLiteral("write n:4 2000:1=-5 --yes")).exit, 0);
     const CliRun known = run(QStringLiteral("read n:4"));
     EXPECT_EQ(known.exit, 1);
-    EXPECT_THAT(known.out, AllOf(HasSubstr("Last written from here:"), HasSubstr("2000:1")));
+    EXPECT_THAT(known.out, AllOf(HasSubstr("Last written from here:"), HasSubstr("2000:1"),
+                                 HasSubstr("confirmed, not stored")));
+    EXPECT_EQ(run(QStringLiteral("read n:4 --json")).json()[u"known"][0][u"kept"],
+              QStringLiteral("untilPowerOff"));
     bus.switchOffAndOn(telegramWinch);
     bus.advance(5ms);
     EXPECT_THAT(run(QStringLiteral("read n:4")).out, Not(HasSubstr("2000:1")));

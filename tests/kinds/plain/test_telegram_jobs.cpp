@@ -66,6 +66,15 @@ TEST_F(TelegramJobs, WhatNobodyWantsGoesAlongAsItIsKnown)
     EXPECT_EQ(node.heard().back(), "all steps=100 direction=0 2000:1=7 1008=Winch%201");
 }
 
+TEST_F(TelegramJobs, NothingIsKeptAndNothingHasToBeStored)
+{
+    EXPECT_TRUE(write({{Parameter::steps, 100}}).result);
+    EXPECT_EQ(encoder.known(Parameter::steps)->kept, Kept::untilPowerOff);
+    const WritePlan plan = planWrite(encoder, {.wanted = {{Parameter::steps, 100}}});
+    EXPECT_TRUE(plan.rows.front().isThere);
+    EXPECT_TRUE(plan.jobs.empty());
+}
+
 TEST_F(TelegramJobs, AReviewShowsWhatGoesAlongAndThatItCostsNothing)
 {
     const WritePlan plan = planWrite(encoder, {.wanted = {{plainFilter(), -5}}});
