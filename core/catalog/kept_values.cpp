@@ -3,7 +3,15 @@
 
 #include "catalog/protocol_rules.h"
 
+#include <algorithm>
+
 namespace codewheel {
+
+bool keepsValues(const DeviceDescription &device)
+{
+    return std::ranges::any_of(
+        device.parameters, [](const ParameterDescription &its) { return its.canBeWritten && its.stored; });
+}
 
 Kept keptOf(const DeviceDescription &device, Parameter parameter, Kept told)
 {

@@ -6,6 +6,9 @@
 
 namespace codewheel {
 
+// Whether an encoder keeps anything that is written to it without supply.
+bool keepsValues(const DeviceDescription &device);
+
 // How its value is kept, of which its driver says this.
 Kept keptOf(const DeviceDescription &device, Parameter parameter, Kept told);
 

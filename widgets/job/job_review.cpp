@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/job/job_review.h"
 
+#include "catalog/kept_values.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/eeprom/eeprom_gate.h"
@@ -74,7 +75,6 @@ JobReview::JobReview(const char *id, QWidget *parent)
     m_table->setShowGrid(false);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // no value may be out of sight
     WrappedCells::useIn(*m_table);
-    m_writeAll->setToolTip(tr("Writes everything that is wanted once more. That costs EEPROM writes."));
     m_write->setObjectName(QLatin1String(id));
     m_write->setAccessibleName(tr("Write what is shown"));
     m_write->setDefault(true);
@@ -161,6 +161,10 @@ void JobReview::begin(EncoderSession &encoder, std::vector<ReviewColumn> columns
     m_model->setColumns(std::move(columns), size);
     m_write->setToolTip(tip);
     m_write->show();
+    m_writeAll->setToolTip(
+        keepsValues(encoder.device())
+            ? tr("Writes everything that is wanted once more. That costs EEPROM writes.")
+            : tr("Writes everything that is wanted once more. That costs no EEPROM write."));
     connect(&encoder, &EncoderSession::knownChanged, this, &JobReview::showContents);
     connect(&encoder, &EncoderSession::latestChanged, this, [this] {
         if (isVisible()) // mode and the word in OUT decide what is sent

@@ -3,6 +3,7 @@
 
 #include "bus/buses.h"
 #include "catalog/device_description.h"
+#include "catalog/kept_values.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/write_plan.h"
 #include "vocabulary/refusal_text.h"
@@ -68,7 +69,6 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
     m_stepsView->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_stepsView->setMinimumHeight(m_stepsView->horizontalHeader()->sizeHint().height() +
                                   leastSteps * m_stepsView->verticalHeader()->defaultSectionSize());
-    describe(m_writeAll, "writeAll", tr("Each write uses up one of the writes of the encoder's EEPROM."));
     describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
     describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));
 
@@ -97,6 +97,10 @@ void ReviewPage::enter()
 {
     m_words->setText(!m_setup.encoder->device().hasWords() ? tr("Requests that will be sent, in this order:")
                                                            : tr("Words that will be sent, in this order:"));
+    describe(m_writeAll, "writeAll",
+             keepsValues(m_setup.encoder->device())
+                 ? tr("Each write uses up one of the writes of the encoder's EEPROM.")
+                 : tr("It costs no EEPROM write: the encoder keeps no value without supply."));
     m_writeAll->setChecked(m_setup.wish.writeAll);
     (m_setup.byHand ? m_byHand : m_byItself)->setChecked(true);
     plan();

@@ -2,6 +2,7 @@
 #include "catalog/catalog.h"
 #include "catalog/explain_word.h"
 #include "catalog/hex_code.h"
+#include "catalog/kept_values.h"
 #include "catalog/protocol_rules.h"
 #include "catalog/value_text.h"
 #include "cli/bus/device_label.h"
@@ -115,8 +116,11 @@ QString errorLines(const DeviceDescription &device)
     return text;
 }
 
-QString budgetText(const Capabilities &can)
+QString budgetText(const DeviceDescription &device)
 {
+    const Capabilities &can = device.capabilities;
+    if (can.writes && !keepsValues(device))
+        return CommandLine::tr("EEPROM writes: none, it keeps no value without supply");
     if (!can.eepromBudget)
         return CommandLine::tr("EEPROM writes: not stated in the manual");
     if (!can.eepromLimit)
@@ -132,8 +136,8 @@ Answer detailsOf(const DeviceDescription &device)
     if (!device.notes.isEmpty())
         text += device.notesText() + u'\n';
     if (!device.parameters.empty())
-        text += u'\n' + parameterLines(device) + u'\n' + errorLines(device) + u'\n' +
-                budgetText(device.capabilities) + u'\n';
+        text +=
+            u'\n' + parameterLines(device) + u'\n' + errorLines(device) + u'\n' + budgetText(device) + u'\n';
     text += deviceTablesText(device);
 
     QJsonArray parameters;

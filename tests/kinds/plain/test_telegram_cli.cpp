@@ -116,6 +116,13 @@ TEST_F(TelegramCli, NothingIsCounted)
     EXPECT_TRUE(listed[u"entries"].toArray().isEmpty());
 }
 
+TEST_F(TelegramCli, DevicesSpeaksOfNoWritesOfItsEeprom)
+{
+    EXPECT_THAT(run(QStringLiteral("devices telegram-node")).out,
+                HasSubstr("EEPROM writes: none, it keeps no value without supply"));
+    EXPECT_THAT(run(QStringLiteral("devices plain-node")).out, HasSubstr("EEPROM writes: about 1"));
+}
+
 TEST_F(TelegramCli, WhatItCannotDoIsRefused)
 {
     for (const char *line : {"reset n:4 --yes", "cams n:4 read", "preset n:4 500 --yes", "words n:4 0"}) {

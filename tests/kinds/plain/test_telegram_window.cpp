@@ -7,6 +7,7 @@
 #include "widgets/transfer/transfer_lines.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QTableView>
 
 #include <gmock/gmock.h>
@@ -54,6 +55,10 @@ TEST_F(TelegramInWindow, ThePanelReviewsAllThatIsSent)
     EXPECT_TRUE(says(panel(), QStringLiteral("at most 0")));
     EXPECT_EQ(panel().findChild<QPushButton *>(QStringLiteral("confirmWrite"))->toolTip(),
               QStringLiteral("Sends this; the encoder confirms it, and cannot be read"));
+    const auto boxes = panel().findChildren<QCheckBox *>();
+    EXPECT_TRUE(std::ranges::any_of(boxes, [](const QCheckBox *box) {
+        return box->toolTip().contains(QStringLiteral("costs no EEPROM write"));
+    }));
     confirm();
     EXPECT_THAT(node.heard(), ElementsAre("all steps=4096 direction=0 2000:1=-5 1008="));
     EXPECT_TRUE(says(panel(), QStringLiteral("EEPROM writes: 0")));
