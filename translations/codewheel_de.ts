@@ -517,6 +517,13 @@
     </message>
 </context>
 <context>
+    <name>EncoderState</name>
+    <message>
+        <source>The encoder waits for its parameters or to be started, and gives no position.</source>
+        <translation>Der Geber wartet auf seine Parameter oder darauf, gestartet zu werden, und liefert keine Position.</translation>
+    </message>
+</context>
+<context>
     <name>EscBit</name>
     <message>
         <source>direction CCW</source>
@@ -2059,6 +2066,10 @@
         <source>It is not known in which mode the encoder was left: the controller may get no position. Switch it to position mode.</source>
         <translation>Es ist nicht bekannt, in welcher Betriebsart der Geber blieb: Die Steuerung bekommt vielleicht keine Position. In den Positionsbetrieb schalten.</translation>
     </message>
+    <message>
+        <source>Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).</source>
+        <translation>Gespeichert, galt schon vorher: %3 (Parameter: %1, EEPROM-Schreibvorgänge: %2).</translation>
+    </message>
 </context>
 <context>
     <name>Mode</name>
@@ -2085,11 +2096,6 @@
         <source>%1 written, active and read back.</source>
         <comment>names of parameters</comment>
         <translation>%1 geschrieben, aktiv und zurückgelesen.</translation>
-    </message>
-    <message>
-        <source>%1 written, echoed and active.</source>
-        <comment>names of parameters</comment>
-        <translation>%1 geschrieben, quittiert und aktiv.</translation>
     </message>
     <message>
         <source>Program %1 was written and read back.</source>
@@ -2153,6 +2159,16 @@
         <source>Done before that: %1</source>
         <comment>sentences</comment>
         <translation>Davor erledigt: %1</translation>
+    </message>
+    <message>
+        <source>%1 written, confirmed and active.</source>
+        <comment>names of parameters</comment>
+        <translation>%1 geschrieben, quittiert und aktiv.</translation>
+    </message>
+    <message>
+        <source>%1 stored, in force before.</source>
+        <comment>names of parameters</comment>
+        <translation>%1 gespeichert, galt schon vorher.</translation>
     </message>
 </context>
 <context>
@@ -5511,18 +5527,6 @@
         <translation>„%1“ hat nicht die Form PARAMETER=VALUE. Zum Beispiel: steps=255.</translation>
     </message>
     <message>
-        <source>read from the encoder</source>
-        <translation>aus dem Geber gelesen</translation>
-    </message>
-    <message>
-        <source>confirmed by the handshake</source>
-        <translation>im Handshake quittiert</translation>
-    </message>
-    <message>
-        <source>by hand, not checked</source>
-        <translation>von Hand eingetragen, nicht geprüft</translation>
-    </message>
-    <message>
         <source>IN %1, and how it is coded is not known</source>
         <translation>IN %1, Codierung unbekannt</translation>
     </message>
@@ -6798,18 +6802,6 @@ Sendet nichts an einen Ring.</translation>
         <translation>Die Verbindung %1 hat keine Einstellungen. „%2“ weglassen.</translation>
     </message>
     <message>
-        <source>read</source>
-        <translation>gelesen</translation>
-    </message>
-    <message>
-        <source>confirmed</source>
-        <translation>quittiert</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
         <source>%1 is for a bus that the link does not lead to: %2. Leave it out.</source>
         <translation>%1 ist für einen Bus, zu dem die Verbindung nicht führt: %2. Weglassen.</translation>
     </message>
@@ -8060,6 +8052,18 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <source>Where you are sure of it, add --in-position-mode.</source>
         <translation>Wo Sie sicher sind, --in-position-mode angeben.</translation>
     </message>
+    <message>
+        <source>EEPROM writes: none, it keeps no value without supply</source>
+        <translation>EEPROM-Schreibvorgänge: keine, er behält ohne Versorgung keinen Wert</translation>
+    </message>
+    <message>
+        <source>in force before, and stored now</source>
+        <translation>galt schon vorher, jetzt gespeichert</translation>
+    </message>
+    <message>
+        <source>Stored, in force before: %1.</source>
+        <translation>Gespeichert, galten schon vorher: %1.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -8716,6 +8720,10 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
         <source>%1, the same since %2</source>
         <comment>20 s ago, 14:02</comment>
         <translation>%1, dasselbe seit %2</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
     </message>
 </context>
 <context>
@@ -12973,6 +12981,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Agree to that first, at the end of the list.</source>
         <translation>Zuerst am Ende der Liste zustimmen.</translation>
     </message>
+    <message>
+        <source>Writes everything that is wanted once more. That costs no EEPROM write.</source>
+        <translation>Schreibt alles Gewünschte noch einmal. Das kostet keinen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>Writes everything that is wanted once more.</source>
+        <translation>Schreibt alles Gewünschte noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::JobStrip</name>
@@ -13369,6 +13385,26 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Set manually or by the plan of the bus; the encoder cannot be read.</source>
         <translation>Von Hand oder durch den Busplan gesetzt; der Geber lässt sich nicht auslesen.</translation>
+    </message>
+    <message>
+        <source>It is stored: the encoder keeps it without supply.</source>
+        <translation>Gespeichert: Der Geber behält den Wert auch ohne Versorgung.</translation>
+    </message>
+    <message>
+        <source>It is not stored: without supply the encoder loses it.</source>
+        <translation>Nicht gespeichert: Ohne Versorgung verliert der Geber den Wert.</translation>
+    </message>
+    <message>
+        <source>Whether it is stored is not known.</source>
+        <translation>Ob der Wert gespeichert ist, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>stored</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>not stored</source>
+        <translation>nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -17527,10 +17563,6 @@ Zustand: %3 (%4)</translation>
         <translation>Geber</translation>
     </message>
     <message>
-        <source>Known values are: read, from the encoder; echoed, the encoder confirmed the value in a handshake and went into operation with it; by hand, set by somebody, and the encoder was not asked; unknown, nobody knows what the encoder has.</source>
-        <translation>Herkunft bekannter Werte: gelesen: vom Geber beim Auslesen gemeldet; quittiert: vom Geber im Handshake quittiert und mit Run übernommen; von Hand: eingetragen, der Geber wurde nicht gefragt; unbekannt: Der Wert im Geber ist nicht bekannt.</translation>
-    </message>
-    <message>
         <source>The project has no encoders.</source>
         <translation>Das Projekt hat keine Geber.</translation>
     </message>
@@ -17569,10 +17601,6 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>%1 (no description of it is known)</source>
         <translation>%1 (keine Beschreibung dazu bekannt)</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
     </message>
     <message>
         <source>%1 by hand</source>
@@ -17738,6 +17766,10 @@ Zustand: %3 (%4)</translation>
         <source>of a simulated encoder</source>
         <translation>eines simulierten Gebers</translation>
     </message>
+    <message>
+        <source>Known values are: read, from the encoder; confirmed, by the encoder in a handshake, after which it went into operation with them; by hand, set by somebody, and the encoder was not asked; unknown, nobody knows what the encoder has.</source>
+        <translation>Herkunft bekannter Werte: gelesen: vom Geber beim Auslesen gemeldet; quittiert: vom Geber im Handshake quittiert und mit Run übernommen; von Hand: eingetragen, der Geber wurde nicht gefragt; unbekannt: Der Wert im Geber ist nicht bekannt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::RequestField</name>
@@ -17880,6 +17912,18 @@ Zustand: %3 (%4)</translation>
     <message>
         <source>This encoder cannot be read: its confirmation is the evidence.</source>
         <translation>Dieser Geber lässt sich nicht auslesen: Der Nachweis ist seine Quittung.</translation>
+    </message>
+    <message>
+        <source>It costs no EEPROM write: the encoder keeps no value without supply.</source>
+        <translation>Das kostet keinen EEPROM-Schreibvorgang: Der Geber behält ohne Versorgung keinen Wert.</translation>
+    </message>
+    <message>
+        <source>in force already, only stored</source>
+        <translation>gilt schon, wird nur gespeichert</translation>
+    </message>
+    <message>
+        <source>Writes everything that is wanted once more.</source>
+        <translation>Schreibt alles Gewünschte noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -21863,6 +21907,10 @@ Worte: IN %3, OUT %4</translation>
         <source>Setting the position</source>
         <translation>Setzen der Position</translation>
     </message>
+    <message>
+        <source>Stored, in force before</source>
+        <translation>Gespeichert, galten schon vorher</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::TransferTable</name>
@@ -22017,6 +22065,14 @@ Worte: IN %3, OUT %4</translation>
         <source>%1; left in %2: the controller gets no position</source>
         <comment>a state, a mode</comment>
         <translation>%1; blieb im %2: Die Steuerung bekommt keine Position</translation>
+    </message>
+    <message>
+        <source>In force before, and stored now</source>
+        <translation>Galt schon vorher, jetzt gespeichert</translation>
+    </message>
+    <message>
+        <source>waiting for its parameters or to be started: it gives no position</source>
+        <translation>wartet auf seine Parameter oder den Start: Er liefert keine Position</translation>
     </message>
 </context>
 <context>
@@ -23617,6 +23673,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The encoder takes all its values at once. These go along as they are known, otherwise as from the factory: %1.</source>
         <translation>Der Geber nimmt alle Werte auf einmal. Diese gehen mit, wie sie bekannt sind, sonst wie ab Werk: %1.</translation>
+    </message>
+    <message>
+        <source>In force already; only stored, since that may not have been done: %1.</source>
+        <translation>Gilt schon; wird nur gespeichert, da das vielleicht noch nicht geschehen ist: %1.</translation>
     </message>
 </context>
 </TS>

@@ -38,9 +38,9 @@ constexpr std::array messageRows{
         MessageId::parametersStored, "parametersStored",
         QT_TRANSLATE_NOOP("Message", "Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).")},
     SentenceRow{MessageId::writtenUnscaled, "writtenUnscaled",
-               QT_TRANSLATE_NOOP("Message",
-                                 "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
-                                 "acts only while scaling is on.")},
+                QT_TRANSLATE_NOOP("Message",
+                                  "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
+                                  "acts only while scaling is on.")},
     SentenceRow{
         MessageId::restoredReadBack, "restoredReadBack",
         QT_TRANSLATE_NOOP("Message",

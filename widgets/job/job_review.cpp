@@ -80,6 +80,7 @@ JobReview::JobReview(const char *id, QWidget *parent)
     m_write->setDefault(true);
     m_write->hide(); // until it is known what it writes
     m_cancel->setToolTip(tr("Back; nothing is sent (Esc)"));
+    m_writeAll->setToolTip(tr("Writes everything that is wanted once more."));
 
     layOut();
     connect(m_writeAll, &QCheckBox::toggled, this, &JobReview::showContents);

@@ -71,6 +71,7 @@ ReviewPage::ReviewPage(Setup &setup, QWidget *parent)
                                   leastSteps * m_stepsView->verticalHeader()->defaultSectionSize());
     describe(m_byHand, "byHand", tr("Each step waits until you press Next step."));
     describe(m_byItself, "byItself", tr("The steps follow each other as the encoder confirms them."));
+    m_writeAll->setToolTip(tr("Writes everything that is wanted once more."));
 
     m_picture->setFixedWidth(pictureWidth);
     m_picture->hide();

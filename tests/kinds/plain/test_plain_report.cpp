@@ -42,7 +42,8 @@ TEST(PlainBusReport, HasItsDevicesAndWhatTheyShow)
     addConnected(input, buses);
 
     const std::string text = reportAsText(makeReport(input, catalog)).toStdString();
-    for (const char *part : {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1", "Hoist 9", "250 ms", "read, stored"})
+    for (const char *part :
+         {"Yard", "Hoist", "n:1", "n:2", "n:3", "Plain P1", "Hoist 9", "250 ms", "read, stored"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 

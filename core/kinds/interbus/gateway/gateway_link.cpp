@@ -182,7 +182,7 @@ bool GatewayLink::sendZerosUnheard()
     const auto isRefused = [](const RegisterPort::Done &done) {
         return !done && isNotCarriedOut(done.error());
     };
-    if (std::ranges::any_of(ends, isRefused))
+    if (std::ranges::any_of(ends, [](const auto &done) { return !done && isOfMap(done.error()); }))
         for (std::size_t i = 0; i < map->devices(); ++i)
             if (map->out(i).count > 0)
                 ends.push_back(writeZerosOnce(map->out(i)));

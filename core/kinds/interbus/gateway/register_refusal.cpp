@@ -22,6 +22,11 @@ constexpr bool isRefusal(std::int64_t exception)
     return exception != exceptionOfAcknowledge && exception != exceptionOfSilentTarget;
 }
 
+constexpr bool isExceptionOfMap(std::int64_t exception)
+{
+    return exception >= firstExceptionOfMap && exception <= lastExceptionOfMap;
+}
+
 } // namespace
 
 int readFunction(RegisterArea area)
@@ -86,12 +91,15 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
     return {RefusalKind::link, RefusalId::linkFailed, {error.text}};
 }
 
+bool isOfMap(const RegisterError &error)
+{
+    return error.kind == RegisterError::Kind::exception && isExceptionOfMap(error.exception);
+}
+
 bool isOfMap(const Refusal &refusal)
 {
-    if (refusal.id != GatewayRefusalId::registersRefused)
-        return false;
-    const auto code = std::get<std::int64_t>(refusal.arguments[2]);
-    return code >= firstExceptionOfMap && code <= lastExceptionOfMap;
+    return refusal.id == GatewayRefusalId::registersRefused &&
+           isExceptionOfMap(std::get<std::int64_t>(refusal.arguments[2]));
 }
 
 } // namespace codewheel

@@ -26,6 +26,7 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
                         const RegisterBlock &block, int tries);
 
 // The unit answers, but it does not have these registers, or not this function.
+bool isOfMap(const RegisterError &error);
 bool isOfMap(const Refusal &refusal);
 
 } // namespace codewheel
