@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the library of protocols has of every kind: another kind has a row in each list.
+#include "can/frame_meaning.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
+#include "kinds/canopen/protocol/canopen_explain.h"
 #include "kinds/esc/driver/esc_protocol.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_line_address.h"
@@ -133,6 +135,12 @@ std::optional<QString> textOfTrainingAct(const TrainingAct &act)
         if (auto text = textOf(act))
             return text;
     return std::nullopt;
+}
+
+std::span<const FrameMeaning> frameMeanings()
+{
+    static constexpr std::array meanings{canopen::frameText};
+    return meanings;
 }
 
 QString textOfTyped(const std::vector<RefusalArgument> &typed)

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "can/asc_log.h"
+
+#include "can/can_log_date.h"
+#include "can/can_log_words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr std::string_view baseWord = "base ";
+constexpr std::string_view dateWord = "date ";
+constexpr std::string_view blockWords = "begin triggerblock";
+// What says nothing of the frames.
+constexpr std::array<std::string_view, 8> otherHeaders{
+    "//",
+    ";",
+    "internal events logged",
+    "no internal events logged",
+    "end triggerblock",
+    "previous log file",
+    "timestamps ",
+    "start of measurement",
+};
+
+CanLogLine ascFault(CanLogFault fault)
+{
+    return {.fault = fault};
+}
+
+bool isAscHeader(std::string_view text)
+{
+    const auto begins = [text](std::string_view word) { return beginsWith(text, word); };
+    return begins(baseWord) || begins(dateWord) || begins(blockWords) ||
+           std::ranges::any_of(otherHeaders, begins);
+}
+
+bool hasPoint(std::string_view word)
+{
+    return word.find('.') != std::string_view::npos;
+}
+
+// "185", "18FF1234x"
+std::optional<CanFrame> ascFrameWithId(std::string_view word, int base)
+{
+    const bool isExtended = word.ends_with('x') || word.ends_with('X');
+    const auto id = numberIn(word.substr(0, word.size() - (isExtended ? 1 : 0)), base);
+    if (!id || *id > (isExtended ? largestExtendedId : largestStandardId))
+        return std::nullopt;
+    return CanFrame{.id = *id, .isExtended = isExtended};
+}
+
+// One hexadecimal digit, whatever the base; from 9 on it stands for eight bytes.
+std::optional<std::uint8_t> ascLength(std::string_view word)
+{
+    const auto number = word.size() == 1 ? numberIn(word, 16) : std::nullopt;
+    return number ? std::optional(
+                        static_cast<std::uint8_t>(std::min<std::uint32_t>(*number, CanFrame::mostBytes)))
+                  : std::nullopt;
+}
+
+std::optional<CanLogFault> takeAscData(CanFrame &frame, CanLogWords words, int base)
+{
+    constexpr std::uint32_t largestOctet = 0xFF;
+    const auto length = ascLength(words.next());
+    if (!length)
+        return CanLogFault::wrongLength;
+    for (; frame.length < *length; ++frame.length) {
+        if (words.isAtEnd())
+            return CanLogFault::wrongLength;
+        const auto octet = numberIn(words.next(), base);
+        if (!octet || *octet > largestOctet)
+            return CanLogFault::badData;
+        frame.bytes[frame.length] = static_cast<std::uint8_t>(*octet);
+    }
+    return numberIn(words.next(), base) ? std::optional(CanLogFault::wrongLength) : std::nullopt;
+}
+
+} // namespace
+
+bool AscLog::isItsLine(std::string_view text)
+{
+    const std::string_view first = CanLogWords(text).next();
+    return (hasPoint(first) && secondsIn(first)) || isAscHeader(text);
+}
+
+CanLogLine AscLog::line(std::string_view text)
+{
+    if (beginsWith(text, baseWord))
+        return takesBase(text.substr(baseWord.size()));
+    if (takesHeader(text))
+        return {};
+    CanLogLine line = timed(text);
+    m_hasBegun = m_hasBegun || line.frame;
+    if (!line.frame && !line.fault && !m_hasBegun)
+        return ascFault(CanLogFault::notOfALog);
+    return line;
+}
+
+bool AscLog::takesHeader(std::string_view text)
+{
+    if (!isAscHeader(text))
+        return false;
+    const bool isDate = beginsWith(text, dateWord);
+    const bool isBlock = beginsWith(text, blockWords);
+    m_hasBegun = m_hasBegun || !beginsWith(text, "//");
+    if (isDate)
+        m_header.date = ascDate(text.substr(dateWord.size()));
+    else if (isBlock && !m_header.date)
+        m_header.date = ascDate(text.substr(blockWords.size()));
+    return true;
+}
+
+// "hex  timestamps absolute". BUSMASTER leaves out the rest, and the end of the line with it.
+CanLogLine AscLog::takesBase(std::string_view text)
+{
+    m_hasBegun = true;
+    CanLogWords words(text);
+    m_header.base = beginsWith(words.next(), "dec") ? 10 : 16;
+    const std::string_view rest = words.rest();
+    if (!beginsWith(words.next(), "timestamps")) {
+        m_header.times = AscHeader::Times::ofDay;
+        return rest.empty() || isAscHeader(rest) ? CanLogLine() : timed(rest);
+    }
+    m_header.times =
+        beginsWith(words.next(), "relative") ? AscHeader::Times::fromLineBefore : AscHeader::Times::fromDate;
+    return {};
+}
+
+CanLogLine AscLog::timed(std::string_view text) const
+{
+    CanLogWords words(text);
+    const std::string_view time = words.next();
+    const auto at = hasPoint(time) ? secondsIn(time) : std::nullopt;
+    if (!at)
+        return ascFault(CanLogFault::notOfALog);
+    const std::string_view channel = words.next();
+    const std::string_view what = words.next();
+    CanLogLine line;
+    if (channel == "CANFD")
+        line = ascFault(CanLogFault::canFd);
+    else if (channel == "CANXL")
+        line = ascFault(CanLogFault::canXl);
+    else if (numberIn(channel, 10))
+        line = frame(what, words.rest());
+    line.stamp = {CanLogStamp::Kind::asc, *at};
+    return line;
+}
+
+// Behind time and channel. What is neither an error frame nor has a direction is an event.
+CanLogLine AscLog::frame(std::string_view id, std::string_view behind) const
+{
+    if (beginsWith(id, "ErrorFrame"))
+        return {.frame = CanFrame{.isError = true}};
+    CanLogWords words(behind);
+    const std::string_view direction = words.next();
+    auto read = ascFrameWithId(id, m_header.base);
+    if (direction != "Rx" && direction != "Tx") // TxRq only asks for a frame to be sent
+        return read && direction.empty() ? ascFault(CanLogFault::wrongLength) : CanLogLine();
+    if (!read)
+        return ascFault(CanLogFault::badIdentifier);
+    const std::string_view type = words.next();
+    if (type == "r" || type == "R") {
+        read->isRemote = true;
+        read->length = ascLength(words.next()).value_or(0);
+        return {.frame = read};
+    }
+    if (type != "d" && type != "D")
+        return ascFault(CanLogFault::badData);
+    const auto fault = takeAscData(*read, words, m_header.base);
+    return fault ? ascFault(*fault) : CanLogLine{.frame = read};
+}
+
+} // namespace codewheel

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/canopen_explain.h"
+
+#include "kinds/canopen/protocol/cob_id.h"
+#include "kinds/canopen/protocol/emcy.h"
+#include "kinds/canopen/protocol/lss_explain.h"
+#include "kinds/canopen/protocol/nmt.h"
+#include "kinds/canopen/protocol/sdo_explain.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+namespace codewheel::canopen {
+namespace {
+
+class FrameTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(CanopenFrame)
+
+public:
+    static QString of(const CobId &cob, const CanFrame &frame);
+
+private:
+    static QString sync(Octets data);
+    static QString time(Octets data);
+    static QString emcy(const Emcy &emcy);
+    static QString pdo(const CobId &cob, bool isAskedFor);
+    static QString errorControl(const CanFrame &frame);
+    static QString ofNode(const CobId &cob, const CanFrame &frame);
+    static QString ofAll(const CobId &cob, const CanFrame &frame);
+    static QString odd(const CanFrame &frame);
+
+    // What `text` makes of it; what cannot be read is odd.
+    template <typename Read, typename Text>
+    static QString told(const CanFrame &frame, const Read &read, Text text)
+    {
+        return read && !frame.isRemote ? text(*read) : odd(frame);
+    }
+};
+
+// The identifier says what it should be, and its length that it is not.
+QString FrameTexts::odd(const CanFrame &frame)
+{
+    return frame.isRemote
+               ? tr("asked for by a remote frame")
+               : sentence(tr("of an unexpected length (bytes: %1)"), {QString::number(frame.length)});
+}
+
+QString FrameTexts::sync(Octets data)
+{
+    return data.size() == 1 ? sentence(tr("SYNC %1"), {QString::number(data[0])}) : tr("SYNC");
+}
+
+// Milliseconds since midnight in 28 bits, and days since 1 January 1984.
+QString FrameTexts::time(Octets data)
+{
+    constexpr std::size_t size = 6;
+    constexpr std::uint32_t millisecondBits = 0x0FFF'FFFF;
+    constexpr std::uint32_t dayMilliseconds = 86'400'000;
+    if (data.size() != size)
+        return tr("TIME");
+    const std::uint32_t milliseconds = numberOf(data.first(4)) & millisecondBits;
+    if (milliseconds >= dayMilliseconds)
+        return tr("TIME");
+    const QDate day = QDate(1984, 1, 1).addDays(numberOf(data.subspan(4)));
+    const QTime at = QTime::fromMSecsSinceStartOfDay(static_cast<int>(milliseconds));
+    return sentence(tr("TIME %1 %2"),
+                    {day.toString(Qt::ISODate), at.toString(QStringLiteral("HH:mm:ss.zzz"))});
+}
+
+QString FrameTexts::emcy(const Emcy &emcy)
+{
+    const QStringList bits = emcy.registerTexts();
+    if (bits.isEmpty())
+        return sentence(tr("EMCY %1"), {emcy.text()});
+    return sentence(tr("EMCY %1; error register: %2"), {emcy.text(), bits.join(QStringLiteral(", "))});
+}
+
+QString FrameTexts::pdo(const CobId &cob, bool isAskedFor)
+{
+    const QString number = QString::number(cob.number);
+    if (cob.service == CobId::Service::rpdo)
+        return sentence(QStringLiteral("RPDO%1"), {number});
+    return sentence(isAskedFor ? tr("TPDO%1?") : QStringLiteral("TPDO%1"), {number});
+}
+
+QString FrameTexts::errorControl(const CanFrame &frame)
+{
+    if (frame.isRemote)
+        return tr("guarding: which state?");
+    return told(frame, NodeState::read(frame.data()), [](const NodeState &state) {
+        return state.toggle ? sentence(tr("%1 (guarding, toggle bit 1)"), {state.text()}) : state.text();
+    });
+}
+
+QString FrameTexts::ofNode(const CobId &cob, const CanFrame &frame)
+{
+    switch (cob.service) {
+    case CobId::Service::emcy:
+        return told(frame, Emcy::read(frame.data()), &FrameTexts::emcy);
+    case CobId::Service::sdoRequest:
+        return told(frame, SdoFrame::request(frame.data()), sdoText);
+    case CobId::Service::sdoAnswer:
+        return told(frame, SdoFrame::answer(frame.data()), sdoText);
+    case CobId::Service::errorControl:
+        return errorControl(frame);
+    default:
+        return pdo(cob, frame.isRemote);
+    }
+}
+
+QString FrameTexts::ofAll(const CobId &cob, const CanFrame &frame)
+{
+    const Octets data = frame.data();
+    switch (cob.service) {
+    case CobId::Service::nmt:
+        return sentence(tr("NMT: %1"), {told(frame, NmtRequest::read(data),
+                                             [](const NmtRequest &nmt) { return nmt.text(); })});
+    case CobId::Service::sync:
+        return sync(data);
+    case CobId::Service::time:
+        return time(data);
+    case CobId::Service::lssRequest:
+        return sentence(tr("LSS: %1"), {told(frame, LssFrame::read(data), lssRequestText)});
+    default:
+        return sentence(tr("LSS answer: %1"), {told(frame, LssFrame::read(data), lssAnswerText)});
+    }
+}
+
+QString FrameTexts::of(const CobId &cob, const CanFrame &frame)
+{
+    return cob.node == 0 ? ofAll(cob, frame)
+                         : sentence(tr("Node %1: %2"), {QString::number(cob.node), ofNode(cob, frame)});
+}
+
+} // namespace
+
+QString frameText(const CanFrame &frame)
+{
+    const auto cob = frame.isExtended || frame.isError ? std::nullopt : CobId::of(frame.id);
+    return cob ? FrameTexts::of(*cob, frame) : QString();
+}
+
+} // namespace codewheel::canopen

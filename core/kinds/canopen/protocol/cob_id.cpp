@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/cob_id.h"
+
+#include <array>
+
+namespace codewheel::canopen {
+namespace {
+
+using Service = CobId::Service;
+
+constexpr std::uint32_t nodeBits = 0x7F;
+
+struct WithoutNode
+{
+    std::uint32_t identifier;
+    Service service;
+};
+
+constexpr std::array withoutNode{
+    WithoutNode{0x000, Service::nmt},        WithoutNode{0x080, Service::sync},
+    WithoutNode{0x100, Service::time},       WithoutNode{0x7E4, Service::lssAnswer},
+    WithoutNode{0x7E5, Service::lssRequest},
+};
+
+struct OfNodes
+{
+    std::uint32_t base; // the node is added
+    Service service;
+    int number = 0;
+};
+
+constexpr std::array ofNodes{
+    OfNodes{0x080, Service::emcy},       OfNodes{0x180, Service::tpdo, 1},
+    OfNodes{0x200, Service::rpdo, 1},    OfNodes{0x280, Service::tpdo, 2},
+    OfNodes{0x300, Service::rpdo, 2},    OfNodes{0x380, Service::tpdo, 3},
+    OfNodes{0x400, Service::rpdo, 3},    OfNodes{0x480, Service::tpdo, 4},
+    OfNodes{0x500, Service::rpdo, 4},    OfNodes{0x580, Service::sdoAnswer},
+    OfNodes{0x600, Service::sdoRequest}, OfNodes{0x700, Service::errorControl},
+};
+
+} // namespace
+
+std::optional<CobId> CobId::of(std::uint32_t identifier)
+{
+    for (const WithoutNode &each : withoutNode)
+        if (each.identifier == identifier)
+            return CobId{.service = each.service};
+    const auto node = static_cast<int>(identifier & nodeBits);
+    for (const OfNodes &each : ofNodes)
+        if (node != 0 && each.base == (identifier & ~nodeBits))
+            return CobId{.service = each.service, .node = node, .number = each.number};
+    return std::nullopt;
+}
+
+} // namespace codewheel::canopen

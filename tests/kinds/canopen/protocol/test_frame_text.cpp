@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What frames say, from their literal bytes.
+#include "can/can_log_reader.h"
+#include "kinds/canopen/protocol/canopen_explain.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel::canopen {
+namespace {
+
+// As in a log: "605#4004600000000000".
+std::string said(const std::string &frame)
+{
+    std::string text = "not read";
+    CanLogReader reader([&](const CanFrame &read) { text = frameText(read).toStdString(); },
+                        [](std::int64_t, CanLogFault) {});
+    reader.read("(1544106679.4) can0 " + frame + '\n');
+    return text;
+}
+
+struct SaidRow
+{
+    const char *frame;
+    const char *text;
+};
+
+const SaidRow saidRows[] = {
+    // NMT
+    {"000#0105", "NMT: start node 5"},
+    {"000#0200", "NMT: stop all nodes"},
+    {"000#8005", "NMT: node 5 to pre-operational"},
+    {"000#8100", "NMT: reset all nodes"},
+    {"000#8205", "NMT: reset the communication of node 5"},
+    {"000#5505", "NMT: unknown command 55h to node 5"},
+    {"000#01", "NMT: of an unexpected length (bytes: 1)"},
+    // SYNC and TIME
+    {"080#", "SYNC"},
+    {"080#07", "SYNC 7"},
+    {"100#D8B61D03D631", "TIME 2018-12-06 14:31:19.000"},
+    {"100#00", "TIME"},
+    // EMCY
+    {"085#3081110000000000",
+     "Node 5: EMCY 8130h, guarding or heartbeat; error register: error, communication"},
+    {"085#0000000000000000", "Node 5: EMCY 0000h, error gone"},
+    {"085#1042080000000000", "Node 5: EMCY 4210h, temperature; error register: temperature"},
+    {"085#01FF000000000000", "Node 5: EMCY FF01h, of the maker"},
+    {"085#00B0000000000000", "Node 5: EMCY B000h"},
+    // PDO
+    {"185#88130000", "Node 5: TPDO1"},
+    {"2FF#", "Node 127: TPDO2"},
+    {"205#00", "Node 5: RPDO1"},
+    {"185#R", "Node 5: TPDO1?"},
+    // SDO
+    {"605#4004600000000000", "Node 5: read 6004h:0"},
+    {"585#4304600088130000", "Node 5: 6004h:0 = 1388h = 5000"},
+    {"605#2303600000000000", "Node 5: write 6003h:0 = 0h = 0"},
+    {"585#6003600000000000", "Node 5: 6003h:0 written"},
+    {"585#8004600300000206", "Node 5: 6004h:3 aborted, 06020000h: There is no such object."},
+    {"585#8004600311223344", "Node 5: 6004h:3 aborted, 44332211h"},
+    {"605#2310100173617665", "Node 5: write 1010h:1 = 65766173h = 1702257011"},
+    {"605#2F00620011000000", "Node 5: write 6200h:0 = 11h = 17"},
+    {"585#4108100008000000", "Node 5: 1008h:0 follows in segments, 8 bytes in all"},
+    {"605#6000000000000000", "Node 5: next segment"},
+    {"585#0054574B2D54524E", "Node 5: segment (bytes: 7)"},
+    {"585#1D34000000000000", "Node 5: last segment (bytes: 1)"},
+    {"605#2108100008000000", "Node 5: write 1008h:0 in segments, 8 bytes in all"},
+    {"585#2000000000000000", "Node 5: segment taken"},
+    {"605#A108100008000000", "Node 5: block transfer"},
+    {"605#E000000000000000", "Node 5: unknown command"},
+    {"605#40046000", "Node 5: of an unexpected length (bytes: 4)"},
+    // boot-up, heartbeat, guarding
+    {"705#00", "Node 5: boot-up"},
+    {"705#04", "Node 5: stopped"},
+    {"705#05", "Node 5: operational"},
+    {"705#7F", "Node 5: pre-operational"},
+    {"705#FF", "Node 5: pre-operational (guarding, toggle bit 1)"},
+    {"705#33", "Node 5: unknown state 33h"},
+    {"705#R", "Node 5: guarding: which state?"},
+    // LSS
+    {"7E5#0401000000000000", "LSS: all devices to configuration"},
+    {"7E5#0400000000000000", "LSS: all devices back to operation"},
+    {"7E5#1105000000000000", "LSS: node number 5"},
+    {"7E4#1100000000000000", "LSS answer: node number taken"},
+    {"7E4#1101000000000000", "LSS answer: node number refused: out of range"},
+    {"7E5#1300030000000000", "LSS: rate 250 kBit/s"},
+    {"7E5#1300050000000000", "LSS: rate 5 of table 0"},
+    {"7E4#1301000000000000", "LSS answer: rate refused: not supported"},
+    {"7E5#15F4010000000000", "LSS: change to the new rate, waiting 500 ms before and after"},
+    {"7E5#1700000000000000", "LSS: store"},
+    {"7E4#1700000000000000", "LSS answer: stored"},
+    {"7E4#1702000000000000", "LSS answer: not stored: the memory failed"},
+    {"7E5#400D010000000000", "LSS: select: vendor 10Dh"},
+    {"7E5#4378563412000000", "LSS: select: serial number 12345678h"},
+    {"7E4#4400000000000000", "LSS answer: selected"},
+    {"7E5#5100000000800000", "LSS: fast scan: who has no node number?"},
+    {"7E5#51000000801F0303", "LSS: fast scan: serial number 80000000h, from bit 31 on?"},
+    {"7E4#4F00000000000000", "LSS answer: a device is meant"},
+    {"7E5#5A00000000000000", "LSS: which vendor?"},
+    {"7E4#5A0D010000000000", "LSS answer: vendor 10Dh"},
+    {"7E4#5D78563412000000", "LSS answer: serial number 12345678h"},
+    {"7E4#5EFF000000000000", "LSS answer: no node number"},
+    {"7E5#9900000000000000", "LSS: unknown command 99h"},
+    // what is not in the predefined connection set, or not of 11 bits
+    {"7FF#00", ""},
+    {"180#00", ""},
+    {"00000185#00", ""},
+    {"20000080#0000000000000000", ""},
+};
+
+TEST(CanopenFrameText, WhatAFrameSays)
+{
+    for (const SaidRow &row : saidRows)
+        EXPECT_EQ(said(row.frame), row.text) << row.frame;
+}
+
+} // namespace
+} // namespace codewheel::canopen
