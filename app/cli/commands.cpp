@@ -11,11 +11,11 @@ namespace codewheel {
 namespace {
 
 // In the order of the help; those of the kinds of bus come in between.
-constexpr std::array firstCommands{&devicesCommand,  &scanCommand,    &compareCommand, &explainCommand,
-                                   &wordsCommand,    &readCommand,    &writeCommand,   &presetCommand,
-                                   &velocityCommand, &resetCommand,   &camsCommand,    &storeCommand,
-                                   &transferCommand, &cloneCommand,   &replaceCommand, &restoreCommand,
-                                   &reportCommand,   &monitorCommand, &recordCommand,  &exportCommand};
+constexpr std::array firstCommands{
+    &devicesCommand,  &scanCommand,   &compareCommand,  &explainCommand, &wordsCommand,  &readCommand,
+    &writeCommand,    &presetCommand, &velocityCommand, &resetCommand,   &camsCommand,   &storeCommand,
+    &transferCommand, &cloneCommand,  &replaceCommand,  &restoreCommand, &reportCommand, &monitorCommand,
+    &recordCommand,   &exportCommand, &framesCommand};
 constexpr std::array lastCommands{&serveCommand, &messagesCommand, &ledgerCommand, &findCommand,
                                   &doctorCommand};
 

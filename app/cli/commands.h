@@ -26,6 +26,7 @@ extern const Subcommand reportCommand;
 extern const Subcommand monitorCommand;
 extern const Subcommand recordCommand;
 extern const Subcommand exportCommand;
+extern const Subcommand framesCommand;
 extern const Subcommand doctorCommand;
 extern const Subcommand findCommand;
 extern const Subcommand serveCommand;

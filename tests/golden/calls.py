@@ -26,6 +26,7 @@ def calls(root, work, cli):
     for name in ("crane", "training", "two-encoders"):
         shutil.copy(root / f"docs/examples/{name}.codewheel", work)
     shutil.copy(root / "docs/examples/cams.json", work)
+    shutil.copy(root / "docs/examples/commissioning.log", work)
     shutil.copy(root / "resources/examples/faults.json", work)
     commands = [command["name"] for command in answer(cli, "--help")["commands"]]
     devices = [device["name"] for device in answer(cli, "devices")["devices"]]
@@ -142,6 +143,8 @@ def recordings():
         yield ["export", f"{name}.cwrec", "-o", f"{name}-turns.csv", "--unit", "turns", "--locale"]
     yield ["export", "all.cwrec", "-o", "some.csv", "--tracks", "2.0/position,2.0/speed,1.0/in.25", "--from", "+1",
            "--dates"]
+    yield ["frames", "commissioning.log"]
+    yield ["frames", "commissioning.log", "--times", "differences"]
 
 
 def ledgers():

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "can/can_log_reader.h"
+#include "cli/call/json_list.h"
+#include "cli/call/stop_signals.h"
+#include "cli/call/text_table.h"
+#include "cli/call/texts.h"
+#include "cli/commands.h"
+#include "cli/recording/frame_rows.h"
+#include "vocabulary/sentence.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace codewheel {
+namespace {
+
+constexpr const char *framesExamples[] = {"frames candump.log", "frames trace.asc --json",
+                                          "frames screen.txt --times differences"};
+
+constexpr std::array framesOptions{
+    Option{
+        "--times", "absolute|relative|differences",
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "what the times of the log are, if it is taken for something else: since 1970 or "
+                          "its date, from its beginning, or each from the line before")},
+};
+
+constexpr CanLogTimes allTimes[] = {CanLogTimes::absolute, CanLogTimes::relative, CanLogTimes::differences};
+
+constexpr qint64 portion = 65'536; // bytes read at once
+
+Checked<std::optional<CanLogTimes>> timesMeant(const Arguments &arguments)
+{
+    const auto given = arguments.value("--times");
+    if (!given)
+        return std::nullopt;
+    const auto found = std::ranges::find(allTimes, *given, timesKey);
+    if (found != std::end(allTimes))
+        return *found;
+    return badInput(QStringLiteral("optionNotAllowed"),
+                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+                    {QStringLiteral("--times"), *given, listed(allTimes, timesKey)});
+}
+
+struct Note
+{
+    std::int64_t line;
+    CanLogFault fault;
+};
+
+// Prints the frames of a log as they are read, and keeps what is to be said of it.
+class FramesOfLog
+{
+public:
+    FramesOfLog(const Call &call, std::optional<CanLogTimes> meant)
+        : m_terminal(call.terminal)
+        , m_list(call.arguments.has("--json")
+                     ? std::make_unique<JsonList>(call.terminal, QStringLiteral("frames"))
+                     : nullptr)
+        , m_reader([this](const CanFrame &frame) { print(frame); },
+                   [this](std::int64_t line, CanLogFault fault) { note(line, fault); }, meant)
+    {}
+
+    CanLogReader &reader() { return m_reader; }
+    void end(); // of the rows
+    QJsonObject json() const;
+    void complain() const;
+
+private:
+    void print(const CanFrame &frame);
+    void note(std::int64_t line, CanLogFault fault);
+    std::size_t left() const { return m_faults - m_notes.size(); }
+
+    const Terminal &m_terminal;
+    std::unique_ptr<JsonList> m_list; // null: rows of text
+    TextTable m_rows;
+    QString m_text; // to be printed in one go
+    std::vector<Note> m_notes;
+    std::size_t m_faults = 0;
+    CanLogReader m_reader;
+};
+
+void FramesOfLog::print(const CanFrame &frame)
+{
+    if (m_list) {
+        m_list->add(frameJson(frame));
+        return;
+    }
+    m_text += m_rows.next(frameCells(frame, m_reader.isSince1970()));
+    if (m_text.size() >= portion)
+        m_terminal.print(std::exchange(m_text, {}));
+}
+
+void FramesOfLog::note(std::int64_t line, CanLogFault fault)
+{
+    constexpr std::size_t mostNotes = 1'000; // kept; the others are counted
+    ++m_faults;
+    if (m_notes.size() < mostNotes)
+        m_notes.push_back({line, fault});
+}
+
+void FramesOfLog::end()
+{
+    m_list.reset();
+    if (!m_text.isEmpty())
+        m_terminal.print(m_text);
+}
+
+QJsonObject FramesOfLog::json() const
+{
+    QJsonArray notes;
+    for (const Note &note : m_notes)
+        notes.append(QJsonObject{{QStringLiteral("line"), static_cast<qint64>(note.line)},
+                                 {QStringLiteral("reason"), canLogFaultText(note.fault)}});
+    const auto times = m_reader.times();
+    const QString since = m_reader.isSince1970() ? QStringLiteral("1970") : QStringLiteral("first");
+    return {{QStringLiteral("count"), static_cast<qint64>(m_reader.frames())},
+            {QStringLiteral("canFd"), static_cast<qint64>(m_reader.canFdFrames())},
+            {QStringLiteral("times"), times ? QJsonValue(timesKey(*times)) : QJsonValue()},
+            {QStringLiteral("since"), times ? QJsonValue(since) : QJsonValue()},
+            {QStringLiteral("notes"), notes},
+            {QStringLiteral("moreNotes"), static_cast<qint64>(left())}};
+}
+
+// Beside the rows, so that these can be passed on to other programs.
+void FramesOfLog::complain() const
+{
+    constexpr std::size_t mostShown = 20;
+    const std::size_t shown = std::min(mostShown, m_notes.size());
+    for (std::size_t i = 0; i < shown; ++i)
+        m_terminal.complain(sentence(CommandLine::tr("Line %1: %2"),
+                                     {QString::number(m_notes[i].line), canLogFaultText(m_notes[i].fault)}));
+    if (m_faults > shown)
+        m_terminal.complain(sentence(CommandLine::tr("Further lines that were not read: %1"),
+                                     {numberText(static_cast<std::int64_t>(m_faults - shown))}));
+    if (m_reader.canFdFrames() > 0)
+        m_terminal.complain(
+            sentence(CommandLine::tr("CAN FD frames: %1"), {numberText(m_reader.canFdFrames())}));
+    if (const QString times = timesText(m_reader.times(), m_reader.isSince1970()); !times.isEmpty())
+        m_terminal.complain(times);
+}
+
+Complaint aboutFile(const QFile &file, const QString &reason)
+{
+    return complaintAbout({RefusalKind::badInput, RefusalId::fileNotReadable, {file.fileName(), reason}});
+}
+
+Checked<void> open(QFile &file)
+{
+    if (QFileInfo(file).isDir())
+        return tl::unexpected(aboutFile(file, CommandLine::tr("It is a folder.")));
+    if (!file.open(QIODevice::ReadOnly))
+        return tl::unexpected(aboutFile(file, file.errorString()));
+    return {};
+}
+
+// Empty: all of it was read, or nobody wants more.
+std::optional<Complaint> readAll(QFile &file, CanLogReader &reader, const Terminal &terminal)
+{
+    StopSignals stop;
+    QByteArray bytes(portion, Qt::Uninitialized);
+    while (terminal.canPrint()) {
+        if (stop.came())
+            return Complaint{ExitCode::refused, QStringLiteral("framesCancelled"),
+                             CommandLine::tr("This was cancelled before the end of the log.")};
+        const qint64 size = file.read(bytes.data(), bytes.size());
+        if (size < 0)
+            return aboutFile(file, file.errorString());
+        if (size == 0)
+            break;
+        reader.read({bytes.constData(), static_cast<std::size_t>(size)});
+    }
+    return std::nullopt;
+}
+
+Checked<Answer> runFrames(const Call &call)
+{
+    const auto meant = timesMeant(call.arguments);
+    if (!meant)
+        return tl::unexpected(meant.error());
+    QFile file(call.arguments.rest.front());
+    if (const auto opened = open(file); !opened)
+        return tl::unexpected(opened.error());
+    FramesOfLog frames(call, *meant);
+    auto complaint = readAll(file, frames.reader(), call.terminal);
+    frames.reader().finish();
+    frames.end();
+    const bool asJson = call.arguments.has("--json");
+    if (!asJson)
+        frames.complain();
+    if (!complaint && frames.reader().frames() == 0)
+        complaint = Complaint{ExitCode::refused,
+                              QStringLiteral("noFrames"),
+                              sentence(CommandLine::tr("There is no CAN frame in %1."), {file.fileName()}),
+                              {file.fileName()}};
+    return Answer{.json = frames.json(), .hasBegunJson = asJson, .complaint = complaint};
+}
+
+} // namespace
+
+const Subcommand framesCommand{
+    .name = "frames",
+    .usage = "FILE [--times absolute|relative|differences]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the CAN frames of a log, and what they say"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Reads logs of candump, in its log format or as on its screen, and asc files of Vector's programs, "
+        "log2asc\nand BUSMASTER, and prints a row for each frame: time, identifier, data, and what it says "
+        "in "
+        "CANopen.\nIt says what the times of the log are (--times corrects it), and which lines it has not "
+        "read. A log\nof any length is read piece by piece.\n\nNeeds no bus and sends nothing."),
+    .examples = framesExamples,
+    .options = framesOptions,
+    .minimumArguments = 1,
+    .maximumArguments = 1,
+    .needsBus = false,
+    .run = runFrames,
+};
+
+} // namespace codewheel
