@@ -280,6 +280,615 @@
     </message>
 </context>
 <context>
+    <name>CanLog</name>
+    <message>
+        <source>This is no line of a CAN log.</source>
+        <translation>Das ist keine Zeile eines CAN-Mitschnitts.</translation>
+    </message>
+    <message>
+        <source>Its time cannot be read.</source>
+        <translation>Ihre Zeit ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>Its identifier is none: 11 bits have up to 7FF, written with three digits, 29 bits up to 1FFFFFFF.</source>
+        <translation>Ihre Kennung ist keine: 11 Bit reichen bis 7FF und haben drei Stellen, 29 Bit bis 1FFFFFFF.</translation>
+    </message>
+    <message>
+        <source>Its data cannot be read.</source>
+        <translation>Ihre Daten sind nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>It has more or fewer bytes than it says, or more than 8.</source>
+        <translation>Sie hat mehr oder weniger Bytes, als sie sagt, oder mehr als 8.</translation>
+    </message>
+    <message>
+        <source>It is too long for a CAN log.</source>
+        <translation>Sie ist zu lang für einen CAN-Mitschnitt.</translation>
+    </message>
+    <message>
+        <source>A CAN FD frame: it is counted, and not read.</source>
+        <translation>Ein Telegramm von CAN FD: Es wird gezählt und nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>A CAN XL frame: it is not read.</source>
+        <translation>Ein Telegramm von CAN XL: Es wird nicht gelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenEmcy</name>
+    <message>
+        <source>frames lost</source>
+        <translation>Telegramme verloren</translation>
+    </message>
+    <message>
+        <source>error passive</source>
+        <translation>Error-passive</translation>
+    </message>
+    <message>
+        <source>guarding or heartbeat</source>
+        <translation>Guarding oder Heartbeat</translation>
+    </message>
+    <message>
+        <source>back from bus off</source>
+        <translation>zurück aus Bus-off</translation>
+    </message>
+    <message>
+        <source>identifier collision</source>
+        <translation>Kennung doppelt vergeben</translation>
+    </message>
+    <message>
+        <source>PDO too short</source>
+        <translation>PDO zu kurz</translation>
+    </message>
+    <message>
+        <source>PDO too long</source>
+        <translation>PDO zu lang</translation>
+    </message>
+    <message>
+        <source>SYNC of unexpected length</source>
+        <translation>SYNC mit unerwarteter Länge</translation>
+    </message>
+    <message>
+        <source>PDO did not come in time</source>
+        <translation>PDO kam nicht rechtzeitig</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler   (comment: in place of an identifier)</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>hardware</source>
+        <translation>Hardware</translation>
+    </message>
+    <message>
+        <source>software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>additional modules</source>
+        <translation>Zusatzmodule</translation>
+    </message>
+    <message>
+        <source>communication</source>
+        <translation>Kommunikation</translation>
+    </message>
+    <message>
+        <source>protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>monitoring</source>
+        <translation>Überwachung</translation>
+    </message>
+    <message>
+        <source>external error</source>
+        <translation>äußerer Fehler</translation>
+    </message>
+    <message>
+        <source>additional functions</source>
+        <translation>Zusatzfunktionen</translation>
+    </message>
+    <message>
+        <source>of the maker</source>
+        <translation>vom Hersteller festgelegt</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>%1, error gone</source>
+        <translation>%1, Fehler behoben</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenFrame</name>
+    <message>
+        <source>asked for by a remote frame</source>
+        <translation>durch ein Remote-Telegramm angefordert</translation>
+    </message>
+    <message>
+        <source>of an unexpected length (bytes: %1)</source>
+        <translation>von unerwarteter Länge (Bytes: %1)</translation>
+    </message>
+    <message>
+        <source>SYNC %1</source>
+        <translation>SYNC %1</translation>
+    </message>
+    <message>
+        <source>SYNC</source>
+        <translation>SYNC</translation>
+    </message>
+    <message>
+        <source>TIME</source>
+        <translation>TIME</translation>
+    </message>
+    <message>
+        <source>TIME %1 %2</source>
+        <translation>TIME %1 %2</translation>
+    </message>
+    <message>
+        <source>EMCY %1</source>
+        <translation>EMCY %1</translation>
+    </message>
+    <message>
+        <source>EMCY %1; error register: %2</source>
+        <translation>EMCY %1; Fehlerregister: %2</translation>
+    </message>
+    <message>
+        <source>TPDO%1?</source>
+        <translation>TPDO%1?</translation>
+    </message>
+    <message>
+        <source>guarding: which state?</source>
+        <translation>Guarding: welcher Zustand?</translation>
+    </message>
+    <message>
+        <source>%1 (guarding, toggle bit 1)</source>
+        <translation>%1 (Guarding, Toggle-Bit 1)</translation>
+    </message>
+    <message>
+        <source>NMT: %1</source>
+        <translation>NMT: %1</translation>
+    </message>
+    <message>
+        <source>LSS: %1</source>
+        <translation>LSS: %1</translation>
+    </message>
+    <message>
+        <source>LSS answer: %1</source>
+        <translation>LSS-Antwort: %1</translation>
+    </message>
+    <message>
+        <source>Node %1: %2</source>
+        <translation>Knoten %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenLss</name>
+    <message>
+        <source>vendor %1</source>
+        <translation>Hersteller %1</translation>
+    </message>
+    <message>
+        <source>product %1</source>
+        <translation>Produkt %1</translation>
+    </message>
+    <message>
+        <source>revision %1</source>
+        <translation>Revision %1</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>unknown command %1</source>
+        <translation>unbekannter Befehl %1</translation>
+    </message>
+    <message>
+        <source>all devices back to operation</source>
+        <translation>alle Geräte zurück in den Betrieb</translation>
+    </message>
+    <message>
+        <source>all devices to configuration</source>
+        <translation>alle Geräte in die Konfiguration</translation>
+    </message>
+    <message>
+        <source>rate %1 kBit/s</source>
+        <translation>Bitrate %1 kBit/s</translation>
+    </message>
+    <message>
+        <source>rate %1 of table %2</source>
+        <translation>Bitrate %1 aus Tabelle %2</translation>
+    </message>
+    <message>
+        <source>fast scan: who has no node number?</source>
+        <translation>Fast Scan: Wer hat keine Knotennummer?</translation>
+    </message>
+    <message>
+        <source>fast scan</source>
+        <translation>Fast Scan</translation>
+    </message>
+    <message>
+        <source>fast scan: %1, from bit %2 on?</source>
+        <translation>Fast Scan: %1, ab Bit %2?</translation>
+    </message>
+    <message>
+        <source>no node number</source>
+        <translation>keine Knotennummer</translation>
+    </message>
+    <message>
+        <source>node number %1</source>
+        <translation>Knotennummer %1</translation>
+    </message>
+    <message>
+        <source>change to the new rate, waiting %1 ms before and after</source>
+        <translation>auf die neue Bitrate wechseln, davor und danach %1 ms warten</translation>
+    </message>
+    <message>
+        <source>store</source>
+        <translation>speichern</translation>
+    </message>
+    <message>
+        <source>select: %1</source>
+        <translation>auswählen: %1</translation>
+    </message>
+    <message>
+        <source>who has no node number?</source>
+        <translation>Wer hat keine Knotennummer?</translation>
+    </message>
+    <message>
+        <source>which vendor?</source>
+        <translation>welcher Hersteller?</translation>
+    </message>
+    <message>
+        <source>which product?</source>
+        <translation>welches Produkt?</translation>
+    </message>
+    <message>
+        <source>which revision?</source>
+        <translation>welche Revision?</translation>
+    </message>
+    <message>
+        <source>which serial number?</source>
+        <translation>welche Seriennummer?</translation>
+    </message>
+    <message>
+        <source>which node number?</source>
+        <translation>welche Knotennummer?</translation>
+    </message>
+    <message>
+        <source>who is it? By vendor, product, and ranges of revision and serial number</source>
+        <translation>Wer ist es? Nach Hersteller, Produkt und Bereichen von Revision und Seriennummer</translation>
+    </message>
+    <message>
+        <source>node number taken</source>
+        <translation>Knotennummer übernommen</translation>
+    </message>
+    <message>
+        <source>node number refused: out of range</source>
+        <translation>Knotennummer abgelehnt: außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>node number refused: error %1</source>
+        <translation>Knotennummer abgelehnt: Fehler %1</translation>
+    </message>
+    <message>
+        <source>rate taken</source>
+        <translation>Bitrate übernommen</translation>
+    </message>
+    <message>
+        <source>rate refused: not supported</source>
+        <translation>Bitrate abgelehnt: nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>rate refused: error %1</source>
+        <translation>Bitrate abgelehnt: Fehler %1</translation>
+    </message>
+    <message>
+        <source>stored</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>not stored: not supported</source>
+        <translation>nicht gespeichert: nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>not stored: the memory failed</source>
+        <translation>nicht gespeichert: Der Speicher hat versagt</translation>
+    </message>
+    <message>
+        <source>not stored: error %1</source>
+        <translation>nicht gespeichert: Fehler %1</translation>
+    </message>
+    <message>
+        <source>selected</source>
+        <translation>ausgewählt</translation>
+    </message>
+    <message>
+        <source>a device is meant</source>
+        <translation>ein Gerät ist gemeint</translation>
+    </message>
+    <message>
+        <source>a device has no node number</source>
+        <translation>ein Gerät hat keine Knotennummer</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenNmt</name>
+    <message>
+        <source>start all nodes</source>
+        <translation>alle Knoten starten</translation>
+    </message>
+    <message>
+        <source>stop all nodes</source>
+        <translation>alle Knoten anhalten</translation>
+    </message>
+    <message>
+        <source>all nodes to pre-operational</source>
+        <translation>alle Knoten in Pre-operational</translation>
+    </message>
+    <message>
+        <source>reset all nodes</source>
+        <translation>alle Knoten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>reset the communication of all nodes</source>
+        <translation>Kommunikation aller Knoten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>unknown command %1 to all nodes</source>
+        <translation>unbekannter Befehl %1 an alle Knoten</translation>
+    </message>
+    <message>
+        <source>start node %1</source>
+        <translation>Knoten %1 starten</translation>
+    </message>
+    <message>
+        <source>stop node %1</source>
+        <translation>Knoten %1 anhalten</translation>
+    </message>
+    <message>
+        <source>node %1 to pre-operational</source>
+        <translation>Knoten %1 in Pre-operational</translation>
+    </message>
+    <message>
+        <source>reset node %1</source>
+        <translation>Knoten %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>reset the communication of node %1</source>
+        <translation>Kommunikation von Knoten %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>unknown command %1 to node %2</source>
+        <translation>unbekannter Befehl %1 an Knoten %2</translation>
+    </message>
+    <message>
+        <source>boot-up</source>
+        <translation>Boot-up</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>operational</source>
+        <translation>Operational</translation>
+    </message>
+    <message>
+        <source>pre-operational</source>
+        <translation>Pre-operational</translation>
+    </message>
+    <message>
+        <source>unknown state %1</source>
+        <translation>unbekannter Zustand %1</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenSdo</name>
+    <message>
+        <source>write %1 = %2 = %3</source>
+        <translation>%1 := %2 = %3 schreiben</translation>
+    </message>
+    <message>
+        <source>write %1 in segments</source>
+        <translation>%1 in Segmenten schreiben</translation>
+    </message>
+    <message>
+        <source>%1 follows in segments</source>
+        <translation>%1 folgt in Segmenten</translation>
+    </message>
+    <message>
+        <source>write %1 in segments, %2 bytes in all</source>
+        <translation>%1 in Segmenten schreiben, zusammen %2 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 follows in segments, %2 bytes in all</source>
+        <translation>%1 folgt in Segmenten, zusammen %2 Bytes</translation>
+    </message>
+    <message>
+        <source>last segment (bytes: %1)</source>
+        <translation>letztes Segment (Bytes: %1)</translation>
+    </message>
+    <message>
+        <source>segment (bytes: %1)</source>
+        <translation>Segment (Bytes: %1)</translation>
+    </message>
+    <message>
+        <source>%1 aborted, %2</source>
+        <translation>%1 abgebrochen, %2</translation>
+    </message>
+    <message>
+        <source>%1 aborted, %2: %3</source>
+        <translation>%1 abgebrochen, %2: %3</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+    <message>
+        <source>next segment</source>
+        <translation>nächstes Segment</translation>
+    </message>
+    <message>
+        <source>%1 written</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>segment taken</source>
+        <translation>Segment übernommen</translation>
+    </message>
+    <message>
+        <source>block transfer</source>
+        <translation>Blockübertragung</translation>
+    </message>
+    <message>
+        <source>unknown command</source>
+        <translation>unbekannter Befehl</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenSdoAbort</name>
+    <message>
+        <source>The toggle bit did not change.</source>
+        <translation>Das Toggle-Bit hat nicht gewechselt.</translation>
+    </message>
+    <message>
+        <source>The transfer timed out.</source>
+        <translation>Die Übertragung hat zu lange gedauert.</translation>
+    </message>
+    <message>
+        <source>The command is not known.</source>
+        <translation>Der Befehl ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The block size is not allowed.</source>
+        <translation>Die Blockgröße ist nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>The number of a block is wrong.</source>
+        <translation>Die Nummer eines Blocks ist falsch.</translation>
+    </message>
+    <message>
+        <source>The check sum is wrong.</source>
+        <translation>Die Prüfsumme ist falsch.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Der Speicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>The object cannot be accessed like this.</source>
+        <translation>So ist auf das Objekt kein Zugriff möglich.</translation>
+    </message>
+    <message>
+        <source>The object can only be written.</source>
+        <translation>Das Objekt lässt sich nur schreiben.</translation>
+    </message>
+    <message>
+        <source>The object can only be read.</source>
+        <translation>Das Objekt lässt sich nur lesen.</translation>
+    </message>
+    <message>
+        <source>There is no such object.</source>
+        <translation>Dieses Objekt gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The object cannot be mapped into a PDO.</source>
+        <translation>Das Objekt lässt sich nicht in ein PDO legen.</translation>
+    </message>
+    <message>
+        <source>The PDO would become too long.</source>
+        <translation>Das PDO würde zu lang.</translation>
+    </message>
+    <message>
+        <source>The parameters do not fit each other.</source>
+        <translation>Die Parameter passen nicht zueinander.</translation>
+    </message>
+    <message>
+        <source>The device is at odds with itself.</source>
+        <translation>Das Gerät ist in sich unverträglich.</translation>
+    </message>
+    <message>
+        <source>The hardware of the device failed.</source>
+        <translation>Die Hardware des Geräts hat versagt.</translation>
+    </message>
+    <message>
+        <source>Type or length of the value is wrong.</source>
+        <translation>Typ oder Länge des Werts ist falsch.</translation>
+    </message>
+    <message>
+        <source>The value is too long.</source>
+        <translation>Der Wert ist zu lang.</translation>
+    </message>
+    <message>
+        <source>The value is too short.</source>
+        <translation>Der Wert ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>There is no such subindex.</source>
+        <translation>Diesen Subindex gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The value is out of range.</source>
+        <translation>Der Wert ist außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+        <source>The value is too high.</source>
+        <translation>Der Wert ist zu groß.</translation>
+    </message>
+    <message>
+        <source>The value is too low.</source>
+        <translation>Der Wert ist zu klein.</translation>
+    </message>
+    <message>
+        <source>The maximum is below the minimum.</source>
+        <translation>Das Maximum liegt unter dem Minimum.</translation>
+    </message>
+    <message>
+        <source>A resource is not available.</source>
+        <translation>Eine Ressource ist nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>The device reports an error.</source>
+        <translation>Das Gerät meldet einen Fehler.</translation>
+    </message>
+    <message>
+        <source>The value cannot be transferred or stored.</source>
+        <translation>Der Wert lässt sich nicht übertragen oder speichern.</translation>
+    </message>
+    <message>
+        <source>The value cannot be transferred or stored: the device is operated locally.</source>
+        <translation>Der Wert lässt sich nicht übertragen oder speichern: Das Gerät wird vor Ort bedient.</translation>
+    </message>
+    <message>
+        <source>The value cannot be transferred or stored in the present state of the device.</source>
+        <translation>Der Wert lässt sich im jetzigen Zustand des Geräts nicht übertragen oder speichern.</translation>
+    </message>
+    <message>
+        <source>The object dictionary is missing or could not be made.</source>
+        <translation>Das Objektverzeichnis fehlt oder ließ sich nicht erzeugen.</translation>
+    </message>
+    <message>
+        <source>There are no data.</source>
+        <translation>Es gibt keine Daten.</translation>
+    </message>
+</context>
+<context>
     <name>CheckProject</name>
     <message>
         <source>%1 at %2 overlaps that of %3.</source>
@@ -858,6 +1467,65 @@
     <message>
         <source>%1, which goes with a measuring range of %2</source>
         <translation>%1, passend zu einem Messbereich von %2</translation>
+    </message>
+</context>
+<context>
+    <name>FrameMeanings</name>
+    <message>
+        <source>not sent in time</source>
+        <translation>nicht rechtzeitig gesendet</translation>
+    </message>
+    <message>
+        <source>arbitration lost</source>
+        <translation>Arbitrierung verloren</translation>
+    </message>
+    <message>
+        <source>controller has a problem</source>
+        <translation>Controller hat ein Problem</translation>
+    </message>
+    <message>
+        <source>protocol violated</source>
+        <translation>Protokoll verletzt</translation>
+    </message>
+    <message>
+        <source>transceiver has a problem</source>
+        <translation>Transceiver hat ein Problem</translation>
+    </message>
+    <message>
+        <source>nobody acknowledges</source>
+        <translation>niemand bestätigt</translation>
+    </message>
+    <message>
+        <source>bus off</source>
+        <translation>Bus-off</translation>
+    </message>
+    <message>
+        <source>bus error</source>
+        <translation>Busfehler</translation>
+    </message>
+    <message>
+        <source>controller restarted</source>
+        <translation>Controller neu gestartet</translation>
+    </message>
+    <message>
+        <source>error counters</source>
+        <translation>Fehlerzähler</translation>
+    </message>
+    <message>
+        <source>Error frame</source>
+        <translation>Fehlertelegramm</translation>
+    </message>
+    <message>
+        <source>Error frame: %1</source>
+        <translation>Fehlertelegramm: %1</translation>
+    </message>
+    <message>
+        <source>J1939: priority %1, PGN %2, from %3</source>
+        <translation>J1939: Priorität %1, PGN %2, von %3</translation>
+    </message>
+    <message>
+        <source>J1939: priority %1, PGN %2, from %3 to %4</source>
+        <translation>J1939: Priorität %1, PGN %2, von %3 an %4</translation>
     </message>
 </context>
 <context>
@@ -8063,6 +8731,77 @@ Betriebsart er ist. Ein geändertes Programm wird beim Verlassen gespeichert: ei
     <message>
         <source>Stored, in force before: %1.</source>
         <translation>Gespeichert, galten schon vorher: %1.</translation>
+    </message>
+    <message>
+        <source>what the times of the log are, if it is taken for something else: since 1970 or its date, from its beginning, or each from the line before</source>
+        <translation>was die Zeiten des Mitschnitts sind, wenn er für anderes gehalten wird: seit 1970 oder seinem Datum, ab seinem Anfang, oder jede ab der Zeile davor</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Further lines that were not read: %1</source>
+        <translation>Weitere Zeilen, die nicht gelesen wurden: %1</translation>
+    </message>
+    <message>
+        <source>CAN FD frames: %1</source>
+        <translation>Telegramme von CAN FD: %1</translation>
+    </message>
+    <message>
+        <source>It is a folder.</source>
+        <translation>Es ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>This was cancelled before the end of the log.</source>
+        <translation>Das wurde vor dem Ende des Mitschnitts abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is no CAN frame in %1.</source>
+        <translation>In %1 ist kein CAN-Telegramm.</translation>
+    </message>
+    <message>
+        <source>list the CAN frames of a log, and what they say</source>
+        <translation>die CAN-Telegramme eines Mitschnitts auflisten, und was sie sagen</translation>
+    </message>
+    <message>
+        <source>Reads logs of candump, in its log format or as on its screen, and asc files of Vector&apos;s programs, log2asc
+and BUSMASTER, and prints a row for each frame: time, identifier, data, and what it says in CANopen.
+It says what the times of the log are (--times corrects it), and which lines it has not read. A log
+of any length is read piece by piece.
+
+Needs no bus and sends nothing.</source>
+        <translation>Liest Mitschnitte von candump, in seinem Log-Format oder wie auf seinem Bildschirm, und asc-Dateien der
+Programme von Vector, von log2asc und von BUSMASTER, und zeigt jedes Telegramm in einer Zeile: Zeit, Kennung,
+Daten, und was es in CANopen sagt. Sagt, was die Zeiten des Mitschnitts sind (--times berichtigt es), und
+welche Zeilen nicht gelesen wurden. Ein Mitschnitt beliebiger Länge wird Stück für Stück gelesen.
+
+Braucht keinen Bus und sendet nichts.</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <comment>in place of an identifier</comment>
+        <translation>Fehler   (comment: in place of an identifier)</translation>
+    </message>
+    <message>
+        <source>The times of the log are differences; they are shown as local time.</source>
+        <translation>Die Zeiten des Mitschnitts sind Differenzen; sie sind als Ortszeit gezeigt.</translation>
+    </message>
+    <message>
+        <source>The times of the log are differences; they are shown since the first frame.</source>
+        <translation>Die Zeiten des Mitschnitts sind Differenzen; sie sind seit dem ersten Telegramm gezeigt.</translation>
+    </message>
+    <message>
+        <source>The times of the log are absolute; they are shown as local time.</source>
+        <translation>Die Zeiten des Mitschnitts sind absolut; sie sind als Ortszeit gezeigt.</translation>
+    </message>
+    <message>
+        <source>The times of the log are relative; they are shown since the first frame.</source>
+        <translation>Die Zeiten des Mitschnitts sind relativ; sie sind seit dem ersten Telegramm gezeigt.</translation>
+    </message>
+    <message>
+        <source>write the frames to FILE as well, as candump -L does, for other programs</source>
+        <translation>Telegramme auch in FILE schreiben, so wie candump -L, für andere Programme</translation>
     </message>
 </context>
 <context>

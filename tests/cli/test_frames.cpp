@@ -52,6 +52,31 @@ TEST_F(CliFrames, EachIsARow)
     EXPECT_EQ(run.err, "codewheel-cli: The times of the log are absolute; they are shown as local time.\n");
 }
 
+TEST_F(CliFrames, AreSavedForOtherPrograms)
+{
+    const QString saved = folder.filePath(QStringLiteral("saved.log"));
+    const QString save = QStringLiteral("--save ") + saved;
+    const QByteArray asc = "base hex timestamps absolute\n0.020000 1 185x Rx d 2 88 13\n0.5 1 705 Rx r 1\n";
+    const CliRun run = frames(asc, save);
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("Saved in " + saved.toStdString()));
+    QFile its(saved);
+    ASSERT_TRUE(its.open(QIODevice::ReadOnly));
+    EXPECT_EQ(its.readAll(), "(0000000000.000000) can0 00000185#8813\n(0000000000.480000) can0 705#R1\n");
+    EXPECT_EQ(errorKey(frames(asc, save + QStringLiteral(" --json"))), "fileExists");
+    EXPECT_EQ(frames(readOut, save + QStringLiteral(" --yes")).exit, 0);
+    EXPECT_EQ(runLine(QStringLiteral("frames --json ") + saved).json()[u"frames"], json(readOut)[u"frames"]);
+}
+
+TEST_F(CliFrames, OfALogThatCannotBeReadNothingIsSaved)
+{
+    const QString saved = folder.filePath(QStringLiteral("saved.log"));
+    EXPECT_EQ(frames("no frame\n", QStringLiteral("--save ") + saved).exit, 1);
+    EXPECT_FALSE(QFile::exists(saved));
+    const CliRun away = frames(readOut, QStringLiteral("--save %1/missing/saved.log").arg(folder.path()));
+    EXPECT_EQ(away.exit, 2) << away.err;
+}
+
 TEST_F(CliFrames, InJsonWithNumbersAndHexadecimalData)
 {
     const QJsonObject all = json(readOut + "(1544106679.5) can0 00000005#R8\n(1544106679.6) can0 7FF#\n");

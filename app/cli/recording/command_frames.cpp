@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "can/can_log_reader.h"
+#include "can/can_log_writer.h"
 #include "cli/call/json_list.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/commands.h"
+#include "cli/encoder/consent.h"
 #include "cli/recording/frame_rows.h"
+#include "project/file_replacement.h"
 #include "vocabulary/sentence.h"
 
 #include <QFile>
@@ -20,7 +23,8 @@ namespace codewheel {
 namespace {
 
 constexpr const char *framesExamples[] = {"frames candump.log", "frames trace.asc --json",
-                                          "frames screen.txt --times differences"};
+                                          "frames screen.txt --times differences",
+                                          "frames trace.asc --save trace.log"};
 
 constexpr std::array framesOptions{
     Option{
@@ -28,6 +32,10 @@ constexpr std::array framesOptions{
         QT_TRANSLATE_NOOP("codewheel::CommandLine",
                           "what the times of the log are, if it is taken for something else: since 1970 or "
                           "its date, from its beginning, or each from the line before")},
+    Option{"--save", "FILE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "write the frames to FILE as well, as candump -L does, for other programs")},
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
 };
 
 constexpr CanLogTimes allTimes[] = {CanLogTimes::absolute, CanLogTimes::relative, CanLogTimes::differences};
@@ -53,16 +61,18 @@ struct Note
     CanLogFault fault;
 };
 
-// Prints the frames of a log as they are read, and keeps what is to be said of it.
+// Prints the frames of a log as they are read, saves them where a file was named, and keeps what is to be
+// said of it.
 class FramesOfLog
 {
 public:
-    FramesOfLog(const Call &call, std::optional<CanLogTimes> meant)
+    FramesOfLog(const Call &call, std::optional<CanLogTimes> meant, FileReplacement *saved)
         : m_terminal(call.terminal)
+        , m_saved(saved)
         , m_list(call.arguments.has("--json")
                      ? std::make_unique<JsonList>(call.terminal, QStringLiteral("frames"))
                      : nullptr)
-        , m_reader([this](const CanFrame &frame) { print(frame); },
+        , m_reader([this](const CanFrame &frame) { take(frame); },
                    [this](std::int64_t line, CanLogFault fault) { note(line, fault); }, meant)
     {}
 
@@ -72,11 +82,13 @@ public:
     void complain() const;
 
 private:
+    void take(const CanFrame &frame);
     void print(const CanFrame &frame);
     void note(std::int64_t line, CanLogFault fault);
     std::size_t left() const { return m_faults - m_notes.size(); }
 
     const Terminal &m_terminal;
+    FileReplacement *m_saved;         // null: none was named
     std::unique_ptr<JsonList> m_list; // null: rows of text
     TextTable m_rows;
     QString m_text; // to be printed in one go
@@ -84,6 +96,13 @@ private:
     std::size_t m_faults = 0;
     CanLogReader m_reader;
 };
+
+void FramesOfLog::take(const CanFrame &frame)
+{
+    if (m_saved != nullptr)
+        m_saved->write(QByteArray::fromStdString(canLogLine(frame, "can0")));
+    print(frame);
+}
 
 void FramesOfLog::print(const CanFrame &frame)
 {
@@ -159,12 +178,12 @@ Checked<void> open(QFile &file)
     return {};
 }
 
-// Empty: all of it was read, or nobody wants more.
-std::optional<Complaint> readAll(QFile &file, CanLogReader &reader, const Terminal &terminal)
+// Empty: all of it was read, or nobody wants more. `toItsEnd`: also if nobody looks any longer.
+std::optional<Complaint> readAll(QFile &file, CanLogReader &reader, const Terminal &terminal, bool toItsEnd)
 {
     StopSignals stop;
     QByteArray bytes(portion, Qt::Uninitialized);
-    while (terminal.canPrint()) {
+    while (toItsEnd || terminal.canPrint()) {
         if (stop.came())
             return Complaint{ExitCode::refused, QStringLiteral("framesCancelled"),
                              CommandLine::tr("This was cancelled before the end of the log.")};
@@ -178,6 +197,30 @@ std::optional<Complaint> readAll(QFile &file, CanLogReader &reader, const Termin
     return std::nullopt;
 }
 
+// Empty: none was named.
+Checked<std::unique_ptr<FileReplacement>> fileToSave(const Arguments &arguments)
+{
+    const auto path = arguments.value("--save");
+    if (!path)
+        return nullptr;
+    if (const auto can = checkTargetFile(arguments, *path); !can)
+        return tl::unexpected(can.error());
+    auto file = std::make_unique<FileReplacement>(*path);
+    if (const auto begun = file->begin(); !begun)
+        return tl::unexpected(complaintAbout(begun.error()));
+    return file;
+}
+
+// Only the whole of it.
+std::optional<Complaint> save(FileReplacement &file, const Terminal &terminal, bool asJson)
+{
+    if (const auto saved = file.replace(); !saved)
+        return complaintAbout(saved.error());
+    if (!asJson)
+        terminal.complain(sentence(CommandLine::tr("Saved in %1."), {file.path()}));
+    return std::nullopt;
+}
+
 Checked<Answer> runFrames(const Call &call)
 {
     const auto meant = timesMeant(call.arguments);
@@ -186,8 +229,11 @@ Checked<Answer> runFrames(const Call &call)
     QFile file(call.arguments.rest.front());
     if (const auto opened = open(file); !opened)
         return tl::unexpected(opened.error());
-    FramesOfLog frames(call, *meant);
-    auto complaint = readAll(file, frames.reader(), call.terminal);
+    const auto saved = fileToSave(call.arguments);
+    if (!saved)
+        return tl::unexpected(saved.error());
+    FramesOfLog frames(call, *meant, saved->get());
+    auto complaint = readAll(file, frames.reader(), call.terminal, *saved != nullptr);
     frames.reader().finish();
     frames.end();
     const bool asJson = call.arguments.has("--json");
@@ -198,6 +244,8 @@ Checked<Answer> runFrames(const Call &call)
                               QStringLiteral("noFrames"),
                               sentence(CommandLine::tr("There is no CAN frame in %1."), {file.fileName()}),
                               {file.fileName()}};
+    if (!complaint && *saved != nullptr)
+        complaint = save(**saved, call.terminal, asJson);
     return Answer{.json = frames.json(), .hasBegunJson = asJson, .complaint = complaint};
 }
 
@@ -205,7 +253,7 @@ Checked<Answer> runFrames(const Call &call)
 
 const Subcommand framesCommand{
     .name = "frames",
-    .usage = "FILE [--times absolute|relative|differences]",
+    .usage = "FILE [--times absolute|relative|differences] [--save FILE] [--yes]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "list the CAN frames of a log, and what they say"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
