@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <thread>
 
 namespace codewheel {
 namespace {
@@ -261,14 +262,20 @@ Checked<Answer> answerOf(const Call &call, BusAccess &access, const MasterWish &
     return answer;
 }
 
-// Each with its heading. A refusal by one ring does not keep the others from it, nor does one that is mute
-// keep the zeros from them.
+// All at once: one that is mute keeps the zeros from no other.
+void sendZerosUnheard(const std::vector<BusAccess *> &rings)
+{
+    std::vector<std::jthread> sending;
+    for (BusAccess *ring : rings)
+        sending.emplace_back([ring] { static_cast<RingAccess *>(ring)->ring().sendZerosUnheard(); });
+}
+
+// Each with its heading. A refusal by one ring does not keep the others from it.
 Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &rings, const MasterWish &wish)
 {
     Answer all;
     if (wish.action.sendsZeros)
-        for (BusAccess *ring : rings)
-            static_cast<RingAccess *>(ring)->ring().sendZerosUnheard();
+        sendZerosUnheard(rings);
     QJsonArray buses;
     for (BusAccess *ring : rings) {
         const auto its = answerOf(call, *ring, wish);

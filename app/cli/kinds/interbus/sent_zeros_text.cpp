@@ -10,6 +10,8 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -27,7 +29,7 @@ ZerosState stateOf(const SentZeros &zeros)
         return ZerosState::readBack;
     if (zeros.acknowledgedAt)
         return ZerosState::acknowledged;
-    if (zeros.mayHaveArrived)
+    if (zeros.mayHaveArrived && zeros.refusedBy.empty())
         return ZerosState::unanswered;
     return zeros.sentAt ? ZerosState::refused : ZerosState::notSent;
 }
@@ -56,6 +58,11 @@ QString acknowledgementText(const GatewayAccess &access, const SentZeros &zeros)
 {
     if (zeros.acknowledgedAt)
         return atTime(CommandLine::tr("acknowledged at %1 ms (%2)"), access, *zeros.acknowledgedAt);
+    if (!zeros.refusedBy.empty())
+        return sentence(CommandLine::tr("acknowledged, but refused for %1"),
+                        {listed(zeros.refusedBy, [&](std::size_t device) {
+                            return access.devices()[device].participant.number.toString();
+                        })});
     return zeros.mayHaveArrived ? CommandLine::tr("not acknowledged") : CommandLine::tr("refused");
 }
 
@@ -84,7 +91,7 @@ QJsonValue outJson(const GatewayAccess &access, NodeId node)
     return channel != nullptr && channel->outIsKnown() ? QJsonValue(hexWord(channel->out())) : QJsonValue();
 }
 
-QJsonArray outRegistersJson(const GatewayAccess &access)
+QJsonArray outRegistersJson(const GatewayAccess &access, const SentZeros &zeros)
 {
     QJsonArray rows;
     const auto map = mapOf(access.devices(), access.gateway());
@@ -95,7 +102,8 @@ QJsonArray outRegistersJson(const GatewayAccess &access)
         rows.append(QJsonObject{{QStringLiteral("place"), node.toString()},
                                 {QStringLiteral("first"), map->out(i).first},
                                 {QStringLiteral("count"), map->out(i).count},
-                                {QStringLiteral("out"), outJson(access, node)}});
+                                {QStringLiteral("out"), outJson(access, node)},
+                                {QStringLiteral("refused"), std::ranges::count(zeros.refusedBy, i) > 0}});
     }
     return rows;
 }
@@ -169,7 +177,7 @@ QJsonObject sentZerosJson(const GatewayAccess &access, const SentZeros &zeros, b
             {QStringLiteral("sent"), timeJson(access, zeros.sentAt)},
             {QStringLiteral("acknowledged"), timeJson(access, zeros.acknowledgedAt)},
             {QStringLiteral("readBack"), timeJson(access, zeros.readBackAt)},
-            {QStringLiteral("registers"), outRegistersJson(access)}};
+            {QStringLiteral("registers"), outRegistersJson(access, zeros)}};
 }
 
 } // namespace codewheel

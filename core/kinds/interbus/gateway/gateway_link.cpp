@@ -182,15 +182,22 @@ bool GatewayLink::sendZerosUnheard()
     const auto isRefused = [](const RegisterPort::Done &done) {
         return !done && isNotCarriedOut(done.error());
     };
+    std::vector<std::size_t> refusedBy;
     if (std::ranges::any_of(ends, [](const auto &done) { return !done && isOfMap(done.error()); }))
         for (std::size_t i = 0; i < map->devices(); ++i)
-            if (map->out(i).count > 0)
+            if (map->out(i).count > 0) {
                 ends.push_back(writeZerosOnce(map->out(i)));
+                if (isRefused(ends.back()))
+                    refusedBy.push_back(i);
+            }
     const bool mayHaveArrived = std::ranges::any_of(ends, [&](const RegisterPort::Done &done) {
         return done || (!isRefused(done) && done.error().isSent);
     });
+    const auto isAnswered = [&](const RegisterPort::Done &done) { return done || isRefused(done); };
     if (std::ranges::all_of(ends, &RegisterPort::Done::has_value))
         m_zeros.acknowledged(m_port->now());
+    else if (mayHaveArrived && !refusedBy.empty() && std::ranges::all_of(ends, isAnswered))
+        m_zeros.refusedBy(std::move(refusedBy));
     else if (mayHaveArrived)
         m_zeros.unanswered();
     else if (std::ranges::any_of(ends, isRefused))

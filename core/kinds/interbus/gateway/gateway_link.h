@@ -119,7 +119,7 @@ private:
                                    Overwrites overwrites);
     void claimAll();
     Result<void> writeZeros();
-    void writeZerosOneByOne();
+    bool writeZerosOneByOne();
     RegisterPort::Done writeZerosOnce(const RegisterBlock &block);
     Result<ZerosSent> areZerosThere();
 

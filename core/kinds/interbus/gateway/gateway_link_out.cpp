@@ -372,10 +372,10 @@ Result<void> GatewayLink::writeZeros()
     const auto writtenBefore = m_lastWriteAt;
     m_zeros.send(m_port->now());
     auto done = writeOut(std::vector<Word>(m_devices.size()), Overwrites::anything);
-    if (!done && isOfMap(done.error()))
-        writeZerosOneByOne();
     if (done)
         m_zeros.acknowledged(m_port->now());
+    else if (isOfMap(done.error()) && writeZerosOneByOne())
+        return done;
     else if (isNotCarriedOut(done.error()))
         m_zeros.refused();
     else if (m_lastWriteAt == writtenBefore)
@@ -385,16 +385,25 @@ Result<void> GatewayLink::writeZeros()
     return done;
 }
 
-// An OUT area that ends too early refuses a whole block; what is there of it gets its zeros.
-void GatewayLink::writeZerosOneByOne()
+// An OUT area that ends too early refuses a whole block; what is there of it gets its zeros. False: none of
+// it, or nobody is there any more.
+bool GatewayLink::writeZerosOneByOne()
 {
+    std::vector<std::size_t> refusedBy;
+    bool isTaken = false;
     for (std::size_t i = 0; i < m_devices.size(); ++i) {
         if (m_map->out(i).count == 0)
             continue;
         const auto written = writeBlock(m_map->out(i), Overwrites::anything);
         if (!written && !isNotCarriedOut(written.error()))
-            return; // nobody is there any more
+            return false;
+        isTaken = isTaken || written;
+        if (!written)
+            refusedBy.push_back(i);
     }
+    if (isTaken)
+        m_zeros.refusedBy(std::move(refusedBy));
+    return isTaken;
 }
 
 Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()

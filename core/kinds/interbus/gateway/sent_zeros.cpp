@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/gateway/sent_zeros.h"
 
+#include <utility>
+
 namespace codewheel {
 
 SentZeros ZerosRecord::told() const
@@ -22,6 +24,7 @@ void ZerosRecord::acknowledged(Instant now)
 {
     const std::scoped_lock lock(m_mutex);
     m_told.mayHaveArrived = true;
+    m_told.refusedBy.clear();
     m_told.acknowledgedAt = m_told.acknowledgedAt.value_or(now);
 }
 
@@ -35,6 +38,13 @@ void ZerosRecord::refused()
 {
     const std::scoped_lock lock(m_mutex);
     m_told.mayHaveArrived = m_before.mayHaveArrived;
+}
+
+void ZerosRecord::refusedBy(std::vector<std::size_t> devices)
+{
+    const std::scoped_lock lock(m_mutex);
+    m_told.mayHaveArrived = true;
+    m_told.refusedBy = std::move(devices);
 }
 
 void ZerosRecord::notSent()

@@ -5,6 +5,7 @@
 
 #include <mutex>
 #include <optional>
+#include <vector>
 
 namespace codewheel {
 
@@ -15,6 +16,7 @@ struct SentZeros
     std::optional<Instant> acknowledgedAt{}; // all of them
     std::optional<Instant> readBackAt{};     // all of OUT as 00000000
     bool mayHaveArrived = false;             // some were sent, and not refused
+    std::vector<std::size_t> refusedBy{};    // devices, of which the others have acknowledged theirs
 };
 
 // Kept by the thread that exchanges, while others may look at it.
@@ -27,6 +29,7 @@ public:
     void acknowledged(Instant now);
     void unanswered();
     void refused();
+    void refusedBy(std::vector<std::size_t> devices);
     void notSent();
     void readBack(Instant now);
 

@@ -33,6 +33,7 @@ public:
         std::chrono::milliseconds delay{}; // of each answer
         int writeException = 0;            // of each write
         int readException = 0;             // of each read
+        int outEnd = 0;                    // from this register on writes are refused; 0: none
         int silentWrites = 0;              // so many are carried out, and the connection ends
         bool isDeafAfterwards = false;     // to everything
         int foreignOut = 0;                // of 1.0, whatever is written
@@ -68,9 +69,16 @@ private:
         return {CrookedPeer::tcpFrame(request.transaction, request.unit, answerTo(request.message))};
     }
 
+    int writeException(const QByteArray &message) const
+    {
+        constexpr int noSuchRegister = 2;
+        const int end = static_cast<uchar>(message[2]) + static_cast<uchar>(message[4]); // few registers
+        return m_fault.outEnd != 0 && end > m_fault.outEnd ? noSuchRegister : m_fault.writeException;
+    }
+
     QByteArray answerTo(const QByteArray &message)
     {
-        const int exception = message[0] == writeFunction ? m_fault.writeException : m_fault.readException;
+        const int exception = message[0] == writeFunction ? writeException(message) : m_fault.readException;
         if (exception != 0)
             return QByteArray(1, static_cast<char>(message[0] | 0x80)) + static_cast<char>(exception);
         if (message[0] != readHoldingFunction)
@@ -135,7 +143,22 @@ TEST(CliAlarmStop, TheJsonSaysWhereTheZerosAre)
     EXPECT_EQ(registers[1].toObject(), (QJsonObject{{QStringLiteral("place"), QStringLiteral("2.0")},
                                                     {QStringLiteral("first"), 2},
                                                     {QStringLiteral("count"), 2},
-                                                    {QStringLiteral("out"), QStringLiteral("00000000")}}));
+                                                    {QStringLiteral("out"), QStringLiteral("00000000")},
+                                                    {QStringLiteral("refused"), false}}));
+}
+
+// Its OUT area ends behind 1.0.
+TEST(CliAlarmStop, SaysWhichDevicesHaveRefusedTheirZeros)
+{
+    const CliRun run = StoppedGateway({.outEnd = 2}).alarmStop("--patience 2");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.out, HasSubstr("acknowledged, but refused for 2.0, 3.0"));
+    EXPECT_THAT(run.err, HasSubstr("have not arrived within 2 s."));
+    EXPECT_THAT(run.err, Not(HasSubstr("not known")));
+    const CliRun json = StoppedGateway({.outEnd = 2}).alarmStop("--patience 1 --json");
+    EXPECT_EQ(zerosOf(json)[u"state"].toString(), QStringLiteral("refused"));
+    EXPECT_FALSE(zerosOf(json)[u"registers"][0][u"refused"].toBool());
+    EXPECT_TRUE(zerosOf(json)[u"registers"][1][u"refused"].toBool());
 }
 
 // The gateway has got them, and nobody can know.
@@ -211,22 +234,24 @@ TEST(CliAlarmStop, TheWordOfBeforeThatComesBackIsSomebodyElses)
     EXPECT_THAT(run.out, HasSubstr("then as something else"));
 }
 
-// The second ring gets its zeros before the first one, which is mute, has been asked anything.
+// The second ring gets its zeros while the first one, which answers nothing, is waited for.
 TEST(CliAlarmStop, AMuteRingDoesNotKeepTheOthersWaiting)
 {
-    std::atomic<int> heardByMute = 0;
-    std::atomic<int> heardBefore = -1;
     std::atomic<int> writesToOther = 0;
     std::atomic<int> writesBeforeItWasRead = -1;
+    std::atomic<bool> wasWaited = false;
+    std::atomic<bool> cameMeanwhile = false;
     const CrookedPeer mute([&](const SeenRequest &) {
-        ++heardByMute;
-        return Reaction();
+        for (int i = 0; i < 500 && !wasWaited && writesToOther == 0; ++i)
+            std::this_thread::sleep_for(10ms);
+        if (!wasWaited.exchange(true))
+            cameMeanwhile = writesToOther > 0;
+        return Reaction{.bytes = {}, .hangsUp = true};
     });
     const CrookedPeer other([&](const SeenRequest &request) {
         int none = -1;
-        writesToOther += request.message[0] == writeFunction ? 1 : 0;
         if (request.message[0] == writeFunction)
-            heardBefore.compare_exchange_strong(none, heardByMute.load());
+            ++writesToOther;
         else
             writesBeforeItWasRead.compare_exchange_strong(none, writesToOther.load());
         return Reaction{
@@ -237,19 +262,22 @@ TEST(CliAlarmStop, AMuteRingDoesNotKeepTheOthersWaiting)
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     QByteArray buses;
     for (const int port : {mute.port(), other.port()})
-        buses += (buses.isEmpty() ? "" : ", ") +
-                 QByteArray(R"({"kind": "interbus", "number": %1, "name": "Ring %1", "link": {"kind": )"
-                            R"("modbus-tcp", "settings": {"host": "127.0.0.1", "port": "%2"}}, "devices": )"
-                            R"([{"place": "1.0", "deviceCode": "0237h", "inWords": 2, "outWords": 2, )"
-                            R"("device": "fraba-ocd-ib"}]})")
-                     .replace("%1", buses.isEmpty() ? "1" : "2")
-                     .replace("%2", QByteArray::number(port));
+        buses +=
+            (buses.isEmpty() ? "" : ", ") +
+            QByteArray(
+                R"({"kind": "interbus", "number": %1, "name": "Ring %1", "link": {"kind": )"
+                R"("modbus-tcp", "settings": {"host": "127.0.0.1", "port": "%2", "time-out": "10000"}}, )"
+                R"("devices": )"
+                R"([{"place": "1.0", "deviceCode": "0237h", "inWords": 2, "outWords": 2, )"
+                R"("device": "fraba-ocd-ib"}]})")
+                .replace("%1", buses.isEmpty() ? "1" : "2")
+                .replace("%2", QByteArray::number(port));
     file.write(R"({"format": "codewheel-project", "version": 2, "buses": [)" + buses + "]}");
     file.close();
     const CliRun run =
         runLine(QStringLiteral("master alarm-stop --patience 2 --link project --project ") + file.fileName());
     EXPECT_EQ(run.exit, 1);
-    EXPECT_EQ(heardBefore, 1) << run.err;
+    EXPECT_TRUE(cameMeanwhile) << run.err;
     EXPECT_EQ(writesBeforeItWasRead, 1);
 }
 
