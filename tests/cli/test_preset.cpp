@@ -199,6 +199,19 @@ TEST(CliPreset, OfAnEncoderInCamModeThatWasToldToBeInPositionModeSaysWhatItMayBe
     EXPECT_EQ(shared.runLine(QStringLiteral("velocity 1.0 off")).exit, 0) << "the way out";
 }
 
+// Of a preset that is armed no value goes first, which would be refused.
+TEST(CliPreset, ThatWasTakenForACamIsSaidToBe)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("write 1.0 preset=5 --yes"));
+    shared.runLine(QStringLiteral("words 1.0 20800001 00000000"));
+    connectAgain(shared);
+    const CliRun run = shared.runLine(QStringLiteral("preset 1.0 --in-position-mode --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "takenAsCamWord") << run.out;
+    EXPECT_EQ(shared.bus().encoder("1.0"_ring)->latest().mode, std::nullopt);
+}
+
 // It may be a FRABA in cam mode, where 40000000 sets the start of cam 0.
 TEST(CliPreset, AnUnnamedK3IsSetOnlyWhereTheUserSaysItsMode)
 {

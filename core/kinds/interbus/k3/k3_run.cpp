@@ -311,12 +311,22 @@ void K3Run::stepFailed(WordAnswer how, Word in)
     } else if (how == WordAnswer::noAnswer && step.isRepeated && k3::isConfirmation(in)) {
         runBeforeTheRest();
     } else if (how == WordAnswer::noAnswer) {
-        const bool isInvalid = setsPosition(step) && in == k3::error;
-        fail(isInvalid ? noValidPosition() : noAnswer(in, m_encoder.timing.timeOut));
+        fail(whyNoAnswer(step, in));
     } else {
         dropConfirmed();
         fail({RefusalKind::device, WordRefusalId::restarted, {in}});
     }
+}
+
+// In cam mode 40000000 is acknowledged: it sets the start of cam 0.
+Refusal K3Run::whyNoAnswer(const K3Step &step, Word in)
+{
+    if (setsPosition(step) && in == k3::error)
+        return noValidPosition();
+    if (step.out != k3::initialisePreset || in != (step.out | k3::confirmation) || !mayBeInCamMode())
+        return noAnswer(in, m_encoder.timing.timeOut);
+    m_encoder.doubtMode();
+    return {RefusalKind::device, RefusalId::takenAsCamWord, {step.out, in}};
 }
 
 // The data did not follow: run comes between, and the numbers are new again.

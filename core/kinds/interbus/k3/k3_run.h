@@ -42,6 +42,7 @@ private:
     void stepFailed(WordAnswer how, Word in) override;
     void fail(Refusal why) override;
     Refusal refusalFor(Word in) const override;
+    Refusal whyNoAnswer(const K3Step &step, Word in);
     bool mayBeInCamMode() const;
     Result<void> resultAt(Word in) override;
     bool endsInError(std::size_t step) const override;
