@@ -6043,10 +6043,6 @@
         <translation>die Position eines Gebers setzen</translation>
     </message>
     <message>
-        <source>Nothing was written to it from here either, so nothing is known of it.</source>
-        <translation>Auch von hier wurde nichts in ihn geschrieben, deshalb ist nichts von ihm bekannt.</translation>
-    </message>
-    <message>
         <source>Last written from here:</source>
         <translation>Zuletzt von hier geschrieben:</translation>
     </message>
@@ -8802,6 +8798,14 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>write the frames to FILE as well, as candump -L does, for other programs</source>
         <translation>Telegramme auch in FILE schreiben, so wie candump -L, für andere Programme</translation>
+    </message>
+    <message>
+        <source>Nothing was written to it in this call either, so nothing is known of it.</source>
+        <translation>Mit diesem Aufruf wurde ihm auch nichts geschrieben, daher ist nichts von ihm bekannt.</translation>
+    </message>
+    <message>
+        <source>acknowledged, but refused for %1</source>
+        <translation>quittiert, aber abgelehnt für %1</translation>
     </message>
 </context>
 <context>

@@ -50,7 +50,8 @@ Answer whatIsKnown(const EncoderSession &encoder)
         return answer;
     if (known.isEmpty())
         answer.complaint->text +=
-            u' ' + CommandLine::tr("Nothing was written to it from here either, so nothing is known of it.");
+            u' ' +
+            CommandLine::tr("Nothing was written to it in this call either, so nothing is known of it.");
     else
         answer.text = CommandLine::tr("Last written from here:") + u'\n' + table.toString(2);
     return answer;

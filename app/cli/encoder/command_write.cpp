@@ -99,6 +99,8 @@ void addAccount(QJsonObject &json, const EncoderSession &encoder, const Outcome 
     json.insert(QStringLiteral("alreadyThere"), writtenJson(encoder, outcome.alreadyThere));
     if (protocolRules(encoder.device().profile).storesByStep())
         json.insert(QStringLiteral("stored"), writtenJson(encoder, outcome.stored));
+    if (!outcome.confirmed.empty())
+        json.insert(QStringLiteral("confirmed"), valuesJson(encoder, outcome.confirmed));
     json.insert(QStringLiteral("eepromWrites"), outcome.eepromWrites);
     json.insert(QStringLiteral("positionBefore"), numberJson(before.reading.position));
     json.insert(QStringLiteral("positionAfter"), numberJson(after.reading.position));

@@ -285,6 +285,14 @@ TEST(CliGatewayRing, WhatIsConfirmedWhenTheLinkIsCutStillWaitsForRun)
     EXPECT_THAT(run.out, HasSubstr("= 255  confirmed; takes effect only with run\n"));
     EXPECT_THAT(run.out, HasSubstr("= 100  sent: it is not known whether the encoder has it\n"));
     EXPECT_THAT(run.out, Not(HasSubstr("did not become active")));
+    GatewayPeer again(line("--vanish-behind 08000064"));
+    const QJsonArray confirmed =
+        RingProject()
+            .run(line("write 1.0 steps=255 preset=100 --yes --all --json"), again.link())
+            .json()[u"confirmed"]
+            .toArray();
+    ASSERT_EQ(confirmed.size(), 1);
+    EXPECT_EQ(confirmed[0][u"value"].toInt(), 255);
 }
 
 TEST(CliGatewayRing, APresetThatIsCutSaysOneThingOfThePosition)
