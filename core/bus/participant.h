@@ -16,7 +16,7 @@ struct Participant
     NodeId number;           // "6.1", "esc:12"
     unsigned deviceCode = 0; // by which its bus tells what it is, on INTERBUS 0237h; 0: it does not
     QString deviceKey;       // catalog key, empty where the make is not known
-    KindData details{};      // of its kind of bus, such as the width of its data; empty: the usual ones
+    KindData details{}; // of its kind of bus, such as the width of its data; empty: nothing is known of it
 
     friend bool operator==(const Participant &, const Participant &) = default;
 };

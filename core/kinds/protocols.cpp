@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the library of protocols has of every kind: another kind has a row in each list.
+// What the library of protocols has of every kind: another kind has a row in each list that it has something
+// for.
 #include "can/frame_meaning.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"

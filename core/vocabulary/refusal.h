@@ -43,8 +43,8 @@ enum class RefusalId : std::uint8_t {
     tooManyStepsPerTurn,   // steps, revolutions, physical steps per turn
     valueAboveTotalRange,  // Parameter, value, largest
     presetNeedsValue,      // device name
-    camProgramOutOfRange,  // program
-    camOutOfRange,         // cam
+    camProgramOutOfRange,  // program, last program
+    camOutOfRange,         // cam, last cam
     camPositionTooLarge,   // cam, position, largest
     camShiftOutOfRange,    // shift
     camHasNoShift,         // shift

@@ -46,7 +46,6 @@ protected:
     std::vector<std::size_t> selectedLines() const;
     bool isConnected() const;
     const Comparison &comparison() const;
-    const ConnectedBus &connectedNow() const { return m_connected; }
     PlanEdits &edits() { return m_edits; }
     InlineMessage &message() { return *m_message; }
     QHBoxLayout &top() { return *m_top; }

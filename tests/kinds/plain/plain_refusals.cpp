@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/kinds/plain/plain_refusals.h"
 
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/families.h"
+
+#include <QtGlobal>
 
 #include <array>
 
@@ -9,9 +12,11 @@ namespace codewheel::test {
 namespace {
 
 constexpr std::array plainRefusalRows{
-    SentenceRow{PlainRefusalId::noSuchKey, "plainNoSuchKey",
-                "The node does not have the key of %1. Check which node it is."},
+    SentenceRow{
+        PlainRefusalId::noSuchKey, "plainNoSuchKey",
+        QT_TRANSLATE_NOOP("Refusal", "The node does not have the key of %1. Check which node it is.")},
 };
+static_assert(areInOrder(plainRefusalRows, &SentenceRow::id, PlainRefusalId::noSuchKey));
 
 } // namespace
 

@@ -38,7 +38,6 @@ Q_SIGNALS:
     void choiceChanged(); // of the seat, or of the device
 
 private:
-    QWidget *makeDevice();
     void showChoice();
 
     SeatsModel *m_seats;
