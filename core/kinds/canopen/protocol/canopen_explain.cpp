@@ -118,9 +118,9 @@ QString FrameTexts::ofAll(const CobId &cob, const CanFrame &frame)
         return sentence(tr("NMT: %1"), {told(frame, NmtRequest::read(data),
                                              [](const NmtRequest &nmt) { return nmt.text(); })});
     case CobId::Service::sync:
-        return sync(data);
+        return frame.isRemote ? sentence(tr("SYNC: %1"), {odd(frame)}) : sync(data);
     case CobId::Service::time:
-        return time(data);
+        return frame.isRemote ? sentence(tr("TIME: %1"), {odd(frame)}) : time(data);
     case CobId::Service::lssRequest:
         return sentence(tr("LSS: %1"), {told(frame, LssFrame::read(data), lssRequestText)});
     default:

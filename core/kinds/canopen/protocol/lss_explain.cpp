@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/lss_explain.h"
 
+#include "kinds/canopen/protocol/cob_id.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -41,7 +42,14 @@ QString LssTexts::unknown(const LssFrame &lss)
 
 QString LssTexts::switched(const LssFrame &lss)
 {
-    return lss.first() == 0 ? tr("all devices back to operation") : tr("all devices to configuration");
+    switch (lss.first()) {
+    case 0:
+        return tr("all devices back to operation");
+    case 1:
+        return tr("all devices to configuration");
+    default:
+        return sentence(tr("all devices to unknown mode %1"), {QString::number(lss.first())});
+    }
 }
 
 // Only table 0 is that of CiA 301.
@@ -67,8 +75,12 @@ QString LssTexts::fastScan(const LssFrame &lss)
 
 QString LssTexts::node(const LssFrame &lss)
 {
-    return lss.first() == unconfigured ? tr("no node number")
-                                       : sentence(tr("node number %1"), {QString::number(lss.first())});
+    const int number = lss.first();
+    if (number == unconfigured)
+        return tr("no node number");
+    const bool isOne = number >= 1 && number <= lastNode;
+    return sentence(isOne ? tr("node number %1") : tr("node number %1, which no node has"),
+                    {QString::number(number)});
 }
 
 QString LssTexts::request(const LssFrame &lss)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/nmt.h"
 
+#include "kinds/canopen/protocol/cob_id.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -33,7 +34,9 @@ QString toAll(const NmtRequest &request)
 
 QString toOne(const NmtRequest &request)
 {
-    const QString node = QString::number(request.node);
+    const QString number = QString::number(request.node);
+    const QString node =
+        request.node > lastNode ? sentence(NmtTexts::tr("%1, which no node has"), {number}) : number;
     switch (request.command) {
     case NmtCommand::start:
         return sentence(NmtTexts::tr("start node %1"), {node});

@@ -48,9 +48,35 @@ void takeSegment(SdoFrame &sdo, Octets frame)
     takeOctets(sdo, frame.subspan(1, SdoFrame::mostOctets - unused));
 }
 
+// Bits that mean nothing are 0. Data of a block transfer, which begins with a count, would be taken for
+// commands otherwise.
+bool hasOnlyItsBits(Kind kind, std::uint8_t command)
+{
+    constexpr std::uint8_t bitsOfCommand = 0x1F;
+    const int bits = command & bitsOfCommand;
+    switch (kind) {
+    case Kind::read:
+    case Kind::written:
+    case Kind::abort:
+        return bits == 0;
+    case Kind::readSegment:
+    case Kind::segmentWritten:
+        return (bits & ~toggleBit) == 0;
+    case Kind::write:
+    case Kind::value:
+        return (bits & toggleBit) == 0;
+    default:
+        return true;
+    }
+}
+
 SdoFrame read(Octets frame, Kind kind, Kind withSegments)
 {
     SdoFrame sdo{.kind = kind, .toggle = (frame[0] & toggleBit) != 0};
+    if (!hasOnlyItsBits(kind, frame[0])) {
+        sdo.kind = Kind::unknown;
+        return sdo;
+    }
     const SdoObject object{static_cast<std::uint16_t>(numberOf(frame.subspan(1, 2))), frame[3]};
     switch (kind) {
     case Kind::segment:
@@ -93,7 +119,9 @@ std::optional<SdoFrame> SdoFrame::answer(Octets frame)
 {
     if (frame.size() != frameSize)
         return std::nullopt;
-    return read(frame, answerKinds[frame[0] >> 5], Kind::valueBegins);
+    SdoFrame sdo = read(frame, answerKinds[frame[0] >> 5], Kind::valueBegins);
+    sdo.isAnswer = true;
+    return sdo;
 }
 
 } // namespace codewheel::canopen

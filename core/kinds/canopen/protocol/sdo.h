@@ -36,12 +36,13 @@ struct SdoFrame
         // of both
         segment,
         abort,
-        block,
+        block, // begins one, or goes on with it
         unknown,
     };
     static constexpr std::size_t mostOctets = 7;
 
     Kind kind = Kind::unknown;
+    bool isAnswer = false;
     SdoObject object{};                            // where the frame names one
     std::array<std::uint8_t, mostOctets> octets{}; // of a value of up to four, or of a segment
     std::size_t size = 0;                          // of these

@@ -79,7 +79,7 @@ QString SdoTexts::of(const SdoFrame &sdo)
     case SdoFrame::Kind::unknown:
         break;
     }
-    return tr("unknown command");
+    return sdo.isAnswer ? tr("SDO answer") : tr("SDO request");
 }
 
 } // namespace
