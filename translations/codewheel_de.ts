@@ -354,7 +354,7 @@
     </message>
     <message>
         <source>error</source>
-        <translation>Fehler   (comment: in place of an identifier)</translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>current</source>
@@ -8777,7 +8777,7 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>error</source>
         <comment>in place of an identifier</comment>
-        <translation>Fehler   (comment: in place of an identifier)</translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>The times of the log are differences; they are shown as local time.</source>
