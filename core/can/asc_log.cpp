@@ -78,6 +78,22 @@ std::optional<CanLogFault> takeAscData(CanFrame &frame, CanLogWords words, int b
     return numberIn(words.next(), base) ? std::optional(CanLogFault::wrongLength) : std::nullopt;
 }
 
+// A length need not be there: "r", "r 8", "r Length = 0".
+CanLogLine ascRemote(CanFrame frame, std::string_view length)
+{
+    frame.isRemote = true;
+    frame.length = ascLength(length).value_or(0);
+    const bool isTooLong = length.size() > 1 && numberIn(length, 16);
+    return isTooLong ? ascFault(CanLogFault::wrongLength) : CanLogLine{.frame = frame};
+}
+
+// As asc2log of can-utils calls a channel, which count from 1 on.
+std::string ascInterface(std::string_view channel)
+{
+    const auto number = numberIn(channel, 10);
+    return number.value_or(0) > 0 ? "can" + std::to_string(*number - 1) : "canX";
+}
+
 } // namespace
 
 bool AscLog::isItsLine(std::string_view text)
@@ -90,8 +106,8 @@ CanLogLine AscLog::line(std::string_view text)
 {
     if (beginsWith(text, baseWord))
         return takesBase(text.substr(baseWord.size()));
-    if (takesHeader(text))
-        return {};
+    if (isAscHeader(text))
+        return takesHeader(text);
     CanLogLine line = timed(text);
     m_hasBegun = m_hasBegun || line.frame;
     if (!line.frame && !line.fault && !m_hasBegun)
@@ -99,18 +115,21 @@ CanLogLine AscLog::line(std::string_view text)
     return line;
 }
 
-bool AscLog::takesHeader(std::string_view text)
+CanLogLine AscLog::takesHeader(std::string_view text)
 {
-    if (!isAscHeader(text))
-        return false;
-    const bool isDate = beginsWith(text, dateWord);
-    const bool isBlock = beginsWith(text, blockWords);
     m_hasBegun = m_hasBegun || !beginsWith(text, "//");
-    if (isDate)
-        m_header.date = ascDate(text.substr(dateWord.size()));
-    else if (isBlock && !m_header.date)
-        m_header.date = ascDate(text.substr(blockWords.size()));
-    return true;
+    if (beginsWith(text, dateWord))
+        return takesDate(text.substr(dateWord.size()));
+    const bool isBlock = beginsWith(text, blockWords);
+    return isBlock && !m_header.date ? takesDate(text.substr(blockWords.size())) : CanLogLine();
+}
+
+CanLogLine AscLog::takesDate(std::string_view text)
+{
+    m_header.date = ascDate(text);
+    const bool isNew = !m_header.date && !m_hasBlamedDate && !CanLogWords(text).isAtEnd();
+    m_hasBlamedDate = m_hasBlamedDate || isNew;
+    return isNew ? ascFault(CanLogFault::badDate) : CanLogLine();
 }
 
 // "hex  timestamps absolute". BUSMASTER leaves out the rest, and the end of the line with it.
@@ -145,6 +164,8 @@ CanLogLine AscLog::timed(std::string_view text) const
         line = ascFault(CanLogFault::canXl);
     else if (numberIn(channel, 10))
         line = frame(what, words.rest());
+    if (line.frame)
+        line.frame->interface = ascInterface(channel);
     line.stamp = {CanLogStamp::Kind::asc, *at};
     return line;
 }
@@ -157,17 +178,21 @@ CanLogLine AscLog::frame(std::string_view id, std::string_view behind) const
     CanLogWords words(behind);
     const std::string_view direction = words.next();
     auto read = ascFrameWithId(id, m_header.base);
-    if (direction != "Rx" && direction != "Tx") // TxRq only asks for a frame to be sent
-        return read && direction.empty() ? ascFault(CanLogFault::wrongLength) : CanLogLine();
+    if (read && direction.empty())
+        return ascFault(CanLogFault::wrongLength);
+    if (direction == "TxRq") // only asks for a frame to be sent
+        return {};
+    const bool isDirection = direction == "Rx" || direction == "Tx";
+    const std::string_view type = words.next();
+    const bool isRemote = type == "r" || type == "R";
+    const bool isData = type == "d" || type == "D";
+    if (!isDirection)
+        return read && (isRemote || isData) ? ascFault(CanLogFault::badDirection) : CanLogLine();
     if (!read)
         return ascFault(CanLogFault::badIdentifier);
-    const std::string_view type = words.next();
-    if (type == "r" || type == "R") {
-        read->isRemote = true;
-        read->length = ascLength(words.next()).value_or(0);
-        return {.frame = read};
-    }
-    if (type != "d" && type != "D")
+    if (isRemote)
+        return ascRemote(*read, words.next());
+    if (!isData)
         return ascFault(CanLogFault::badData);
     const auto fault = takeAscData(*read, words, m_header.base);
     return fault ? ascFault(*fault) : CanLogLine{.frame = read};

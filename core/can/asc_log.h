@@ -31,12 +31,14 @@ public:
     const AscHeader &header() const { return m_header; }
 
 private:
-    bool takesHeader(std::string_view text);
+    CanLogLine takesHeader(std::string_view text);
+    CanLogLine takesDate(std::string_view text);
     CanLogLine takesBase(std::string_view text);
     CanLogLine timed(std::string_view text) const;
     CanLogLine frame(std::string_view id, std::string_view behind) const;
 
     AscHeader m_header;
+    bool m_hasBlamedDate = false;
     bool m_hasBegun = false; // a header or a frame was there: what else has a time is an event
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace codewheel {
 
@@ -21,6 +22,7 @@ struct CanFrame
     bool isError = false;
     std::uint8_t length = 0; // of its data; of a remote frame, of the data that it asks for
     std::array<std::uint8_t, mostBytes> bytes{};
+    std::string interface {};      // "can0"; empty: not known
     std::optional<Instant> time{}; // since 1970, or since a beginning that whoever made it knows
 
     std::span<const std::uint8_t> data() const { return std::span(bytes).first(isRemote ? 0 : length); }

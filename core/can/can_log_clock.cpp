@@ -27,8 +27,12 @@ void CanLogClock::look(const CanLogStamp &stamp)
         m_before = stamp.at;
     }
     ++m_looked;
-    m_smaller += stamp.at < m_before ? 1 : 0;
-    m_before = stamp.at;
+    if (stamp.at >= relativeBelow) {
+        ++m_large;
+    } else {
+        m_smaller += stamp.at < m_before ? 1 : 0;
+        m_before = stamp.at;
+    }
     if (m_looked >= looksToDecide)
         decide();
 }
@@ -38,19 +42,20 @@ void CanLogClock::decide()
     if (m_isDecided)
         return;
     m_isDecided = true;
-    m_ofCandump = m_smaller * oneIn > m_looked ? CanLogTimes::differences : CanLogTimes::relative;
+    if (m_large * 2 > m_looked)
+        return;
+    m_ofCandump = m_smaller * oneIn > m_looked - m_large ? CanLogTimes::differences : CanLogTimes::relative;
 }
 
 CanLogClock::Meaning CanLogClock::ascMeaning(const AscHeader &header) const
 {
     const bool countsFromBefore =
         m_meant ? *m_meant == CanLogTimes::differences : header.times == AscHeader::Times::fromLineBefore;
-    const bool isDated =
-        m_meant == CanLogTimes::absolute || (m_meant != CanLogTimes::relative && header.date);
+    const bool isDated = m_meant != CanLogTimes::relative && header.date.has_value();
     Meaning meaning{.times = isDated ? CanLogTimes::absolute : CanLogTimes::relative, .isSince1970 = isDated};
     if (countsFromBefore)
         meaning.times = CanLogTimes::differences;
-    if (isDated && header.date)
+    if (isDated)
         meaning.origin =
             header.times == AscHeader::Times::ofDay ? midnightBefore(*header.date) : *header.date;
     return meaning;
@@ -82,11 +87,22 @@ Instant CanLogClock::onDay(Instant timeOfDay)
     return m_day + timeOfDay;
 }
 
-std::optional<Instant> CanLogClock::at(const CanLogStamp &stamp, const AscHeader &header, bool isOfFrame)
+// What the times are said to be holds for all of them.
+bool CanLogClock::isOfOtherKind(const CanLogStamp &stamp, const Meaning &meaning) const
+{
+    if (stamp.kind == CanLogStamp::Kind::candump && !m_meant &&
+        (meaning.times == CanLogTimes::absolute) != (stamp.at >= relativeBelow))
+        return true;
+    return m_times && (meaning.isSince1970 != m_isSince1970 || (!m_isSince1970 && stamp.kind != m_kind));
+}
+
+CanLogTime CanLogClock::at(const CanLogStamp &stamp, const AscHeader &header, bool isOfFrame)
 {
     if (stamp.kind == CanLogStamp::Kind::none)
-        return std::nullopt;
+        return {};
     const Meaning meaning = meaningOf(stamp, header);
+    if (isOfOtherKind(stamp, meaning))
+        return {.isOfOtherKind = true};
     Instant at = stamp.at;
     if (meaning.times == CanLogTimes::differences)
         at = added(at);
@@ -94,13 +110,16 @@ std::optional<Instant> CanLogClock::at(const CanLogStamp &stamp, const AscHeader
         at = onDay(at);
     at += meaning.origin;
     if (!isOfFrame)
-        return std::nullopt;
-    m_times = m_times.value_or(meaning.times);
-    m_isSince1970 = meaning.isSince1970;
+        return {};
+    if (!m_times) {
+        m_times = meaning.times;
+        m_isSince1970 = meaning.isSince1970;
+        m_kind = stamp.kind;
+    }
     if (meaning.isSince1970)
-        return at;
+        return {.at = at};
     m_first = m_first.value_or(at);
-    return at - *m_first;
+    return {.at = at - *m_first};
 }
 
 } // namespace codewheel

@@ -13,9 +13,17 @@ enum class CanLogTimes : std::uint8_t {
     differences, // each from the line before
 };
 
+// The time of a frame: since 1970 where that is known, else since the first frame.
+struct CanLogTime
+{
+    std::optional<Instant> at{};
+    bool isOfOtherKind = false; // than that of the first frame, and so it is left out
+};
+
 // Tells what the times of a log are, and works out that of each line. Seconds of candump do not say it: below
 // 10^8 they are relative, and where more than one line in ten is smaller than the one before, they are
-// differences. This is decided by the first 10 000 of them, so that a log of any length is read in one go.
+// differences; a few of the other size are neither. This is decided by the first 10 000 of them, so that a
+// log of any length is read in one go.
 class CanLogClock
 {
 public:
@@ -29,8 +37,7 @@ public:
     void decide(); // by what was there
 
     // All lines in turn, once it is decided: also of those without a frame, as the next may count from them.
-    // Since 1970 where that is known, else since the first frame.
-    std::optional<Instant> at(const CanLogStamp &stamp, const AscHeader &header, bool isOfFrame);
+    CanLogTime at(const CanLogStamp &stamp, const AscHeader &header, bool isOfFrame);
 
     // Of the frames so far. Empty: none had a time.
     std::optional<CanLogTimes> times() const { return m_times; }
@@ -44,6 +51,7 @@ private:
         bool isSince1970 = false;
     };
     Meaning meaningOf(const CanLogStamp &stamp, const AscHeader &header) const;
+    bool isOfOtherKind(const CanLogStamp &stamp, const Meaning &meaning) const;
     Meaning ascMeaning(const AscHeader &header) const;
     Instant added(Instant difference);
     Instant onDay(Instant timeOfDay);
@@ -54,12 +62,14 @@ private:
     CanLogTimes m_ofCandump = CanLogTimes::absolute;
     int m_looked = 0;
     int m_smaller = 0; // than the one before
+    int m_large = 0;   // as those since 1970
     Instant m_before{};
     Instant m_sum{};
     Instant m_day{}; // days that have passed since the first time of day
     Instant m_ofDayBefore{};
     std::optional<Instant> m_first;
     std::optional<CanLogTimes> m_times;
+    CanLogStamp::Kind m_kind = CanLogStamp::Kind::none; // of the first frame
     bool m_isSince1970 = false;
 };
 

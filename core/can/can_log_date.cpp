@@ -69,15 +69,26 @@ Instant instantOf(const QDateTime &local)
     return std::chrono::milliseconds(local.toMSecsSinceEpoch());
 }
 
+// In an hour that is left out the clock goes on as if it was not put forward.
+Instant asBeforeTheChange(const QString &minute, const QDateTime &change)
+{
+    QDateTime clock = QDateTime::fromString(minute, QStringLiteral("yyyy-MM-ddTHH:mm"));
+    clock.setTimeSpec(Qt::UTC);
+    return instantOf(clock.addSecs(-change.addSecs(-1).offsetFromUtc()));
+}
+
 } // namespace
 
 void CanLogDates::look(std::string_view minute)
 {
     m_minute = minute;
     QString text = QString::fromLatin1(minute.data(), static_cast<qsizetype>(minute.size()));
-    const auto typed = TypedTime::parse(text.replace(u' ', u'T'), QTimeZone::systemTimeZone());
+    text.replace(u' ', u'T');
+    const auto typed = TypedTime::parse(text, QTimeZone::systemTimeZone());
     m_first = typed ? std::optional(instantOf(typed->first)) : std::nullopt;
     m_last = typed ? instantOf(typed->last) : Instant();
+    if (typed && typed->first.toString(QStringLiteral("yyyy-MM-ddTHH:mm")) != text)
+        m_first = m_last = asBeforeTheChange(text, typed->first);
 }
 
 std::optional<Instant> CanLogDates::at(std::string_view text)
@@ -97,18 +108,20 @@ std::optional<Instant> CanLogDates::at(std::string_view text)
 
 std::optional<Instant> ascDate(std::string_view text)
 {
+    constexpr int firstYear = 1970;
     CanLogWords words(text);
     words.next(); // the day of the week
     const int month = monthNamed(words.next());
     const int day = smallNumber(words.next());
     QTime time = timeOfDay(words.next());
     std::string_view word = words.next();
-    if (beginsWith(word, "am") || beginsWith(word, "pm")) {
-        time = onTwelveHourClock(time, beginsWith(word, "pm"));
+    const bool isAfternoon = beginsWith(word, "pm") || beginsWith(word, "nachm");
+    if (isAfternoon || beginsWith(word, "am") || beginsWith(word, "vorm")) {
+        time = onTwelveHourClock(time, isAfternoon);
         word = words.next();
     }
     const QDate date(smallNumber(word), month, day);
-    if (!date.isValid() || !time.isValid())
+    if (!date.isValid() || date.year() < firstYear || !time.isValid() || !words.isAtEnd())
         return std::nullopt;
     return instantOf(QDateTime(date, time));
 }

@@ -29,8 +29,15 @@ constexpr std::array canLogFaultRows{
     CanLogFaultRow{CanLogFault::canFd,
                    QT_TRANSLATE_NOOP("CanLog", "A CAN FD frame: it is counted, and not read.")},
     CanLogFaultRow{CanLogFault::canXl, QT_TRANSLATE_NOOP("CanLog", "A CAN XL frame: it is not read.")},
+    CanLogFaultRow{CanLogFault::badDirection,
+                   QT_TRANSLATE_NOOP("CanLog", "It looks like a frame, but its direction is not known.")},
+    CanLogFaultRow{CanLogFault::badDate,
+                   QT_TRANSLATE_NOOP("CanLog", "Its date cannot be read: the log counts as one without it.")},
+    CanLogFaultRow{CanLogFault::otherTime,
+                   QT_TRANSLATE_NOOP("CanLog", "Its time is of another kind than the "
+                                               "log's: its frame is kept without it.")},
 };
-static_assert(areInOrder(canLogFaultRows, &CanLogFaultRow::fault, CanLogFault::canXl));
+static_assert(areInOrder(canLogFaultRows, &CanLogFaultRow::fault, CanLogFault::otherTime));
 
 } // namespace
 

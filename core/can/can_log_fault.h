@@ -7,7 +7,7 @@
 
 namespace codewheel {
 
-// Why a line of a log was not read.
+// Why a line of a log was not read, or only in part.
 enum class CanLogFault : std::uint8_t {
     notOfALog,
     badTime,
@@ -17,6 +17,9 @@ enum class CanLogFault : std::uint8_t {
     tooLong,
     canFd,
     canXl,
+    badDirection,
+    badDate,
+    otherTime, // its frame was read
 };
 
 QString canLogFaultText(CanLogFault fault);

@@ -37,6 +37,11 @@ void CanLogReader::finish()
 {
     if (!m_part.empty())
         endLine();
+    breakOff();
+}
+
+void CanLogReader::breakOff()
+{
     m_clock.decide();
     passAll();
 }
@@ -54,7 +59,7 @@ void CanLogReader::endLine()
     if (m_line == 1 && text.starts_with(byteOrderMark))
         text.remove_prefix(byteOrderMark.size());
     if (m_isTooLong)
-        blame(CanLogFault::tooLong);
+        blame(CanLogFault::tooLong, m_line);
     else
         readLine(text);
     m_isTooLong = false;
@@ -70,12 +75,12 @@ void CanLogReader::readLine(std::string_view text)
     const CanLogLine line = lineOf(text);
     m_mayBeExplained = line.frame && line.frame->isError;
     if (line.fault)
-        blame(*line.fault);
+        blame(*line.fault, m_line);
     m_clock.look(line.stamp);
     if (m_clock.isDecided() && m_waiting.empty())
-        pass({line.frame, line.stamp});
+        pass({line.frame, line.stamp, m_line});
     else
-        m_waiting.push_back({line.frame, line.stamp});
+        m_waiting.push_back({line.frame, line.stamp, m_line});
     if (m_clock.isDecided())
         passAll();
 }
@@ -85,19 +90,21 @@ CanLogLine CanLogReader::lineOf(std::string_view text)
     return AscLog::isItsLine(text) ? m_asc.line(text) : m_candump.line(text);
 }
 
-void CanLogReader::blame(CanLogFault fault)
+void CanLogReader::blame(CanLogFault fault, std::int64_t line)
 {
     m_canFdFrames += fault == CanLogFault::canFd ? 1 : 0;
-    m_takeFault(m_line, fault);
+    m_takeFault(line, fault);
 }
 
 void CanLogReader::pass(const Waiting &line)
 {
-    const auto at = m_clock.at(line.stamp, m_asc.header(), line.frame.has_value());
+    const CanLogTime time = m_clock.at(line.stamp, m_asc.header(), line.frame.has_value());
     if (!line.frame)
         return;
+    if (time.isOfOtherKind)
+        blame(CanLogFault::otherTime, line.number);
     CanFrame frame = *line.frame;
-    frame.time = at;
+    frame.time = time.at;
     ++m_frames;
     m_takeFrame(frame);
 }

@@ -21,14 +21,15 @@ class CanLogReader
 public:
     // In the order of the log.
     using TakeFrame = std::function<void(const CanFrame &)>;
-    // A line that was not read, with its number, from 1 on.
+    // A line that was not read, or only in part, with its number, from 1 on. Not always in their order.
     using TakeFault = std::function<void(std::int64_t line, CanLogFault fault)>;
 
     // `meant`: what the times are, whatever the log says.
     CanLogReader(TakeFrame takeFrame, TakeFault takeFault, std::optional<CanLogTimes> meant = {});
 
     void read(std::string_view bytes); // as they follow each other in the file
-    void finish();                     // there are no more
+    void finish();                     // there are no more: this ends the last line
+    void breakOff();                   // there may be more: a line that has begun is left out
 
     std::int64_t frames() const { return m_frames; }
     std::int64_t canFdFrames() const { return m_canFdFrames; }
@@ -41,13 +42,14 @@ private:
     {
         std::optional<CanFrame> frame;
         CanLogStamp stamp;
+        std::int64_t number;
     };
 
     void gather(std::string_view part);
     void endLine();
     void readLine(std::string_view text);
     CanLogLine lineOf(std::string_view text);
-    void blame(CanLogFault fault);
+    void blame(CanLogFault fault, std::int64_t line);
     void pass(const Waiting &line);
     void passAll();
 

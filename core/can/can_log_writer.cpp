@@ -29,11 +29,11 @@ void appendTime(std::string &text, Instant time)
 
 } // namespace
 
-std::string canLogLine(const CanFrame &frame, std::string_view interface)
+std::string canLogLine(const CanFrame &frame)
 {
     std::string text;
     appendTime(text, std::max(frame.time.value_or(Instant()), Instant()));
-    text.append(interface) += ' ';
+    text.append(frame.interface.empty() ? "can0" : frame.interface) += ' ';
     if (frame.isError)
         appendHex(text, frame.id | errorFrameFlag, longIdDigits);
     else

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t digitsOfStandardId = 3;
 constexpr std::size_t digitsOfExtendedId = 8;
 constexpr int hexadecimal = 16;
+constexpr std::size_t longestInterface = 64; // that of Linux is 15
 
 CanLogLine faulty(CanLogFault fault)
 {
@@ -144,16 +145,22 @@ CanLogLine screenFrame(std::string_view id, CanLogWords words)
 CanLogLine timedLine(std::string_view text)
 {
     CanLogWords words(text);
-    words.next(); // the interface
+    const std::string_view interface = words.next();
     std::string_view word = words.next();
-    if (word.find('#') != std::string_view::npos)
-        return logFrameWithDirection(word, words);
-    if (word == "RX" || word == "TX") {
-        words.next();
-        words.next();
-        word = words.next();
+    CanLogLine line;
+    if (word.find('#') != std::string_view::npos) {
+        line = logFrameWithDirection(word, words);
+    } else {
+        if (word == "RX" || word == "TX") {
+            words.next();
+            words.next();
+            word = words.next();
+        }
+        line = screenFrame(word, words);
     }
-    return screenFrame(word, words);
+    if (line.frame)
+        line.frame->interface = interface.substr(0, longestInterface);
+    return line;
 }
 
 } // namespace

@@ -25,7 +25,7 @@ struct ReadLog
     {
         std::vector<std::string> lines;
         for (const CanFrame &frame : frames) {
-            const std::string line = canLogLine(frame, "can0");
+            const std::string line = canLogLine(frame);
             const auto begin = line.rfind(' ') + 1;
             lines.push_back(line.substr(begin, line.size() - begin - 1));
         }

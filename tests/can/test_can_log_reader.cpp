@@ -22,6 +22,40 @@ TEST(CanLogReader, HoweverTheFileComesInPiecesItIsTheSame)
     }
 }
 
+TEST(CanLogReader, ALineThatIsCutOffWhereTheReadingIsBrokenOffIsLeftOut)
+{
+    for (const char *cut : {"(1544106679.5) can0 185#88", "(1544106679.5) ca"}) {
+        std::size_t frames = 0;
+        std::size_t faults = 0;
+        CanLogReader reader([&](const CanFrame &) { ++frames; },
+                            [&](std::int64_t, CanLogFault) { ++faults; });
+        reader.read("(1544106679.4) can0 080#\n" + std::string(cut));
+        reader.breakOff();
+        EXPECT_EQ(frames, 1) << cut;
+        EXPECT_EQ(faults, 0) << cut;
+    }
+}
+
+TEST(CanLogReader, WhatWaitedIsPassedOnWhereTheReadingIsBrokenOff)
+{
+    std::size_t frames = 0;
+    CanLogReader reader([&](const CanFrame &) { ++frames; }, [](std::int64_t, CanLogFault) {});
+    reader.read("(0.5) can0 080#\n");
+    EXPECT_EQ(frames, 0);
+    reader.breakOff();
+    EXPECT_EQ(frames, 1);
+}
+
+TEST(CanLogReader, EachFrameHasItsInterface)
+{
+    const ReadLog log = readLog("(1544106679.4) can1 080#\n  vcan0  080   [0]\n0.5 1 80 Rx d 0\n"
+                                "0.5 12 80 Rx d 0\n0.5 0 ErrorFrame\n");
+    std::vector<std::string> interfaces;
+    for (const CanFrame &frame : log.frames)
+        interfaces.push_back(frame.interface);
+    EXPECT_THAT(interfaces, ElementsAre("can1", "vcan0", "can0", "can11", "canX"));
+}
+
 TEST(CanLogReader, ALineWithoutAnEndIsNotKept)
 {
     const std::string text = std::string(1'000'000, 'x') + "\n(1.0) can0 080#\n";
@@ -49,7 +83,7 @@ TEST(CanLogReader, SumsOfNonsenseDoNotOverflow)
 
 TEST(CanLogReader, EveryFaultIsASentence)
 {
-    for (int fault = 0; fault <= static_cast<int>(CanLogFault::canXl); ++fault)
+    for (int fault = 0; fault <= static_cast<int>(CanLogFault::otherTime); ++fault)
         EXPECT_TRUE(canLogFaultText(static_cast<CanLogFault>(fault)).endsWith(u'.'));
 }
 

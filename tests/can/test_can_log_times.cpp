@@ -2,6 +2,8 @@
 // What the times of a log are, which its lines do not say.
 #include "tests/can/read_log.h"
 
+#include <QScopeGuard>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +11,8 @@ namespace codewheel {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
 
 std::string candumpAt(const std::string &seconds)
 {
@@ -139,6 +143,8 @@ const AscDate ascDates[] = {
     {"Thu Dec 6 14:31:19 2018", {14, 31, 19}},
     {"Thu Dec  6 02:31:19 PM 2018", {14, 31, 19}},
     {"Don Dez 6 14:31:19 2018", {14, 31, 19}},
+    {"Do. Dez. 6 02:31:19 nachm. 2018", {14, 31, 19}},
+    {"Do. Dez. 6 12:00:01 vorm. 2018", {0, 0, 1}},
     {"Thu Dec 6 12:00:01 am 2018", {0, 0, 1}},
     {"Thu Dec 6 12:00:01 pm 2018", {12, 0, 1}},
     {"Thu Dec 6 14:31:19.456 2018", {14, 31, 19, 456}},
@@ -176,14 +182,102 @@ TEST(CanLogTimes, WithoutADateThatOfTheTriggerBlockCounts)
 
 TEST(CanLogTimes, ADateThatCannotBeReadIsNoneAndTheLogStaysRelative)
 {
-    for (const char *date : {"today", "Thu Foo 6 14:31:19 2018", "Thu Dec 32 14:31:19 2018",
-                             "Thu Dec 6 25:31:19 2018", "Thu Dec 6 13:31:19 pm 2018", ""}) {
+    for (const char *date :
+         {"today", "Thu Foo 6 14:31:19 2018", "Thu Dec 32 14:31:19 2018", "Thu Dec 6 25:31:19 2018",
+          "Thu Dec 6 13:31:19 pm 2018", "Thu Dec 6 14:31:19 CET 2018", "Thu Dec 6 14:31:19 18",
+          "Thu Dec 6 14:31:19 1969", "Thu Dec 6 14:31:19 2018 CET", "Thu Dec 6 14:31:19 p 2018",
+          "Thu Dec 6 14:31:19"}) {
         const ReadLog log = readLog("date " + std::string(date) + "\nbase hex  timestamps absolute\n" +
                                     ascAt("0.5") + ascAt("1.5"));
         EXPECT_EQ(log.times, CanLogTimes::relative) << date;
         EXPECT_FALSE(log.isSince1970) << date;
         EXPECT_THAT(log.microseconds(), ElementsAre(0, 1'000'000)) << date;
+        EXPECT_THAT(log.faults, ElementsAre(Pair(1, CanLogFault::badDate))) << date;
     }
+}
+
+TEST(CanLogTimes, WithoutADateBehindItsWordTheLogStaysRelative)
+{
+    EXPECT_EQ(readLog("date \nbase hex  timestamps absolute\n" + ascAt("0.5")).times, CanLogTimes::relative);
+}
+
+TEST(CanLogTimes, ADateThatCannotBeReadIsToldOnce)
+{
+    const ReadLog log = readLog("date today\nbase hex  timestamps absolute\nBegin Triggerblock now\n" +
+                                ascAt("0.5") + "End Triggerblock\nBegin Triggerblock\n");
+    EXPECT_THAT(log.faults, ElementsAre(Pair(1, CanLogFault::badDate)));
+    EXPECT_THAT(readLog("base hex  timestamps absolute\nBegin Triggerblock\n" + ascAt("0.5")).faults,
+                IsEmpty());
+}
+
+// An absent one.
+std::int64_t timeOf(const CanFrame &frame)
+{
+    return frame.time.value_or(Instant(-1)).count();
+}
+
+TEST(CanLogTimes, ALineOfAnotherKindKeepsItsFrameWithoutItsTime)
+{
+    const std::string absolute = candumpAt("1544106679.0");
+    const std::string later = candumpAt("1544106680.0");
+    const ReadLog log = readLog(absolute + candumpAt("0.5") + ascAt("0.25") + later);
+    EXPECT_THAT(log.microseconds(), ElementsAre(1'544'106'679'000'000, -1, -1, 1'544'106'680'000'000));
+    EXPECT_TRUE(log.isSince1970);
+    EXPECT_THAT(log.faults, ElementsAre(Pair(2, CanLogFault::otherTime), Pair(3, CanLogFault::otherTime)));
+
+    const ReadLog begunSmall = readLog(candumpAt("0.5") + absolute + later);
+    EXPECT_EQ(begunSmall.times, CanLogTimes::absolute);
+    EXPECT_THAT(begunSmall.microseconds(), ElementsAre(-1, 1'544'106'679'000'000, 1'544'106'680'000'000));
+    EXPECT_THAT(begunSmall.faults, ElementsAre(Pair(1, CanLogFault::otherTime)));
+
+    const ReadLog small = readLog(candumpAt("0.5") + candumpAt("0.75") + absolute + candumpAt("1.0"));
+    EXPECT_FALSE(small.isSince1970);
+    EXPECT_THAT(small.microseconds(), ElementsAre(0, 250'000, -1, 500'000));
+    EXPECT_THAT(small.faults, ElementsAre(Pair(3, CanLogFault::otherTime)));
+}
+
+TEST(CanLogTimes, ADateBehindTheFirstFramesIsOfAnotherKind)
+{
+    const ReadLog log = readLog("base hex  timestamps absolute\n" + ascAt("0.5") +
+                                "date Thu Dec 6 14:31:19 2018\n" + ascAt("0.75"));
+    EXPECT_EQ(log.times, CanLogTimes::relative);
+    EXPECT_FALSE(log.isSince1970);
+    EXPECT_EQ(timeOf(log.frames[0]), 0);
+    EXPECT_FALSE(log.frames[1].time);
+    EXPECT_THAT(log.faults, ElementsAre(Pair(4, CanLogFault::otherTime)));
+}
+
+TEST(CanLogTimes, AnAscFileWithoutADateIsNotAbsolute)
+{
+    const ReadLog log = readLog("base hex  timestamps absolute\n" + ascAt("0.5"), CanLogTimes::absolute);
+    EXPECT_EQ(log.times, CanLogTimes::relative);
+    EXPECT_FALSE(log.isSince1970);
+}
+
+// Each from the first one, in seconds.
+std::vector<std::int64_t> secondsInBerlin(const std::string &text)
+{
+    const QByteArray zone = qgetenv("TZ");
+    qputenv("TZ", "Europe/Berlin");
+    const auto restore = qScopeGuard([&] { zone.isNull() ? qunsetenv("TZ") : qputenv("TZ", zone); });
+    std::vector<std::int64_t> seconds;
+    const ReadLog log = readLog(text);
+    for (const CanFrame &frame : log.frames)
+        seconds.push_back((timeOf(frame) - timeOf(log.frames.front())) / 1'000'000);
+    return seconds;
+}
+
+std::string on(const std::string &time)
+{
+    return '(' + time + ") can0 185#00\n";
+}
+
+TEST(CanLogTimes, InAnHourThatIsLeftOutTheClockGoesOn)
+{
+    EXPECT_THAT(secondsInBerlin(on("2018-03-25 01:59:00.0") + on("2018-03-25 02:10:00.0") +
+                                on("2018-03-25 02:30:00.0") + on("2018-03-25 02:50:01.0") +
+                                on("2018-03-25 03:00:00.0")),
+                ElementsAre(0, 11 * 60, 31 * 60, 51 * 60 + 1, 60));
 }
 
 TEST(CanLogTimes, RelativeOnesOfAscCountFromTheLineBeforeAlsoIfThatIsAnEvent)

@@ -77,6 +77,73 @@ TEST_F(CliFrames, OfALogThatCannotBeReadNothingIsSaved)
     EXPECT_EQ(away.exit, 2) << away.err;
 }
 
+TEST_F(CliFrames, AreSavedWithTheirInterface)
+{
+    const QString saved = folder.filePath(QStringLiteral("saved.log"));
+    EXPECT_EQ(
+        frames("(1544106679.0) vcan1 080#\n(1544106679.1) can0 185#01 T\n", QStringLiteral("--save ") + saved)
+            .exit,
+        0);
+    QFile its(saved);
+    ASSERT_TRUE(its.open(QIODevice::ReadOnly));
+    EXPECT_EQ(its.readAll(), "(1544106679.000000) vcan1 080#\n(1544106679.100000) can0 185#01\n");
+}
+
+TEST_F(CliFrames, AreNotSavedOntoTheLogItself)
+{
+    const QString link = folder.filePath(QStringLiteral("link.log"));
+    for (const QString &target : {file, link}) {
+        frames(readOut);
+        QFile::link(file, link);
+        const CliRun run = frames(readOut, QStringLiteral("--yes --save ") + target);
+        EXPECT_EQ(run.exit, 2);
+        EXPECT_THAT(run.err, HasSubstr("is the log itself"));
+    }
+    QFile its(file);
+    ASSERT_TRUE(its.open(QIODevice::ReadOnly));
+    EXPECT_EQ(its.readAll(), readOut);
+}
+
+TEST_F(CliFrames, WithoutTimesAreNotSaved)
+{
+    const QString saved = folder.filePath(QStringLiteral("saved.log"));
+    const CliRun run = frames("  can0  185   [2]  88 13\n", QStringLiteral("--json --save ") + saved);
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "noTimes");
+    EXPECT_FALSE(QFile::exists(saved));
+}
+
+TEST_F(CliFrames, OfMoreThanOneInterfaceTellTheirs)
+{
+    const QByteArray log = "(1.0) can0 185#00\n(2.0) can1 080#\n(3.0) can0 080#\n";
+    EXPECT_EQ(frames(log).out, "0.000000  185  00                       Node 5: TPDO1\n"
+                               "1.000000  can1  080  -                        SYNC\n"
+                               "2.000000  can0  080  -                        SYNC\n");
+    EXPECT_EQ(json(log)[u"frames"][1][u"interface"], QStringLiteral("can1"));
+}
+
+TEST_F(CliFrames, OptionThatDoesNotFitIsSaid)
+{
+    const QByteArray dated = "(2018-12-06 14:31:19.0) can0 185#00\n";
+    EXPECT_THAT(frames(dated, QStringLiteral("--times differences")).err,
+                HasSubstr("--times differences does not fit this log"));
+    const CliRun undated = frames("0.5 1 185 Rx d 0\n", QStringLiteral("--times absolute"));
+    EXPECT_THAT(undated.err, HasSubstr("--times absolute does not fit this log"));
+    EXPECT_THAT(undated.err, HasSubstr("The times of the log are relative"));
+    EXPECT_THAT(frames(dated, QStringLiteral("--times absolute")).err, Not(HasSubstr("does not fit")));
+}
+
+TEST_F(CliFrames, OfMixedTimesAreTheSameInTextAndJson)
+{
+    const QByteArray log = "(1544106679.0) can0 185#01\n(0.5) can0 185#02\n(1544106680.0) can0 185#03\n";
+    const QJsonObject all = json(log);
+    EXPECT_TRUE(all[u"frames"][1][u"microseconds"].isNull());
+    EXPECT_EQ(all[u"notes"][0][u"line"].toInt(), 2);
+    const CliRun run = frames(log);
+    EXPECT_THAT(run.out, HasSubstr("\n-                           185  02"));
+    EXPECT_THAT(run.err, HasSubstr("Line 2: Its time is of another kind than the log's"));
+}
+
 TEST_F(CliFrames, InJsonWithNumbersAndHexadecimalData)
 {
     const QJsonObject all = json(readOut + "(1544106679.5) can0 00000005#R8\n(1544106679.6) can0 7FF#\n");
@@ -95,6 +162,7 @@ TEST_F(CliFrames, InJsonWithNumbersAndHexadecimalData)
                            {QStringLiteral("error"), false},
                            {QStringLiteral("length"), 8},
                            {QStringLiteral("data"), QStringLiteral("4304600088130000")},
+                           {QStringLiteral("interface"), QStringLiteral("can0")},
                            {QStringLiteral("microseconds"), qint64{1'544'106'679'433'583}},
                            {QStringLiteral("meaning"), QStringLiteral("Node 5: 6004h:0 = 1388h = 5000")}}));
     const QJsonObject remote = list[2].toObject();

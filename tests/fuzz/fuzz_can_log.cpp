@@ -54,7 +54,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         if (frame.isError) // it is written with all its bytes
             frame.length = CanFrame::mostBytes;
         frame.time = std::clamp(frame.time.value_or(Instant()), Instant(), latest);
-        written += canLogLine(frame, "can0");
+        written += canLogLine(frame);
         told.push_back(frame);
     }
     const Read again = readInPieces(written, size, CanLogTimes::absolute);

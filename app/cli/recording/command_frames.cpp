@@ -2,16 +2,15 @@
 #include "can/can_log_reader.h"
 #include "can/can_log_writer.h"
 #include "cli/call/json_list.h"
-#include "cli/call/stop_signals.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/commands.h"
 #include "cli/encoder/consent.h"
 #include "cli/recording/frame_rows.h"
+#include "cli/recording/log_source.h"
 #include "project/file_replacement.h"
 #include "vocabulary/sentence.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 
@@ -40,7 +39,7 @@ constexpr std::array framesOptions{
 
 constexpr CanLogTimes allTimes[] = {CanLogTimes::absolute, CanLogTimes::relative, CanLogTimes::differences};
 
-constexpr qint64 portion = 65'536; // bytes read at once
+constexpr qsizetype portion = 65'536; // of text printed at once
 
 Checked<std::optional<CanLogTimes>> timesMeant(const Arguments &arguments)
 {
@@ -68,6 +67,7 @@ class FramesOfLog
 public:
     FramesOfLog(const Call &call, std::optional<CanLogTimes> meant, FileReplacement *saved)
         : m_terminal(call.terminal)
+        , m_meant(meant)
         , m_saved(saved)
         , m_list(call.arguments.has("--json")
                      ? std::make_unique<JsonList>(call.terminal, QStringLiteral("frames"))
@@ -77,21 +77,26 @@ public:
     {}
 
     CanLogReader &reader() { return m_reader; }
-    void end(); // of the rows
+    void show(); // all rows so far
+    void end();  // of the rows
     QJsonObject json() const;
     void complain() const;
 
 private:
     void take(const CanFrame &frame);
     void print(const CanFrame &frame);
+    void tellApart(const CanFrame &frame);
     void note(std::int64_t line, CanLogFault fault);
     std::size_t left() const { return m_faults - m_notes.size(); }
 
     const Terminal &m_terminal;
+    std::optional<CanLogTimes> m_meant;
     FileReplacement *m_saved;         // null: none was named
     std::unique_ptr<JsonList> m_list; // null: rows of text
     TextTable m_rows;
-    QString m_text; // to be printed in one go
+    QString m_text;               // to be printed in one go
+    std::string m_interface;      // of the first frame
+    bool m_hasInterfaces = false; // there are others: the rows tell which
     std::vector<Note> m_notes;
     std::size_t m_faults = 0;
     CanLogReader m_reader;
@@ -100,7 +105,7 @@ private:
 void FramesOfLog::take(const CanFrame &frame)
 {
     if (m_saved != nullptr)
-        m_saved->write(QByteArray::fromStdString(canLogLine(frame, "can0")));
+        m_saved->write(QByteArray::fromStdString(canLogLine(frame)));
     print(frame);
 }
 
@@ -110,9 +115,23 @@ void FramesOfLog::print(const CanFrame &frame)
         m_list->add(frameJson(frame));
         return;
     }
-    m_text += m_rows.next(frameCells(frame, m_reader.isSince1970()));
+    tellApart(frame);
+    QStringList cells = frameCells(frame, m_reader.isSince1970());
+    if (m_hasInterfaces)
+        cells.insert(1, QString::fromStdString(frame.interface));
+    m_text += m_rows.next(cells);
     if (m_text.size() >= portion)
-        m_terminal.print(std::exchange(m_text, {}));
+        show();
+}
+
+void FramesOfLog::tellApart(const CanFrame &frame)
+{
+    if (m_interface.empty())
+        m_interface = frame.interface;
+    if (m_hasInterfaces || frame.interface == m_interface)
+        return;
+    m_hasInterfaces = true;
+    m_rows = TextTable();
 }
 
 void FramesOfLog::note(std::int64_t line, CanLogFault fault)
@@ -123,11 +142,17 @@ void FramesOfLog::note(std::int64_t line, CanLogFault fault)
         m_notes.push_back({line, fault});
 }
 
+void FramesOfLog::show()
+{
+    if (!m_text.isEmpty())
+        m_terminal.print(std::exchange(m_text, {}));
+}
+
 void FramesOfLog::end()
 {
     m_list.reset();
-    if (!m_text.isEmpty())
-        m_terminal.print(m_text);
+    show();
+    std::ranges::stable_sort(m_notes, {}, &Note::line);
 }
 
 QJsonObject FramesOfLog::json() const
@@ -162,39 +187,70 @@ void FramesOfLog::complain() const
             sentence(CommandLine::tr("CAN FD frames: %1"), {numberText(m_reader.canFdFrames())}));
     if (const QString times = timesText(m_reader.times(), m_reader.isSince1970()); !times.isEmpty())
         m_terminal.complain(times);
+    if (m_meant && m_reader.times() && *m_meant != *m_reader.times())
+        m_terminal.complain(
+            sentence(CommandLine::tr("--times %1 does not fit this log, and is left out of account."),
+                     {timesKey(*m_meant)}));
 }
 
-Complaint aboutFile(const QFile &file, const QString &reason)
+Complaint aboutSource(const LogSource &source)
 {
-    return complaintAbout({RefusalKind::badInput, RefusalId::fileNotReadable, {file.fileName(), reason}});
+    return complaintAbout(
+        {RefusalKind::badInput, RefusalId::fileNotReadable, {source.path(), source.error()}});
 }
 
-Checked<void> open(QFile &file)
+// How the reading ended. hasMore: nobody looks at the rows any longer; with `toItsEnd` it goes on all the
+// same.
+LogSource::State readAll(LogSource &source, FramesOfLog &frames, const Terminal &terminal, bool toItsEnd)
 {
-    if (QFileInfo(file).isDir())
-        return tl::unexpected(aboutFile(file, CommandLine::tr("It is a folder.")));
-    if (!file.open(QIODevice::ReadOnly))
-        return tl::unexpected(aboutFile(file, file.errorString()));
+    using State = LogSource::State;
+    State state = State::hasMore;
+    while (toItsEnd || terminal.canPrint()) {
+        state = source.read();
+        if (state == State::isEmpty) {
+            frames.show();
+            state = source.wait();
+        } else if (state == State::hasMore) {
+            frames.reader().read(source.bytes());
+        }
+        if (state != State::hasMore && state != State::isEmpty)
+            break;
+    }
+    return state;
+}
+
+// What is to be said of how it ended.
+std::optional<Complaint> complaintAfter(LogSource::State state, const LogSource &source,
+                                        const CanLogReader &reader)
+{
+    if (state == LogSource::State::wasStopped)
+        return Complaint{ExitCode::refused, QStringLiteral("framesCancelled"),
+                         CommandLine::tr("This was cancelled before the end of the log.")};
+    if (state == LogSource::State::failed)
+        return aboutSource(source);
+    if (state != LogSource::State::isAtEnd || reader.frames() > 0)
+        return std::nullopt;
+    return Complaint{ExitCode::refused,
+                     QStringLiteral("noFrames"),
+                     sentence(CommandLine::tr("There is no CAN frame in %1."), {source.path()}),
+                     {source.path()}};
+}
+
+Checked<void> checkNames(const Arguments &arguments)
+{
+    if (arguments.rest.front().isEmpty())
+        return badInput(QStringLiteral("missingFile"), CommandLine::tr("Name the file of the log."));
+    const auto saved = arguments.value("--save");
+    if (saved && saved->isEmpty())
+        return badInput(QStringLiteral("missingFile"),
+                        CommandLine::tr("Name the file to save the frames in: --save FILE."));
     return {};
 }
 
-// Empty: all of it was read, or nobody wants more. `toItsEnd`: also if nobody looks any longer.
-std::optional<Complaint> readAll(QFile &file, CanLogReader &reader, const Terminal &terminal, bool toItsEnd)
+bool areOneFile(const QString &one, const QString &other)
 {
-    StopSignals stop;
-    QByteArray bytes(portion, Qt::Uninitialized);
-    while (toItsEnd || terminal.canPrint()) {
-        if (stop.came())
-            return Complaint{ExitCode::refused, QStringLiteral("framesCancelled"),
-                             CommandLine::tr("This was cancelled before the end of the log.")};
-        const qint64 size = file.read(bytes.data(), bytes.size());
-        if (size < 0)
-            return aboutFile(file, file.errorString());
-        if (size == 0)
-            break;
-        reader.read({bytes.constData(), static_cast<std::size_t>(size)});
-    }
-    return std::nullopt;
+    const QString path = QFileInfo(one).canonicalFilePath();
+    return !path.isEmpty() && path == QFileInfo(other).canonicalFilePath();
 }
 
 // Empty: none was named.
@@ -203,6 +259,10 @@ Checked<std::unique_ptr<FileReplacement>> fileToSave(const Arguments &arguments)
     const auto path = arguments.value("--save");
     if (!path)
         return nullptr;
+    if (areOneFile(*path, arguments.rest.front()))
+        return badInput(QStringLiteral("fileExists"),
+                        CommandLine::tr("%1 is the log itself. Nothing was saved. Name another file."),
+                        {*path});
     if (const auto can = checkTargetFile(arguments, *path); !can)
         return tl::unexpected(can.error());
     auto file = std::make_unique<FileReplacement>(*path);
@@ -212,8 +272,13 @@ Checked<std::unique_ptr<FileReplacement>> fileToSave(const Arguments &arguments)
 }
 
 // Only the whole of it.
-std::optional<Complaint> save(FileReplacement &file, const Terminal &terminal, bool asJson)
+std::optional<Complaint> save(FileReplacement &file, const CanLogReader &reader, const Terminal &terminal,
+                              bool asJson)
 {
+    if (!reader.times())
+        return Complaint{ExitCode::refused, QStringLiteral("noTimes"),
+                         CommandLine::tr("The log has no times, and a log of candump needs them. Nothing was "
+                                         "saved.")};
     if (const auto saved = file.replace(); !saved)
         return complaintAbout(saved.error());
     if (!asJson)
@@ -226,26 +291,27 @@ Checked<Answer> runFrames(const Call &call)
     const auto meant = timesMeant(call.arguments);
     if (!meant)
         return tl::unexpected(meant.error());
-    QFile file(call.arguments.rest.front());
-    if (const auto opened = open(file); !opened)
-        return tl::unexpected(opened.error());
+    if (const auto named = checkNames(call.arguments); !named)
+        return tl::unexpected(named.error());
+    LogSource source(call.arguments.rest.front());
+    if (!source.isOpen())
+        return tl::unexpected(aboutSource(source));
     const auto saved = fileToSave(call.arguments);
     if (!saved)
         return tl::unexpected(saved.error());
     FramesOfLog frames(call, *meant, saved->get());
-    auto complaint = readAll(file, frames.reader(), call.terminal, *saved != nullptr);
-    frames.reader().finish();
+    const auto ended = readAll(source, frames, call.terminal, *saved != nullptr);
+    if (ended == LogSource::State::isAtEnd)
+        frames.reader().finish();
+    else
+        frames.reader().breakOff();
     frames.end();
     const bool asJson = call.arguments.has("--json");
     if (!asJson)
         frames.complain();
-    if (!complaint && frames.reader().frames() == 0)
-        complaint = Complaint{ExitCode::refused,
-                              QStringLiteral("noFrames"),
-                              sentence(CommandLine::tr("There is no CAN frame in %1."), {file.fileName()}),
-                              {file.fileName()}};
+    auto complaint = complaintAfter(ended, source, frames.reader());
     if (!complaint && *saved != nullptr)
-        complaint = save(**saved, call.terminal, asJson);
+        complaint = save(**saved, frames.reader(), call.terminal, asJson);
     return Answer{.json = frames.json(), .hasBegunJson = asJson, .complaint = complaint};
 }
 

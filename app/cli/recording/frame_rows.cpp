@@ -73,6 +73,7 @@ QJsonObject frameJson(const CanFrame &frame)
             {QStringLiteral("error"), frame.isError},
             {QStringLiteral("length"), frame.length},
             {QStringLiteral("data"), QString::fromLatin1(hexData(frame))},
+            {QStringLiteral("interface"), textJson(QString::fromStdString(frame.interface))},
             {QStringLiteral("microseconds"),
              frame.time ? QJsonValue(static_cast<qint64>(frame.time->count())) : QJsonValue()},
             {QStringLiteral("meaning"), textJson(frameMeaning(frame))}};
