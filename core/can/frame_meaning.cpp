@@ -68,11 +68,11 @@ QString j1939Text(const CanFrame &frame)
 
 } // namespace
 
-QString frameMeaning(const CanFrame &frame)
+QString CanFrameMeanings::next(const CanFrame &frame)
 {
     if (frame.isError)
         return errorText(frame);
-    for (const FrameMeaning meaning : frameMeanings())
+    for (const FrameMeaning &meaning : m_ofKinds)
         if (QString text = meaning(frame); !text.isEmpty())
             return text;
     return frame.isExtended ? j1939Text(frame) : QString();

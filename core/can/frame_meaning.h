@@ -5,15 +5,27 @@
 
 #include <QString>
 
+#include <functional>
+#include <vector>
+
 namespace codewheel {
 
-// What a frame says by one of the protocols on CAN, in a short sentence; empty: nothing.
-using FrameMeaning = QString (*)(const CanFrame &);
+// What a frame says by one of the protocols on CAN, in a short sentence; empty: nothing. It is given all
+// frames in turn, as some are understood only after those before them.
+using FrameMeaning = std::function<QString(const CanFrame &)>;
 
-// Those of the kinds of bus. kinds/protocols.cpp has them.
-std::span<const FrameMeaning> frameMeanings();
+// Those of the kinds of bus, which have seen no frame yet. kinds/protocols.cpp has them.
+std::vector<FrameMeaning> newFrameMeanings();
 
-// By the first that knows it. Errors, and J1939, of which only the head is told, are said for all kinds.
-QString frameMeaning(const CanFrame &frame);
+// What the frames of one bus say, by the first protocol that knows it. Errors, and J1939, of which only the
+// head is told, are said for all kinds.
+class CanFrameMeanings
+{
+public:
+    QString next(const CanFrame &frame);
+
+private:
+    std::vector<FrameMeaning> m_ofKinds = newFrameMeanings();
+};
 
 } // namespace codewheel

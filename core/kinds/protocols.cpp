@@ -138,10 +138,9 @@ std::optional<QString> textOfTrainingAct(const TrainingAct &act)
     return std::nullopt;
 }
 
-std::span<const FrameMeaning> frameMeanings()
+std::vector<FrameMeaning> newFrameMeanings()
 {
-    static constexpr std::array meanings{canopen::frameText};
-    return meanings;
+    return {canopen::frameMeaning()};
 }
 
 QString textOfTyped(const std::vector<RefusalArgument> &typed)

@@ -47,10 +47,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     readInPieces(text, size, CanLogTimes::differences);
     std::vector<CanFrame> told;
     std::string written;
+    CanFrameMeanings meanings;
     for (CanFrame frame : whole.frames) {
         must(frame.length <= CanFrame::mostBytes, "a frame has eight bytes at most");
         must(frame.id <= largestExtendedId, "an identifier has 29 bits at most");
-        frameMeaning(frame);
+        meanings.next(frame);
         if (frame.isError) // it is written with all its bytes
             frame.length = CanFrame::mostBytes;
         frame.time = std::clamp(frame.time.value_or(Instant()), Instant(), latest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "can/can_log_reader.h"
 #include "can/can_log_writer.h"
+#include "can/frame_meaning.h"
 #include "cli/call/json_list.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 
 namespace codewheel {
@@ -85,6 +87,7 @@ public:
 private:
     void take(const CanFrame &frame);
     void print(const CanFrame &frame);
+    QString meaningOf(const CanFrame &frame);
     void tellApart(const CanFrame &frame);
     void note(std::int64_t line, CanLogFault fault);
     std::size_t left() const { return m_faults - m_notes.size(); }
@@ -94,9 +97,10 @@ private:
     FileReplacement *m_saved;         // null: none was named
     std::unique_ptr<JsonList> m_list; // null: rows of text
     TextTable m_rows;
-    QString m_text;               // to be printed in one go
-    std::string m_interface;      // of the first frame
-    bool m_hasInterfaces = false; // there are others: the rows tell which
+    QString m_text;                                     // to be printed in one go
+    std::map<std::string, CanFrameMeanings> m_meanings; // by interface
+    std::string m_interface;                            // of the first frame
+    bool m_hasInterfaces = false;                       // there are others: the rows tell which
     std::vector<Note> m_notes;
     std::size_t m_faults = 0;
     CanLogReader m_reader;
@@ -111,17 +115,28 @@ void FramesOfLog::take(const CanFrame &frame)
 
 void FramesOfLog::print(const CanFrame &frame)
 {
+    const QString meaning = meaningOf(frame);
     if (m_list) {
-        m_list->add(frameJson(frame));
+        m_list->add(frameJson(frame, meaning));
         return;
     }
     tellApart(frame);
-    QStringList cells = frameCells(frame, m_reader.isSince1970());
+    QStringList cells = frameCells(frame, meaning, m_reader.isSince1970());
     if (m_hasInterfaces)
         cells.insert(1, QString::fromStdString(frame.interface));
     m_text += m_rows.next(cells);
     if (m_text.size() >= portion)
         show();
+}
+
+// Interfaces are buses of their own; a log of nonsense may have any number of them.
+QString FramesOfLog::meaningOf(const CanFrame &frame)
+{
+    constexpr std::size_t mostInterfaces = 100;
+    const auto known = m_meanings.find(frame.interface);
+    if (known != m_meanings.end())
+        return known->second.next(frame);
+    return m_meanings[m_meanings.size() < mostInterfaces ? frame.interface : std::string()].next(frame);
 }
 
 void FramesOfLog::tellApart(const CanFrame &frame)

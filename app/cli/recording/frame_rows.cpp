@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/recording/frame_rows.h"
 
-#include "can/frame_meaning.h"
 #include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
@@ -55,16 +54,16 @@ QByteArray hexData(const CanFrame &frame, char between = '\0')
 
 } // namespace
 
-QStringList frameCells(const CanFrame &frame, bool isSince1970)
+QStringList frameCells(const CanFrame &frame, const QString &meaning, bool isSince1970)
 {
     constexpr qsizetype widestData = 23; // of eight bytes
     const QString data =
         frame.isRemote ? QStringLiteral("R%1").arg(frame.length) : QString::fromLatin1(hexData(frame, ' '));
     return {frame.time ? timeText(*frame.time, isSince1970) : orDash({}), idText(frame),
-            orDash(data).leftJustified(widestData), frameMeaning(frame)};
+            orDash(data).leftJustified(widestData), meaning};
 }
 
-QJsonObject frameJson(const CanFrame &frame)
+QJsonObject frameJson(const CanFrame &frame, const QString &meaning)
 {
     const bool isKnown = !frame.isError || frame.id != 0;
     return {{QStringLiteral("id"), isKnown ? QJsonValue(static_cast<qint64>(frame.id)) : QJsonValue()},
@@ -76,7 +75,7 @@ QJsonObject frameJson(const CanFrame &frame)
             {QStringLiteral("interface"), textJson(QString::fromStdString(frame.interface))},
             {QStringLiteral("microseconds"),
              frame.time ? QJsonValue(static_cast<qint64>(frame.time->count())) : QJsonValue()},
-            {QStringLiteral("meaning"), textJson(frameMeaning(frame))}};
+            {QStringLiteral("meaning"), textJson(meaning)}};
 }
 
 QString timesKey(CanLogTimes times)

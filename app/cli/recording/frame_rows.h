@@ -9,8 +9,8 @@
 namespace codewheel {
 
 // A frame as `frames` tells it: time, identifier, data, and what they mean.
-QStringList frameCells(const CanFrame &frame, bool isSince1970);
-QJsonObject frameJson(const CanFrame &frame);
+QStringList frameCells(const CanFrame &frame, const QString &meaning, bool isSince1970);
+QJsonObject frameJson(const CanFrame &frame, const QString &meaning);
 
 // "absolute", as --times takes it.
 QString timesKey(CanLogTimes times);

@@ -5,6 +5,7 @@
 #include "kinds/canopen/protocol/emcy.h"
 #include "kinds/canopen/protocol/lss_explain.h"
 #include "kinds/canopen/protocol/nmt.h"
+#include "kinds/canopen/protocol/sdo_blocks.h"
 #include "kinds/canopen/protocol/sdo_explain.h"
 #include "vocabulary/sentence.h"
 
@@ -19,7 +20,7 @@ class FrameTexts
     Q_DECLARE_TR_FUNCTIONS(CanopenFrame)
 
 public:
-    static QString of(const CobId &cob, const CanFrame &frame);
+    static QString of(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks);
 
 private:
     static QString sync(Octets data);
@@ -27,7 +28,8 @@ private:
     static QString emcy(const Emcy &emcy);
     static QString pdo(const CobId &cob, bool isAskedFor);
     static QString errorControl(const CanFrame &frame);
-    static QString ofNode(const CobId &cob, const CanFrame &frame);
+    static QString sdo(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks);
+    static QString ofNode(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks);
     static QString ofAll(const CobId &cob, const CanFrame &frame);
     static QString odd(const CanFrame &frame);
 
@@ -94,15 +96,23 @@ QString FrameTexts::errorControl(const CanFrame &frame)
     });
 }
 
-QString FrameTexts::ofNode(const CobId &cob, const CanFrame &frame)
+QString FrameTexts::sdo(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks)
+{
+    const bool isAnswer = cob.service == CobId::Service::sdoAnswer;
+    if (const auto segment = blocks.segment(cob.node, isAnswer, frame.data()))
+        return sentence(segment->isLast ? tr("last block segment (%1)") : tr("block segment (%1)"),
+                        {QString::number(segment->number)});
+    return told(frame, isAnswer ? SdoFrame::answer(frame.data()) : SdoFrame::request(frame.data()), sdoText);
+}
+
+QString FrameTexts::ofNode(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks)
 {
     switch (cob.service) {
     case CobId::Service::emcy:
         return told(frame, Emcy::read(frame.data()), &FrameTexts::emcy);
     case CobId::Service::sdoRequest:
-        return told(frame, SdoFrame::request(frame.data()), sdoText);
     case CobId::Service::sdoAnswer:
-        return told(frame, SdoFrame::answer(frame.data()), sdoText);
+        return sdo(cob, frame, blocks);
     case CobId::Service::errorControl:
         return errorControl(frame);
     default:
@@ -128,18 +138,21 @@ QString FrameTexts::ofAll(const CobId &cob, const CanFrame &frame)
     }
 }
 
-QString FrameTexts::of(const CobId &cob, const CanFrame &frame)
+QString FrameTexts::of(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks)
 {
-    return cob.node == 0 ? ofAll(cob, frame)
-                         : sentence(tr("Node %1: %2"), {QString::number(cob.node), ofNode(cob, frame)});
+    return cob.node == 0
+               ? ofAll(cob, frame)
+               : sentence(tr("Node %1: %2"), {QString::number(cob.node), ofNode(cob, frame, blocks)});
 }
 
 } // namespace
 
-QString frameText(const CanFrame &frame)
+FrameMeaning frameMeaning()
 {
-    const auto cob = frame.isExtended || frame.isError ? std::nullopt : CobId::of(frame.id);
-    return cob ? FrameTexts::of(*cob, frame) : QString();
+    return [blocks = SdoBlocks()](const CanFrame &frame) mutable {
+        const auto cob = frame.isExtended || frame.isError ? std::nullopt : CobId::of(frame.id);
+        return cob ? FrameTexts::of(*cob, frame, blocks) : QString();
+    };
 }
 
 } // namespace codewheel::canopen

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "can/can_frame.h"
-
-#include <QString>
+#include "can/frame_meaning.h"
 
 namespace codewheel::canopen {
 
-// What a frame says by the predefined connection set, in a short sentence: "Node 5: TPDO1". Empty: its
-// identifier is not in there.
-QString frameText(const CanFrame &frame);
+// Says what frames mean by the predefined connection set: "Node 5: TPDO1". Of what came before it keeps only
+// which block transfers of SDO are under way.
+FrameMeaning frameMeaning();
 
 } // namespace codewheel::canopen

@@ -4,15 +4,16 @@
 #include "kinds/canopen/protocol/canopen_explain.h"
 
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace codewheel::canopen {
 namespace {
 
 // As in a log: "605#4004600000000000".
-std::string said(const std::string &frame)
+std::string said(const std::string &frame, const FrameMeaning &meaning = frameMeaning())
 {
     std::string text = "not read";
-    CanLogReader reader([&](const CanFrame &read) { text = frameText(read).toStdString(); },
+    CanLogReader reader([&](const CanFrame &read) { text = meaning(read).toStdString(); },
                         [](std::int64_t, CanLogFault) {});
     reader.read("(1544106679.4) can0 " + frame + '\n');
     return text;
@@ -133,6 +134,61 @@ TEST(CanopenFrameText, WhatAFrameSays)
 {
     for (const SaidRow &row : saidRows)
         EXPECT_EQ(said(row.frame), row.text) << row.frame;
+}
+
+// One after the other.
+void expectSaid(const std::vector<SaidRow> &rows)
+{
+    const FrameMeaning meaning = frameMeaning();
+    for (const SaidRow &row : rows)
+        EXPECT_EQ(said(row.frame, meaning), row.text) << row.frame;
+}
+
+TEST(CanopenFrameText, DataOfABlockDownloadIsNotTakenForCommands)
+{
+    expectSaid({
+        {"605#C600620010000000", "Node 5: block transfer"},
+        {"585#A400620003000000", "Node 5: block transfer"},
+        {"606#0101020304050607", "Node 6: last segment (bytes: 7)"},
+        {"605#0101020304050607", "Node 5: block segment (1)"},
+        {"605#0201020304050607", "Node 5: block segment (2)"},
+        {"605#0301020304050607", "Node 5: block segment (3)"},
+        {"585#A203020000000000", "Node 5: block transfer"},
+        {"605#8101020000000000", "Node 5: last block segment (1)"},
+        {"585#A201020000000000", "Node 5: block transfer"},
+        {"605#D512340000000000", "Node 5: block transfer"},
+        {"585#A100000000000000", "Node 5: block transfer"},
+        {"605#4004600000000000", "Node 5: read 6004h:0"},
+        {"605#0101020304050607", "Node 5: last segment (bytes: 7)"},
+    });
+}
+
+TEST(CanopenFrameText, DataOfABlockUploadIsNotTakenForCommands)
+{
+    expectSaid({
+        {"605#A408100041000000", "Node 5: block transfer"},
+        {"585#C608100000020000", "Node 5: block transfer"},
+        {"605#A300000000000000", "Node 5: block transfer"},
+        {"585#0154574B2D54524E", "Node 5: block segment (1)"},
+        {"585#8234574B2D54524E", "Node 5: last block segment (2)"},
+        {"605#A201410000000000", "Node 5: block transfer"}, // the second one did not arrive
+        {"585#8134574B2D54524E", "Node 5: last block segment (1)"},
+        {"605#A201410000000000", "Node 5: block transfer"},
+        {"585#C100000000000000", "Node 5: block transfer"},
+        {"605#A100000000000000", "Node 5: block transfer"},
+        {"585#4304600088130000", "Node 5: 6004h:0 = 1388h = 5000"},
+    });
+}
+
+TEST(CanopenFrameText, WhereASegmentIsMissingOrItIsAbortedABlockTransferIsOver)
+{
+    for (const SaidRow &end :
+         {SaidRow{"585#4304600088130000", "Node 5: 6004h:0 = 1388h = 5000"},
+          SaidRow{"585#8008100000000405", "Node 5: 1008h:0 aborted, 05040000h: The transfer timed out."},
+          SaidRow{"605#4004600000000000", "Node 5: read 6004h:0"}})
+        expectSaid({{"605#A300000000000000", "Node 5: block transfer"},
+                    end,
+                    {"585#0154574B2D54524E", "Node 5: last segment (bytes: 7)"}});
 }
 
 } // namespace
