@@ -313,6 +313,18 @@
         <source>A CAN XL frame: it is not read.</source>
         <translation>Ein Telegramm von CAN XL: Es wird nicht gelesen.</translation>
     </message>
+    <message>
+        <source>It looks like a frame, but its direction is not known.</source>
+        <translation>Sie sieht aus wie ein Telegramm, aber ihre Richtung ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Its date cannot be read: the log counts as one without it.</source>
+        <translation>Ihr Datum ist nicht lesbar: der Mitschnitt gilt als einer ohne Datum.</translation>
+    </message>
+    <message>
+        <source>Its time is of another kind than the log&apos;s: its frame is kept without it.</source>
+        <translation>Ihre Zeit ist von anderer Art als die des Mitschnitts: ihr Telegramm bleibt ohne Zeit.</translation>
+    </message>
 </context>
 <context>
     <name>CanopenEmcy</name>
@@ -475,6 +487,22 @@
         <source>Node %1: %2</source>
         <translation>Knoten %1: %2</translation>
     </message>
+    <message>
+        <source>last block segment (%1)</source>
+        <translation>letztes Blocksegment (%1)</translation>
+    </message>
+    <message>
+        <source>block segment (%1)</source>
+        <translation>Blocksegment (%1)</translation>
+    </message>
+    <message>
+        <source>SYNC: %1</source>
+        <translation>SYNC: %1</translation>
+    </message>
+    <message>
+        <source>TIME: %1</source>
+        <translation>TIME: %1</translation>
+    </message>
 </context>
 <context>
     <name>CanopenLss</name>
@@ -626,6 +654,14 @@
         <source>a device has no node number</source>
         <translation>ein Gerät hat keine Knotennummer</translation>
     </message>
+    <message>
+        <source>all devices to unknown mode %1</source>
+        <translation>alle Geräte in unbekannten Modus %1</translation>
+    </message>
+    <message>
+        <source>node number %1, which no node has</source>
+        <translation>Knotennummer %1, die kein Knoten hat</translation>
+    </message>
 </context>
 <context>
     <name>CanopenNmt</name>
@@ -697,6 +733,10 @@
         <source>unknown state %1</source>
         <translation>unbekannter Zustand %1</translation>
     </message>
+    <message>
+        <source>%1, which no node has</source>
+        <translation>%1, das kein Knoten hat</translation>
+    </message>
 </context>
 <context>
     <name>CanopenSdo</name>
@@ -757,8 +797,12 @@
         <translation>Blockübertragung</translation>
     </message>
     <message>
-        <source>unknown command</source>
-        <translation>unbekannter Befehl</translation>
+        <source>SDO answer</source>
+        <translation>SDO-Antwort</translation>
+    </message>
+    <message>
+        <source>SDO request</source>
+        <translation>SDO-Anfrage</translation>
     </message>
 </context>
 <context>
@@ -8806,6 +8850,26 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>acknowledged, but refused for %1</source>
         <translation>quittiert, aber abgelehnt für %1</translation>
+    </message>
+    <message>
+        <source>--times %1 does not fit this log, and is left out of account.</source>
+        <translation>--times %1 passt nicht zu diesem Mitschnitt und wird nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>Name the file of the log.</source>
+        <translation>Die Datei des Mitschnitts angeben.</translation>
+    </message>
+    <message>
+        <source>Name the file to save the frames in: --save FILE.</source>
+        <translation>Die Datei angeben, in der die Telegramme gespeichert werden: --save DATEI.</translation>
+    </message>
+    <message>
+        <source>%1 is the log itself. Nothing was saved. Name another file.</source>
+        <translation>%1 ist der Mitschnitt selbst. Nichts wurde gespeichert. Eine andere Datei angeben.</translation>
+    </message>
+    <message>
+        <source>The log has no times, and a log of candump needs them. Nothing was saved.</source>
+        <translation>Der Mitschnitt hat keine Zeiten, und ein Mitschnitt von candump braucht sie. Nichts wurde gespeichert.</translation>
     </message>
 </context>
 <context>

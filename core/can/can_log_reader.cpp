@@ -7,6 +7,7 @@ namespace codewheel {
 namespace {
 
 constexpr std::size_t longestLine = 16'384; // one of CAN XL has some 6 000
+constexpr std::size_t mostWaiting = 10'000; // lines, until it is decided what their times are
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view withoutBlanksAround(std::string_view text)
@@ -81,6 +82,8 @@ void CanLogReader::readLine(std::string_view text)
         pass({line.frame, line.stamp, m_line});
     else
         m_waiting.push_back({line.frame, line.stamp, m_line});
+    if (m_waiting.size() >= mostWaiting) // few of which have a time
+        m_clock.decide();
     if (m_clock.isDecided())
         passAll();
 }

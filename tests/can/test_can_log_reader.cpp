@@ -36,6 +36,16 @@ TEST(CanLogReader, ALineThatIsCutOffWhereTheReadingIsBrokenOffIsLeftOut)
     }
 }
 
+TEST(CanLogReader, LinesWithoutATimeDoNotWaitForOne)
+{
+    std::size_t frames = 0;
+    CanLogReader reader([&](const CanFrame &) { ++frames; }, [](std::int64_t, CanLogFault) {});
+    reader.read("(1.0) can0 185#00\n");
+    for (int i = 0; i < 20'000; ++i)
+        reader.read("can0 185#00\n");
+    EXPECT_EQ(frames, 20'001);
+}
+
 TEST(CanLogReader, WhatWaitedIsPassedOnWhereTheReadingIsBrokenOff)
 {
     std::size_t frames = 0;
