@@ -6,6 +6,8 @@
 
 namespace codewheel::canopen {
 
+inline constexpr int lastNode = 127;
+
 // What an identifier of 11 bits stands for by the predefined connection set (CiA 301, 7.3.5; LSS: CiA 305).
 // Devices may have been given others.
 struct CobId
