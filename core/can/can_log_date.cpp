@@ -70,19 +70,19 @@ Instant instantOf(const QDateTime &local)
 }
 
 // In an hour that is left out the clock goes on as if it was not put forward.
-Instant asBeforeTheChange(const QString &minute, const QDateTime &change)
+Instant asBeforeTheChange(const QString &text, const QDateTime &change)
 {
-    QDateTime clock = QDateTime::fromString(minute, QStringLiteral("yyyy-MM-ddTHH:mm"));
+    QDateTime clock = QDateTime::fromString(text, QStringLiteral("yyyy-MM-ddTHH:mm"));
     clock.setTimeSpec(Qt::UTC);
     return instantOf(clock.addSecs(-change.addSecs(-1).offsetFromUtc()));
 }
 
 } // namespace
 
-void CanLogDates::look(std::string_view minute)
+void CanLogDates::look(std::string_view digits)
 {
-    m_minute = minute;
-    QString text = QString::fromLatin1(minute.data(), static_cast<qsizetype>(minute.size()));
+    m_minute = digits;
+    QString text = QString::fromLatin1(digits.data(), static_cast<qsizetype>(digits.size()));
     text.replace(u' ', u'T');
     const auto typed = TypedTime::parse(text, QTimeZone::systemTimeZone());
     m_first = typed ? std::optional(instantOf(typed->first)) : std::nullopt;
@@ -96,8 +96,8 @@ std::optional<Instant> CanLogDates::at(std::string_view text)
     constexpr std::size_t minuteLength = std::string_view("2018-12-06 14:31").size();
     if (text.size() < minuteLength + 2 || text[minuteLength] != ':')
         return std::nullopt;
-    if (const std::string_view minute = text.substr(0, minuteLength); minute != m_minute)
-        look(minute);
+    if (const std::string_view digits = text.substr(0, minuteLength); digits != m_minute)
+        look(digits);
     const auto seconds = secondsIn(text.substr(minuteLength + 1));
     if (!m_first || !seconds || *seconds < Instant() || *seconds >= std::chrono::minutes(1))
         return std::nullopt;

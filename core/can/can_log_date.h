@@ -19,7 +19,7 @@ public:
     std::optional<Instant> at(std::string_view text);
 
 private:
-    void look(std::string_view minute);
+    void look(std::string_view digits);
 
     std::string m_minute;
     std::optional<Instant> m_first;
