@@ -119,6 +119,16 @@ const QStringList sameInGerman{
     QStringLiteral("Hex"),
     QStringLiteral("Text"),
     QStringLiteral("Version"),
+    QStringLiteral("SYNC"),
+    QStringLiteral("SYNC %1"),
+    QStringLiteral("SYNC: %1"),
+    QStringLiteral("TIME"),
+    QStringLiteral("TIME: %1"),
+    QStringLiteral("TIME %1 %2"),
+    QStringLiteral("EMCY %1"),
+    QStringLiteral("TPDO%1?"),
+    QStringLiteral("NMT: %1"),
+    QStringLiteral("LSS: %1"),
 };
 
 void expectNoFaults(const std::vector<TsText> &texts, const QStringList &sameInBoth)
