@@ -41,6 +41,7 @@ private:
         bool wasOverdue = false;
     };
 
+    void note(std::size_t device, const Reading &reading, const std::optional<ExchangedWords> &exchanged);
     static bool isOverdue(const Last &last, Instant passed);
     void noteWhatWasUnseen(std::size_t device, Instant from, Instant until);
 

@@ -28,6 +28,7 @@ public:
     ParameterValues values() const;
     int eepromWrites() const { return m_eepromWrites; }
 
+    bool haveChanged() const { return m_changed; } // since the last call of takeChanges()
     // What changed since the last call; empty if nothing did.
     std::optional<KnowledgeChanged> takeChanges();
 

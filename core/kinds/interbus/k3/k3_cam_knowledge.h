@@ -50,6 +50,7 @@ public:
     // The program as the encoder has it now; empty while one of its values is not known.
     std::optional<KnownCams> known(unsigned program) const;
     // Adds what has changed since the last call; returns whether anything has.
+    bool mayHaveChanged() const { return m_isDirty; } // since the last call of takeChanges()
     bool takeChanges(KnowledgeChanged &changes);
 
 private:

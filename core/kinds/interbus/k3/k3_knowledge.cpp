@@ -556,12 +556,16 @@ void K3Knowledge::learn(Parameter parameter, std::int64_t value, Evidence eviden
     m_known.learn({parameter, value, evidence, now});
 }
 
+// In each cycle, in nearly none of which there are any.
 std::optional<KnowledgeChanged> K3Knowledge::takeChanges()
 {
-    const auto values = m_known.takeChanges();
-    KnowledgeChanged changes = values.value_or(KnowledgeChanged{});
     const bool hasRun = std::exchange(m_hasRun, false);
-    if (!m_cams.takeChanges(changes) && !values && !hasRun)
+    if (!m_known.haveChanged() && !m_cams.mayHaveChanged() && !hasRun)
+        return std::nullopt;
+    auto values = m_known.takeChanges();
+    const bool haveValues = values.has_value();
+    KnowledgeChanged changes = std::move(values).value_or(KnowledgeChanged{});
+    if (!m_cams.takeChanges(changes) && !haveValues && !hasRun)
         return std::nullopt;
     return changes;
 }

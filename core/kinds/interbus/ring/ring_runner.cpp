@@ -382,7 +382,8 @@ void RingRunner::Private::zerosAreBlockedBy(const Refusal &why)
 void RingRunner::Private::step(std::size_t i)
 {
     Snapshot::Device &device = ring.devices[i];
-    if (!link.boundsWordsToCycles())
+    const bool isBound = link.boundsWordsToCycles();
+    if (!isBound)
         device.inRing = link.isUpToDate(i);
     const Word out = image[i];
     device.outEdges = device.out ^ out;
@@ -393,7 +394,7 @@ void RingRunner::Private::step(std::size_t i)
     if (device.leftOut && device.outIsKnown && out != *device.leftOut)
         device.leftOut.reset();
     CyclicDriver *driver = drivers[i].get();
-    const auto age = device.inRing ? link.age(i) : std::nullopt;
+    const std::optional<Instant> age = !device.inRing ? std::nullopt : isBound ? Instant{} : link.age(i);
     if (!age && driver)
         driver->wait(out);
     if (!device.inRing) {
