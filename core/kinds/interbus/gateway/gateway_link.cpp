@@ -99,6 +99,7 @@ Result<void> GatewayLink::exchange(std::span<const Word> out, std::span<Word> in
         return usable;
     const QScopedValueRollback writing(m_isWriting, true);
     const Instant begun = m_port->now();
+    m_mayBeSent = false;
     beginToRead();
     auto done = readStatus();
     if (done && !m_settings.writesWithRead)

@@ -130,6 +130,7 @@ private:
                      const std::function<RegisterPort::Done()> &call);
     Result<bool> send(int function, const RegisterBlock &block,
                       const std::function<RegisterPort::Done()> &call, Overwrites overwrites);
+    void noteSent(const RegisterPort::Done &done, const RegisterBlock &block);
     bool connectsAgain(RegisterTries &tries);
     bool mayFollowClosing(const RegisterError &error) const;
 
@@ -154,6 +155,7 @@ private:
     Instant m_nextStatus{};
     std::atomic<bool> m_hurriesToZeros = false;
     bool m_isWriting = false;               // in exchange() or sendZeros()
+    bool m_mayBeSent = false;               // any OUT, in this exchange
     std::uint64_t m_connectedAgain = 0;     // by us, to a gateway that does not close each connection
     std::uint64_t m_reconnections = 0;      // that OUT was looked at after
     std::optional<Instant> m_lastWriteAt{}; // tried, on whatever connection

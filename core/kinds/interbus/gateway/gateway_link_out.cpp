@@ -185,7 +185,7 @@ void GatewayLink::showOut(std::size_t device, Word there, Word &out)
     if (m_map->out(device).count == 0 || !its.out.take(there, m_answeredAt))
         return;
     const bool isOurs = its.own.isKnown() && its.own.takes(there, m_port->now());
-    if (isOurs && there != its.own.word())
+    if (isOurs && !its.own.isShownBy(there))
         return;
     out = there;
     if (!isOurs)
@@ -209,7 +209,7 @@ bool GatewayLink::hasReconnected()
 bool GatewayLink::showsOwnWords(const std::vector<Word> &there) const
 {
     for (std::size_t i = 0; i < m_devices.size(); ++i)
-        if (m_map->out(i).count > 0 && m_devices[i].own.isKnown() && m_devices[i].own.word() != there[i])
+        if (m_map->out(i).count > 0 && !m_devices[i].own.isShownBy(there[i]))
             return false;
     return true;
 }

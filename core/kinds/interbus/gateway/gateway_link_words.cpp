@@ -80,28 +80,46 @@ bool GatewayLink::mayFollowClosing(const RegisterError &error) const
 }
 
 // A write, which may have been carried out although its answer is missing, and somebody else may have written
-// since: OUT is read back before it is sent again. Whether the first one was answered.
+// since: OUT is read back before it is sent again. Whether the first one was answered. With outNotOurs
+// nothing of this exchange has been sent.
 Result<bool> GatewayLink::send(int function, const RegisterBlock &block,
                                const std::function<RegisterPort::Done()> &call, Overwrites overwrites)
 {
     for (RegisterTries tries(*m_port, m_settings);;) {
         RegisterPort::Done done = transact(call, tries.sent() > 0);
-        if (done || done.error().isSent)
-            m_lastWriteAt = m_port->now();
-        if (done) {
-            for (Device &device : m_devices)
-                device.own.wasAnswered(m_port->now());
+        noteSent(done, block);
+        if (done)
             return tries.failures() == 0;
-        }
-        const bool isKept = mayFollowClosing(done.error()) && connectsAgain(tries);
-        if (!isKept && !tries.goOn(done))
+        const auto failed = [&] {
             return tl::unexpected(
                 registerRefusal(done.error(), m_port->name(), function, block, tries.sent()));
-        for (Device &device : m_devices)
-            device.own.wasNotAnswered();
-        if (m_readsBack && overwrites == Overwrites::ours)
-            if (auto ours = checkIsOurs(); !ours)
-                return tl::unexpected(ours.error());
+        };
+        const bool isKept = mayFollowClosing(done.error()) && connectsAgain(tries);
+        if (!isKept && !tries.goOn(done))
+            return failed();
+        if (!m_readsBack || overwrites == Overwrites::anything)
+            continue;
+        if (auto ours = checkIsOurs(); !ours)
+            return m_mayBeSent ? failed() : tl::unexpected(ours.error());
+    }
+}
+
+void GatewayLink::noteSent(const RegisterPort::Done &done, const RegisterBlock &block)
+{
+    const bool mayArrive = done || (done.error().isSent && !isNotCarriedOut(done.error()));
+    if (done || done.error().isSent)
+        m_lastWriteAt = m_port->now();
+    m_mayBeSent = m_mayBeSent || mayArrive;
+    for (std::size_t i = 0; i < m_devices.size(); ++i) {
+        OwnWord &own = m_devices[i].own;
+        if (!gateway::holds(block, m_map->out(i)))
+            continue;
+        if (done)
+            own.wasAnswered(m_port->now());
+        else if (mayArrive)
+            own.wasNotAnswered();
+        else
+            own.wasNotSent();
     }
 }
 

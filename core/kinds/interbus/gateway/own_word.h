@@ -4,6 +4,7 @@
 #include "vocabulary/instant.h"
 #include "vocabulary/word.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace codewheel {
@@ -22,14 +23,14 @@ public:
     // It is going to be written: from now on it may be there.
     void write(Word word, Instant now);
     // That was not answered, and may still be carried out: what it replaces stays ours until wasAnswered().
-    void wasNotAnswered();
+    void wasNotAnswered() { replacementIs(Replacement::unanswered); }
+    // It has not left: what it was to replace is there.
+    void wasNotSent() { replacementIs(Replacement::unsent); }
     void wasAnswered(Instant now);
-    // From now on only the last one is ours: it has had its time to show.
-    void isThere()
-    {
-        if (isKnown())
-            m_words.erase(m_words.begin(), m_words.end() - 1);
-    }
+    // The last one has had its time to show: from now on no other is ours, unless the last one never left.
+    void isThere();
+    // Whether this word is the one of ours that is to be there in the end.
+    bool isShownBy(Word there) const;
     // Whether this word, as read back, is ours. What was replaced by it does not come back.
     bool takes(Word there, Instant now);
     bool isKnown() const { return !m_words.empty(); }
@@ -37,13 +38,19 @@ public:
     void forget() { m_words.clear(); }
 
 private:
+    enum class Replacement : std::uint8_t { answered, unsent, unanswered };
     struct Written
     {
         Word word = 0;
-        Instant replacedAt{};        // by the next one
-        bool mayStayForever = false; // the next one was not answered
+        Instant replacedAt{};                            // by the next one
+        Replacement replacement = Replacement::answered; // what became of the next one
     };
+
+    void replacementIs(Replacement replacement);
+    bool hasLeft() const;
+
     std::vector<Written> m_words; // oldest first
+    bool m_isAnswered = true;     // the last one was
 };
 
 } // namespace codewheel

@@ -110,6 +110,76 @@ TEST_F(GatewayLinkTest, AForeignWordIsNamedAndNotOverwritten)
     EXPECT_EQ(link->readBackOut(), (std::vector<Word>{0x0200'00FF, 0x8000'0000}));
 }
 
+// The connection ends with a write: before it is sent, or with its answer.
+class PortThatClosesAtAWrite final : public RegisterBankPort
+{
+public:
+    struct Next
+    {
+        std::optional<RegisterError> failure{};
+        Word puts = 0; // in OUT of the first device meanwhile
+    };
+    PortThatClosesAtAWrite(const std::shared_ptr<RegisterBank> &bank, Next &next)
+        : RegisterBankPort(bank)
+        , m_next(next)
+    {}
+    Done write(int first, std::span<const Register> from) override
+    {
+        if (!m_next.failure)
+            return RegisterBankPort::write(first, from);
+        bank().holding[0] = static_cast<Register>(m_next.puts >> 16);
+        bank().holding[1] = static_cast<Register>(m_next.puts);
+        return tl::unexpected(*std::exchange(m_next.failure, std::nullopt));
+    }
+
+private:
+    Next &m_next;
+};
+
+class GatewayThatCloses : public GatewayLinkTest
+{
+protected:
+    // What an exchange ends with whose write fails like this, with `there` in OUT of the first device then.
+    Result<void> exchangeFailing(const RegisterError &error, Word there)
+    {
+        in.assign(1, 0);
+        out.assign(1, before);
+        link = std::make_unique<GatewayLink>(std::make_unique<PortThatClosesAtAWrite>(bank, next),
+                                             GatewaySettings{}, k3Ring(1));
+        EXPECT_TRUE(link->open());
+        EXPECT_TRUE(link->exchange(out, in));
+        out = {run};
+        next = {error, there};
+        return link->exchange(out, in);
+    }
+
+    static constexpr Word before = 0x0200'00FF;
+    static constexpr Word run = 0x8000'0000;
+    PortThatClosesAtAWrite::Next next;
+};
+
+TEST_F(GatewayThatCloses, AWriteThatWasNotSentIsSentAgainThoughTheWordBeforeItIsThere)
+{
+    EXPECT_TRUE(exchangeFailing({.kind = RegisterError::Kind::closed, .isSent = false}, before));
+    EXPECT_EQ(link->readBackOut(), (std::vector<Word>{run}));
+}
+
+TEST_F(GatewayThatCloses, AWriteThatWasNotSentGivesWayToSomebodyElse)
+{
+    const auto done = exchangeFailing({.kind = RegisterError::Kind::closed, .isSent = false}, 0x0100'0001);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().id, GatewayRefusalId::outNotOurs);
+}
+
+// It may have acted: that is not told as if nothing had been sent.
+TEST_F(GatewayThatCloses, AWriteWithoutAnAnswerStaysInDoubtWhateverIsThere)
+{
+    const auto done = exchangeFailing({.kind = RegisterError::Kind::noAnswer}, 0x0100'0001);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().id, GatewayRefusalId::registersUnanswered);
+    EXPECT_EQ(done.error().kind, RefusalKind::link);
+}
+
 TEST_F(GatewayLinkTest, WhatIsOnTheGatewayWhenConnectingCountsAsOurs)
 {
     setOut(0, 0x8000'0000);

@@ -69,6 +69,46 @@ TEST(OwnWord, AWriteWithoutAnAnswerMayBeCarriedOutLater)
     EXPECT_FALSE(own.takes(0, 20s + OwnWord::gatewayLag));
 }
 
+TEST(OwnWord, WhatWasNotSentLeavesTheOneBeforeThere)
+{
+    OwnWord own;
+    own.found(firstOwn);
+    own.write(secondOwn, 0ms);
+    own.wasNotSent();
+    own.isThere();
+    EXPECT_TRUE(own.isShownBy(firstOwn));
+    EXPECT_TRUE(own.takes(firstOwn, 20s));
+    own.wasAnswered(20s); // it was sent again
+    EXPECT_FALSE(own.isShownBy(firstOwn));
+    own.isThere();
+    EXPECT_FALSE(own.takes(firstOwn, 20s));
+}
+
+TEST(OwnWord, WhatMayHaveBeenSentIsNotUnsentByATryThatWasNot)
+{
+    OwnWord own;
+    own.found(firstOwn);
+    own.write(secondOwn, 0ms);
+    own.wasNotAnswered();
+    own.wasNotSent();
+    EXPECT_FALSE(own.isShownBy(firstOwn));
+    own.isThere();
+    EXPECT_FALSE(own.takes(firstOwn, 0ms));
+}
+
+// The same word is sent in each exchange.
+TEST(OwnWord, WhatWasAnsweredOnceHasArrived)
+{
+    OwnWord own;
+    own.found(firstOwn);
+    own.write(secondOwn, 0ms);
+    own.wasAnswered(0ms);
+    own.write(secondOwn, 2s);
+    own.wasNotAnswered();
+    EXPECT_FALSE(own.takes(firstOwn, 2s));
+    EXPECT_TRUE(own.takes(secondOwn, 2s));
+}
+
 TEST(OwnWord, AfterAnInterruptionNothingIsKnown)
 {
     OwnWord own;
