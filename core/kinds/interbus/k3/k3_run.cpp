@@ -222,8 +222,11 @@ void K3Run::ran()
 {
     const bool hasRun = m_reading.state != EncoderState::error || m_reading.errorNumber.value_or(0) == 0;
     m_ranAtZero = m_reading.in == 0;
-    if (hasRun && !(m_ranAtZero && m_encoder.device.capabilities.reads))
-        for (const ParameterValue &value : m_confirmed.values)
+    const bool isUnproven = m_ranAtZero && m_encoder.device.capabilities.reads;
+    for (const ParameterValue &value : m_confirmed.values)
+        if (hasRun && isUnproven)
+            replaceValue(m_unproven, value);
+        else if (hasRun)
             m_account.written(value);
     m_confirmed = {};
     m_resetIsSent = false;
@@ -244,6 +247,7 @@ void K3Run::readDone(const K3Step &step, Word in)
     const auto value = m_encoder.knowledge.valueOfReadOut(*step.parameter(), k3::data(in));
     if (!value)
         return;
+    std::erase_if(m_unproven, [&](const ParameterValue &its) { return its.parameter == *step.parameter(); });
     if (step.expected) {
         verify(step, *value);
         return;
@@ -414,6 +418,8 @@ std::optional<LeftMode> K3Run::modeLeft() const
 void K3Run::complete(Outcome &outcome)
 {
     outcome.inDoubt.eepromWrites += m_encoder.knowledge.endJob();
+    for (const ParameterValue &value : m_unproven)
+        replaceValue(outcome.inDoubt.values, value);
     outcome.foundInParameterization = m_foundParameterizing;
     outcome.resetWaits = m_resetIsSent && outcome.leftIn == EncoderState::parameterization;
     if (outcome.leftIn == EncoderState::parameterization || outcome.leftIn == EncoderState::unknown)

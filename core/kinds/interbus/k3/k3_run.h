@@ -95,6 +95,7 @@ private:
     K3CamRun m_cams;
     Job m_whatIsDone; // the job, as the encoder was when it began
     Confirmed m_confirmed;
+    ParameterValues m_unproven; // run was answered by 00000000h, and they were not read back yet
     std::optional<K3LateAnswer> m_late;
     std::optional<K3Step> m_leftOff;   // by a cancel; its word may still act
     std::optional<Word> m_goesOut;     // that word, in the next exchange
@@ -114,7 +115,7 @@ private:
     bool m_foundParameterizing = false; // the encoder was in a parameterization before the job
     int m_readAgain = 0;                // of the value that is read: answers that may be torn
     bool m_foundInError = false;        // so was it in the error state
-    bool m_ranAtZero = false;           // run was answered by 00000000h
+    bool m_ranAtZero = false;           // run was answered so
     bool m_resetIsSent = false;         // to default, and not run
     bool m_maySwitchMode = false;       // a word that does, or may do so in the mode it is in, was sent
 };

@@ -178,6 +178,31 @@ TEST(LostGateway, NoAccountDiffersFromWhatTheEncoderHasDone)
     EXPECT_GE(inDoubt, 2) << "behind the parameter word, and behind run";
 }
 
+// Run is answered by 00000000 then, which proves nothing: the value is read back, unless the link is lost
+// first.
+TEST(LostGateway, WhatRunAtPositionZeroMayHaveMadeValidIsInDoubtUntilItIsReadBack)
+{
+    const WriteParameters writePreset{.values = {{Parameter::preset, 255}}, .previous = {}};
+    int inDoubt = 0;
+    for (int write = 0;; ++write) {
+        SCOPED_TRACE(write);
+        LostGateway gateway;
+        ASSERT_TRUE(gateway.session.finish(lostFraba, SetPreset{.value = 0}).result);
+        const auto outcome = gateway.lostAt(write, lostFraba, writePreset);
+        if (!outcome)
+            break;
+        const bool isSaidWritten = valueOf(outcome->written, Parameter::preset).has_value();
+        const bool isInDoubt = valueOf(outcome->inDoubt.values, Parameter::preset).has_value();
+        const bool isConfirmed = valueOf(outcome->confirmed, Parameter::preset).has_value();
+        inDoubt += isInDoubt ? 1 : 0;
+        gateway.comeBack();
+        const bool hasIt = gateway.read(lostFraba, Parameter::preset) == 255;
+        EXPECT_TRUE(!hasIt || isSaidWritten || isInDoubt || isConfirmed);
+        EXPECT_TRUE(hasIt || !isSaidWritten);
+    }
+    EXPECT_GE(inDoubt, 3) << "behind the parameter word, behind run, and before it was read back";
+}
+
 // Its word may have been about to go out, and goes out with the exchange that fails; or it is answered late.
 TEST(LostGateway, AJobThatWasCancelledAccountsForTheWordThatWasUnderWay)
 {
