@@ -25,11 +25,6 @@ constexpr std::array<std::string_view, 8> otherHeaders{
     "start of measurement",
 };
 
-CanLogLine ascFault(CanLogFault fault)
-{
-    return {.fault = fault};
-}
-
 bool isAscHeader(std::string_view text)
 {
     const auto begins = [text](std::string_view word) { return beginsWith(text, word); };
@@ -52,19 +47,10 @@ std::optional<CanFrame> ascFrameWithId(std::string_view word, int base)
     return CanFrame{.id = *id, .isExtended = isExtended};
 }
 
-// One hexadecimal digit, whatever the base; from 9 on it stands for eight bytes.
-std::optional<std::uint8_t> ascLength(std::string_view word)
-{
-    const auto number = word.size() == 1 ? numberIn(word, 16) : std::nullopt;
-    return number ? std::optional(
-                        static_cast<std::uint8_t>(std::min<std::uint32_t>(*number, CanFrame::mostBytes)))
-                  : std::nullopt;
-}
-
 std::optional<CanLogFault> takeAscData(CanFrame &frame, CanLogWords words, int base)
 {
     constexpr std::uint32_t largestOctet = 0xFF;
-    const auto length = ascLength(words.next());
+    const auto length = lengthCode(words.next());
     if (!length)
         return CanLogFault::wrongLength;
     for (; frame.length < *length; ++frame.length) {
@@ -82,9 +68,9 @@ std::optional<CanLogFault> takeAscData(CanFrame &frame, CanLogWords words, int b
 CanLogLine ascRemote(CanFrame frame, std::string_view length)
 {
     frame.isRemote = true;
-    frame.length = ascLength(length).value_or(0);
+    frame.length = lengthCode(length).value_or(0);
     const bool isTooLong = length.size() > 1 && numberIn(length, 16);
-    return isTooLong ? ascFault(CanLogFault::wrongLength) : CanLogLine{.frame = frame};
+    return isTooLong ? CanLogLine::faulty(CanLogFault::wrongLength) : CanLogLine{.frame = frame};
 }
 
 // As asc2log of can-utils calls a channel, which count from 1 on.
@@ -111,7 +97,7 @@ CanLogLine AscLog::line(std::string_view text)
     CanLogLine line = timed(text);
     m_hasBegun = m_hasBegun || line.frame;
     if (!line.frame && !line.fault && !m_hasBegun)
-        return ascFault(CanLogFault::notOfALog);
+        return CanLogLine::faulty(CanLogFault::notOfALog);
     return line;
 }
 
@@ -129,7 +115,7 @@ CanLogLine AscLog::takesDate(std::string_view text)
     m_header.date = ascDate(text);
     const bool isNew = !m_header.date && !m_hasBlamedDate && !CanLogWords(text).isAtEnd();
     m_hasBlamedDate = m_hasBlamedDate || isNew;
-    return isNew ? ascFault(CanLogFault::badDate) : CanLogLine();
+    return isNew ? CanLogLine::faulty(CanLogFault::badDate) : CanLogLine();
 }
 
 // "hex  timestamps absolute". BUSMASTER leaves out the rest, and the end of the line with it.
@@ -154,14 +140,14 @@ CanLogLine AscLog::timed(std::string_view text) const
     const std::string_view time = words.next();
     const auto at = hasPoint(time) ? secondsIn(time) : std::nullopt;
     if (!at)
-        return ascFault(CanLogFault::notOfALog);
+        return CanLogLine::faulty(CanLogFault::notOfALog);
     const std::string_view channel = words.next();
     const std::string_view what = words.next();
     CanLogLine line;
     if (channel == "CANFD")
-        line = ascFault(CanLogFault::canFd);
+        line = CanLogLine::faulty(CanLogFault::canFd);
     else if (channel == "CANXL")
-        line = ascFault(CanLogFault::canXl);
+        line = CanLogLine::faulty(CanLogFault::canXl);
     else if (numberIn(channel, 10))
         line = frame(what, words.rest());
     if (line.frame)
@@ -179,7 +165,7 @@ CanLogLine AscLog::frame(std::string_view id, std::string_view behind) const
     const std::string_view direction = words.next();
     auto read = ascFrameWithId(id, m_header.base);
     if (read && direction.empty())
-        return ascFault(CanLogFault::wrongLength);
+        return CanLogLine::faulty(CanLogFault::wrongLength);
     if (direction == "TxRq") // only asks for a frame to be sent
         return {};
     const bool isDirection = direction == "Rx" || direction == "Tx";
@@ -187,15 +173,15 @@ CanLogLine AscLog::frame(std::string_view id, std::string_view behind) const
     const bool isRemote = type == "r" || type == "R";
     const bool isData = type == "d" || type == "D";
     if (!isDirection)
-        return read && (isRemote || isData) ? ascFault(CanLogFault::badDirection) : CanLogLine();
+        return read && (isRemote || isData) ? CanLogLine::faulty(CanLogFault::badDirection) : CanLogLine();
     if (!read)
-        return ascFault(CanLogFault::badIdentifier);
+        return CanLogLine::faulty(CanLogFault::badIdentifier);
     if (isRemote)
         return ascRemote(*read, words.next());
     if (!isData)
-        return ascFault(CanLogFault::badData);
+        return CanLogLine::faulty(CanLogFault::badData);
     const auto fault = takeAscData(*read, words, m_header.base);
-    return fault ? ascFault(*fault) : CanLogLine{.frame = read};
+    return fault ? CanLogLine::faulty(*fault) : CanLogLine{.frame = read};
 }
 
 } // namespace codewheel

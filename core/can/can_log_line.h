@@ -26,6 +26,8 @@ struct CanLogLine
     std::optional<CanFrame> frame{}; // without its time
     std::optional<CanLogFault> fault{};
     CanLogStamp stamp{};
+
+    static CanLogLine faulty(CanLogFault fault) { return {.fault = fault}; }
 };
 
 } // namespace codewheel

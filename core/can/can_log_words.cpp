@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "can/can_log_words.h"
 
+#include "can/can_frame.h"
+
 #include <algorithm>
 #include <charconv>
 
@@ -55,6 +57,14 @@ std::optional<std::uint32_t> numberIn(std::string_view digits, int base)
     const auto read = std::from_chars(digits.data(), end, number, base);
     return !digits.empty() && read.ec == std::errc() && read.ptr == end ? std::optional(number)
                                                                         : std::nullopt;
+}
+
+std::optional<std::uint8_t> lengthCode(std::string_view digit)
+{
+    const auto number = digit.size() == 1 ? numberIn(digit, 16) : std::nullopt;
+    return number ? std::optional(
+                        static_cast<std::uint8_t>(std::min<std::uint32_t>(*number, CanFrame::mostBytes)))
+                  : std::nullopt;
 }
 
 std::optional<Instant> secondsIn(std::string_view text)

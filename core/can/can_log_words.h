@@ -27,6 +27,8 @@ private:
 
 // Exactly these digits, which fit into 32 bits. Empty for anything else.
 std::optional<std::uint32_t> numberIn(std::string_view digits, int base);
+// Of one hexadecimal digit, the length of a frame: from 9 to F eight bytes. Empty for anything else.
+std::optional<std::uint8_t> lengthCode(std::string_view digit);
 // "1544106679.432583", "-0.0001", "12": below 10^12 s, which are more than 10 000 years; what is behind the
 // sixth decimal is cut off.
 std::optional<Instant> secondsIn(std::string_view text);

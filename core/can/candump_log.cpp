@@ -13,11 +13,6 @@ constexpr std::size_t digitsOfExtendedId = 8;
 constexpr int hexadecimal = 16;
 constexpr std::size_t longestInterface = 64; // that of Linux is 15
 
-CanLogLine faulty(CanLogFault fault)
-{
-    return {.fault = fault};
-}
-
 std::optional<CanFrame> frameWithId(std::string_view digits)
 {
     const auto id = numberIn(digits, hexadecimal);
@@ -36,15 +31,6 @@ std::optional<std::uint8_t> hexOctet(std::string_view digits)
 {
     const auto number = digits.size() == 2 ? numberIn(digits, hexadecimal) : std::nullopt;
     return number ? std::optional(static_cast<std::uint8_t>(*number)) : std::nullopt;
-}
-
-// A length code from 9 to F stands for eight bytes.
-std::optional<std::uint8_t> lengthCode(std::string_view digit)
-{
-    const auto number = digit.size() == 1 ? numberIn(digit, hexadecimal) : std::nullopt;
-    return number ? std::optional(
-                        static_cast<std::uint8_t>(std::min<std::uint32_t>(*number, CanFrame::mostBytes)))
-                  : std::nullopt;
 }
 
 // "88130000", "88.13.00.00", "1122334455667788_9"
@@ -87,14 +73,14 @@ CanLogLine logFrame(std::string_view text)
     const auto hash = text.find('#');
     const std::string_view data = text.substr(hash + 1);
     if (data.starts_with('#'))
-        return faulty(CanLogFault::canFd);
+        return CanLogLine::faulty(CanLogFault::canFd);
     if (data.find('#') != std::string_view::npos)
-        return faulty(CanLogFault::canXl);
+        return CanLogLine::faulty(CanLogFault::canXl);
     auto frame = frameWithId(text.substr(0, hash));
     if (!frame)
-        return faulty(CanLogFault::badIdentifier);
+        return CanLogLine::faulty(CanLogFault::badIdentifier);
     const auto fault = beginsWith(data, "R") ? takeRemote(*frame, data.substr(1)) : takeData(*frame, data);
-    return fault ? faulty(*fault) : CanLogLine{.frame = frame};
+    return fault ? CanLogLine::faulty(*fault) : CanLogLine{.frame = frame};
 }
 
 // "R" and "T" say who sent it.
@@ -102,7 +88,7 @@ CanLogLine logFrameWithDirection(std::string_view text, CanLogWords words)
 {
     const std::string_view direction = words.next();
     const bool isOne = direction.empty() || direction == "R" || direction == "T";
-    return isOne && words.isAtEnd() ? logFrame(text) : faulty(CanLogFault::notOfALog);
+    return isOne && words.isAtEnd() ? logFrame(text) : CanLogLine::faulty(CanLogFault::notOfALog);
 }
 
 std::optional<CanLogFault> takeScreenData(CanFrame &frame, std::uint8_t length, CanLogWords words)
@@ -125,20 +111,20 @@ CanLogLine screenFrame(std::string_view id, CanLogWords words)
 {
     const std::string_view length = words.next();
     if (length.size() < 3 || length.front() != '[' || length.back() != ']')
-        return faulty(CanLogFault::notOfALog);
+        return CanLogLine::faulty(CanLogFault::notOfALog);
     const std::string_view digits = length.substr(1, length.size() - 2);
     if (digits.size() == 2 && numberIn(digits, 10)) // candump writes those of CAN FD with two
-        return faulty(CanLogFault::canFd);
+        return CanLogLine::faulty(CanLogFault::canFd);
     auto frame = frameWithId(id);
     if (!frame)
-        return faulty(CanLogFault::badIdentifier);
+        return CanLogLine::faulty(CanLogFault::badIdentifier);
     const auto number = digits.size() == 1 ? numberIn(digits, 10) : std::nullopt;
     if (!number || *number > CanFrame::mostBytes)
-        return faulty(CanLogFault::wrongLength);
+        return CanLogLine::faulty(CanLogFault::wrongLength);
     const auto bytes = static_cast<std::uint8_t>(*number);
     const auto fault = beginsWith(words.rest(), "remote request") ? takeRemote(*frame, digits)
                                                                   : takeScreenData(*frame, bytes, words);
-    return fault ? faulty(*fault) : CanLogLine{.frame = frame};
+    return fault ? CanLogLine::faulty(*fault) : CanLogLine{.frame = frame};
 }
 
 // Behind the time. On the screen there may be the direction and two flags before the identifier.
@@ -171,12 +157,12 @@ CanLogLine CandumpLog::line(std::string_view text)
         return timedLine(text);
     const auto end = text.find(')');
     if (end == std::string_view::npos)
-        return faulty(CanLogFault::badTime);
+        return CanLogLine::faulty(CanLogFault::badTime);
     const std::string_view time = text.substr(1, end - 1);
     const bool isDate = time.find(' ') != std::string_view::npos && time.front() != ' ';
     const auto at = isDate ? m_dates.at(time) : secondsIn(CanLogWords(time).rest());
     if (!at)
-        return faulty(CanLogFault::badTime);
+        return CanLogLine::faulty(CanLogFault::badTime);
     CanLogLine line = timedLine(text.substr(end + 1));
     line.stamp = {isDate ? CanLogStamp::Kind::date : CanLogStamp::Kind::candump, *at};
     return line;

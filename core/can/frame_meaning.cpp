@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "can/frame_meaning.h"
 
+#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -46,11 +47,6 @@ QString errorText(const CanFrame &frame)
                : sentence(FrameMeanings::tr("Error frame: %1"), {texts.join(QStringLiteral(", "))});
 }
 
-QString hexText(std::uint32_t number, int digits)
-{
-    return QStringLiteral("%1").arg(number, digits, 16, QLatin1Char('0')).toUpper() + u'h';
-}
-
 // The low octet of the number of its parameter group is who it is for, if the next octet is below F0h.
 QString j1939Text(const CanFrame &frame)
 {
@@ -61,9 +57,9 @@ QString j1939Text(const CanFrame &frame)
     const QString head = QString::number(priority);
     if (((group >> 8) & 0xFF) >= firstForAll)
         return sentence(FrameMeanings::tr("J1939: priority %1, PGN %2, from %3"),
-                        {head, hexText(group, 4), hexText(source, 2)});
+                        {head, hexNumber(group, 4), hexNumber(source, 2)});
     return sentence(FrameMeanings::tr("J1939: priority %1, PGN %2, from %3 to %4"),
-                    {head, hexText(group & 0x3FF00, 4), hexText(source, 2), hexText(group & 0xFF, 2)});
+                    {head, hexNumber(group & 0x3FF00, 4), hexNumber(source, 2), hexNumber(group & 0xFF, 2)});
 }
 
 } // namespace

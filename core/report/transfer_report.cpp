@@ -154,13 +154,12 @@ Report reportOf(const TransferAccount &account, const Catalog &catalog, const QS
         {TransferReport::tr("Encoders"),
          TransferReport::tr("%1 of %2 have all of it").arg(done).arg(account.encoders.size())},
         {TransferReport::tr("Written"), QString::number(account.count(Became::written))},
-        {TransferReport::tr("Already there"), QString::number(account.count(Became::alreadyThere))},
-        {TransferReport::tr("EEPROM writes"),
-         eepromWritesText(account.eepromWrites(), account.eepromWritesPerhaps())},
-        {TransferReport::tr("Software"), QStringLiteral("Codewheel %1").arg(version)}};
+        {TransferReport::tr("Already there"), QString::number(account.count(Became::alreadyThere))}};
     if (const int stored = account.count(Became::stored); stored > 0)
-        report.facts.insert(report.facts.end() - 2,
-                            {TransferReport::tr("Stored, in force before"), QString::number(stored)});
+        report.facts.push_back({TransferReport::tr("Stored, in force before"), QString::number(stored)});
+    report.facts.push_back({TransferReport::tr("EEPROM writes"),
+                            eepromWritesText(account.eepromWrites(), account.eepromWritesPerhaps())});
+    report.facts.push_back({TransferReport::tr("Software"), QStringLiteral("Codewheel %1").arg(version)});
     for (const EncoderAccount &encoder : account.encoders)
         report.sections.push_back(
             {.heading = headingOf(encoder), .blocks = {accountFacts(encoder), tableOf(encoder, catalog)}});

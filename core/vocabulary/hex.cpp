@@ -72,6 +72,11 @@ std::optional<Word> plcWords(QStringView text)
 
 } // namespace
 
+QString hexNumber(std::uint32_t number, int digits)
+{
+    return QStringLiteral("%1").arg(number, digits, 16, QLatin1Char('0')).toUpper() + u'h';
+}
+
 QString hexWord(Word word)
 {
     return QStringLiteral("%1").arg(word, digitsOfWord, 16, QLatin1Char('0')).toUpper();

@@ -12,6 +12,9 @@ namespace codewheel {
 // Eight digits, upper case, as the manuals write them: "020000FF".
 QString hexWord(Word word);
 
+// "1388h", with no fewer digits.
+QString hexNumber(std::uint32_t number, int digits = 0);
+
 // "020000FF", "0x20000ff", "20000FFh", also with spaces, "16#0200_00FF", the words of a PLC "16#0200
 // 16#00FF"; 1 to 8 digits. Empty for anything else: no sign, not both prefix and suffix.
 std::optional<Word> parseHexWord(QStringView text);

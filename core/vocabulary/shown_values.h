@@ -26,7 +26,6 @@ struct ShownValues
     std::optional<std::uint8_t> cams{};     // that are on; bit n: cam n
     std::optional<ExchangedWords> words{};  // empty: it has none
 
-    bool isEmpty() const { return !position && !cams && !words; }
     friend bool operator==(const ShownValues &, const ShownValues &) = default;
 };
 using ShownSeries = std::vector<ShownValues>;

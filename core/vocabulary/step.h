@@ -7,7 +7,6 @@
 
 #include <QByteArray>
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -38,7 +37,6 @@ struct Step
     QByteArray line{};                   // what is sent instead of a word: "03GP00005200"
     std::optional<std::int64_t> data{};  // the value that a line writes, as sent
 
-    bool carries(Parameter parameter) const { return std::ranges::count(parameters, parameter) > 0; }
     // For protocols whose steps carry one at most.
     std::optional<Parameter> parameter() const
     {

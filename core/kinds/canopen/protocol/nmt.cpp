@@ -2,6 +2,7 @@
 #include "kinds/canopen/protocol/nmt.h"
 
 #include "kinds/canopen/protocol/cob_id.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
-
 #include <cstdint>
 #include <span>
 
@@ -17,12 +15,6 @@ inline std::uint32_t numberOf(Octets octets)
     for (auto octet = octets.rbegin(); octet != octets.rend(); ++octet)
         number = number << 8 | *octet;
     return number;
-}
-
-// "1388h"
-inline QString hexNumber(std::uint32_t number, int digits = 0)
-{
-    return QStringLiteral("%1").arg(number, digits, 16, QLatin1Char('0')).toUpper() + u'h';
 }
 
 } // namespace codewheel::canopen

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/sdo.h"
 
+#include "vocabulary/hex.h"
+
 #include <algorithm>
 
 namespace codewheel::canopen {

@@ -3,6 +3,8 @@
 
 #include "kinds/canopen/protocol/octets.h"
 
+#include <QString>
+
 #include <array>
 #include <optional>
 

@@ -2,6 +2,7 @@
 #include "kinds/canopen/protocol/sdo_explain.h"
 
 #include "kinds/canopen/protocol/sdo_abort.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
