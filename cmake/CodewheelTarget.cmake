@@ -39,6 +39,14 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(codewheel_options INTERFACE -Wno-array-bounds
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-stringop-overread -Wno-stringop-overflow -Wno-restrict>)
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
+    # What nobody calls is left out; relocations take a tenth of the room (glibc 2.36, binutils 2.38).
+    target_compile_options(codewheel_options INTERFACE -ffunction-sections -fdata-sections)
+    target_link_options(codewheel_options INTERFACE -Wl,--gc-sections)
+    include(CheckLinkerFlag)
+    check_linker_flag(CXX -Wl,-z,pack-relative-relocs CODEWHEEL_HAS_RELR)
+    if(CODEWHEEL_HAS_RELR)
+        target_link_options(codewheel_options INTERFACE -Wl,-z,pack-relative-relocs)
+    endif()
     # The same sources give the same programs, in whatever folder they are built.
     target_compile_options(codewheel_options INTERFACE
         "-ffile-prefix-map=${PROJECT_BINARY_DIR}=build" "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
