@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "can/simulator/simulated_can_adapter.h"
 
-#include "can/can_bits.h"
-
 namespace codewheel {
 namespace {
 
@@ -60,12 +58,8 @@ bool SimulatedCanAdapter::queue(const CanFrame &frame)
     return true;
 }
 
-// A frame of before it was opened anew may still get through.
-void SimulatedCanAdapter::sent(const CanFrame &frame, Instant /*now*/)
+void SimulatedCanAdapter::sent(const CanFrame & /*frame*/, Instant /*now*/)
 {
-    if (m_queue.empty() || canPrecedence(m_queue.front()) != canPrecedence(frame) ||
-        m_queue.front().length != frame.length || m_queue.front().bytes != frame.bytes)
-        return;
     m_queue.pop_front();
     m_news.fates.push_back(CanFate::done);
     look();

@@ -44,6 +44,8 @@ void SimulatedCanBus::advance(Instant until, const std::function<bool()> &isEnou
         const auto next = nextTime();
         if (!next || *next > until) {
             m_now = std::max<BusTime>(m_now, until);
+            for (Seat &seat : m_seats)
+                lookAfter(seat);
             return;
         }
         m_now = std::max(m_now, *next);
@@ -144,6 +146,9 @@ void SimulatedCanBus::begin(std::size_t part)
         bits += errorFrame - afterAcknowledge;
     else if (sent.outcome == Transmission::Outcome::destroyed)
         bits = 1 + static_cast<int>(m_random() % static_cast<unsigned>(bits)) + answeredErrorFrame;
+    for (Seat &seat : m_seats)
+        if (partOf(seat) == part)
+            seat.follows = seat.takesPart();
     sent.begin = m_now;
     sent.end = m_now + sender.bits(bits);
     m_parts[part].freeFrom = sent.end + sender.bits(canIntermission);
@@ -199,7 +204,7 @@ void SimulatedCanBus::finish(std::size_t part)
             continue;
         if (seat.errors.isBusOff())
             seat.backAt += std::max(sent.end - sent.begin - seat.bits(endOfFrame), BusTime());
-        if (!seat.takesPart())
+        if (!seat.takesPart() || !seat.follows)
             continue;
         if (sent.isFrom(seat))
             settleSender(seat, sent, isSentAgain);

@@ -60,6 +60,7 @@ private:
         BusTime heldUntil{};    // it sends nothing before
         BusTime backAt{};       // after bus off
         bool isDecided = false; // whether its present frame is late
+        bool follows = false;   // has been there since the present transmission began
 
         bool takesPart() const { return participant->isOn() && !errors.isBusOff(); }
         // Without listening only.
