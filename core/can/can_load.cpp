@@ -8,7 +8,7 @@
 namespace codewheel {
 namespace {
 
-constexpr Instant window = std::chrono::seconds(1);
+constexpr Instant loadWindow = std::chrono::seconds(1);
 constexpr int errorFrameBits = 6 + 6 + 8; // flag, answered by others one after the other, delimiter
 
 } // namespace
@@ -19,12 +19,12 @@ void CanLoad::add(const CanFrame &frame)
     const int bits = (frame.isError ? errorFrameBits : canBits(frame)) + canIntermission;
     m_taken.push_back({at, bits});
     m_bits += bits;
-    forget(at - window);
+    forget(at - loadWindow);
 }
 
 double CanLoad::share(Instant now)
 {
-    forget(now - window);
+    forget(now - loadWindow);
     return std::min(static_cast<double>(m_bits) / m_rate, 1.0);
 }
 

@@ -123,15 +123,15 @@ inline std::vector<CanFrame> bare(std::vector<CanFrame> frames)
 }
 
 template <typename T>
-RefusalKind kindOf(const Result<T> &result)
+RefusalKind refusalKindOf(const Result<T> &result)
 {
     return result ? RefusalKind::badInput : result.error().kind; // no link is refused with that here
 }
 
 TEST_P(CanLinkContract, AClosedBusRefusesAll)
 {
-    EXPECT_EQ(kindOf(link().receive(link().now() + patience)), RefusalKind::link);
-    EXPECT_EQ(kindOf(link().send({.id = 0x080})), RefusalKind::link);
+    EXPECT_EQ(refusalKindOf(link().receive(link().now() + patience)), RefusalKind::link);
+    EXPECT_EQ(refusalKindOf(link().send({.id = 0x080})), RefusalKind::link);
     EXPECT_EQ(link().status().state, CanState::notKnown);
     EXPECT_FALSE(link().name().isEmpty());
     link().close(); // does no harm
@@ -181,7 +181,7 @@ TEST_P(CanLinkContract, InWatchNothingIsSent)
 {
     open(CanUse::watch);
     const auto sent = link().send({.id = 0x000, .length = 2, .bytes = {0x80, 0x00}});
-    EXPECT_EQ(kindOf(sent), RefusalKind::link);
+    EXPECT_EQ(refusalKindOf(sent), RefusalKind::link);
     link().wait(link().now() + std::chrono::milliseconds(5));
     open(CanUse::operate);
     link().wait(link().now() + std::chrono::milliseconds(5));
@@ -292,10 +292,10 @@ TEST_P(CanLinkContract, AnAdapterThatIsGoneIsToldAndDoesNotOpen)
     open(CanUse::watch);
     const QString name = link().name();
     m_bench->unplug();
-    EXPECT_EQ(kindOf(link().receive(link().now() + patience)), RefusalKind::link);
-    EXPECT_EQ(kindOf(link().receive(link().now() + patience)), RefusalKind::link);
-    EXPECT_EQ(kindOf(link().send({.id = 0x080})), RefusalKind::link);
-    EXPECT_EQ(kindOf(link().open(CanUse::watch)), RefusalKind::link);
+    EXPECT_EQ(refusalKindOf(link().receive(link().now() + patience)), RefusalKind::link);
+    EXPECT_EQ(refusalKindOf(link().receive(link().now() + patience)), RefusalKind::link);
+    EXPECT_EQ(refusalKindOf(link().send({.id = 0x080})), RefusalKind::link);
+    EXPECT_EQ(refusalKindOf(link().open(CanUse::watch)), RefusalKind::link);
     EXPECT_EQ(link().name(), name);
 }
 

@@ -15,18 +15,18 @@ constexpr std::uint8_t isWarning = 0x0C;
 constexpr std::uint8_t isPassive = 0x30;
 constexpr std::uint8_t isActive = 0x40;
 
-CanFrame errorOf(std::uint32_t classes, std::uint8_t controller = 0)
+CanFrame errorFrameOf(std::uint32_t classes, std::uint8_t controller = 0)
 {
     return {.id = classes, .isError = true, .length = CanFrame::mostBytes, .bytes = {0, controller}};
 }
 
-CanFrame errorOf(CanState state)
+CanFrame errorFrameOf(CanState state)
 {
     if (state == CanState::busOff)
-        return errorOf(wentBusOff);
+        return errorFrameOf(wentBusOff);
     if (state == CanState::active)
-        return errorOf(controllerProblem, isActive);
-    return errorOf(controllerProblem, state == CanState::passive ? isPassive : isWarning);
+        return errorFrameOf(controllerProblem, isActive);
+    return errorFrameOf(controllerProblem, state == CanState::passive ? isPassive : isWarning);
 }
 
 } // namespace
@@ -72,7 +72,8 @@ void SimulatedCanAdapter::take(const CanFrame &frame, Instant now)
 
 void SimulatedCanAdapter::disturbed(CanDisturbance how, Instant now)
 {
-    tell(errorOf(busError | (how == CanDisturbance::notAcknowledged ? nobodyAcknowledges : protocolViolated)),
+    tell(errorFrameOf(busError |
+                      (how == CanDisturbance::notAcknowledged ? nobodyAcknowledges : protocolViolated)),
          now);
 }
 
@@ -85,7 +86,7 @@ void SimulatedCanAdapter::stateChanged(CanState state, Instant now)
         m_news.fates.insert(m_news.fates.end(), m_queue.size(), CanFate::refused);
         m_queue.clear();
     }
-    tell(errorOf(state), now);
+    tell(errorFrameOf(state), now);
 }
 
 void SimulatedCanAdapter::tell(CanFrame frame, Instant now)
@@ -94,7 +95,7 @@ void SimulatedCanAdapter::tell(CanFrame frame, Instant now)
     if (frames.size() > newsLength)
         return;
     if (frames.size() == newsLength)
-        frame = errorOf(controllerProblem, overrun);
+        frame = errorFrameOf(controllerProblem, overrun);
     frame.time = now - m_begin;
     frames.push_back(std::move(frame));
     look();

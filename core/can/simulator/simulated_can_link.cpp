@@ -34,7 +34,7 @@ Result<void> SimulatedCanLink::open(CanUse use)
     if (m_adapter->isUnplugged())
         return refuse(RefusalKind::link, RefusalId::linkFailed,
                       {SimulatedCan::tr("The simulated adapter is unplugged.")});
-    advance(now(), false);
+    m_bus->advance(m_busBegin + now());
     m_bus->restart(*m_adapter);
     m_bus->locked([&] { m_adapter->open(use); });
     m_open = true;
@@ -79,7 +79,7 @@ Result<bool> SimulatedCanLink::send(const CanFrame &frame)
     if (m_adapter->listensOnly())
         return refuse(RefusalKind::link, RefusalId::linkFailed,
                       {SimulatedCan::tr("The simulated bus was opened to watch: nothing is sent.")});
-    advance(now(), false);
+    m_bus->advance(m_busBegin + now());
     return m_bus->locked([&] { return m_adapter->queue(frame); });
 }
 
@@ -108,29 +108,22 @@ Result<void> SimulatedCanLink::usable()
     return {};
 }
 
-void SimulatedCanLink::advance(Instant until, bool upToNews)
-{
-    if (!upToNews)
-        m_bus->advance(m_busBegin + until);
-    else
-        m_bus->advance(m_busBegin + until, [this] { return m_adapter->hasNews(); });
-}
-
 void SimulatedCanLink::passTime(Instant until, bool upToNews)
 {
+    const auto isEnough = [&] {
+        return m_adapter->takeWake() || (upToNews && (m_adapter->hasNews() || m_adapter->isUnplugged()));
+    };
     if (!m_clock) {
-        if (!m_adapter->takeWake())
-            advance(until, upToNews);
+        m_bus->advance(m_busBegin + until, isEnough);
         return;
     }
     for (;;) {
         const Instant time = now();
-        advance(time, false);
-        const bool hasNews = upToNews && m_bus->locked([&] { return m_adapter->hasNews(); });
-        if (hasNews || time >= until || m_adapter->takeWake() || (m_open && m_adapter->isUnplugged()))
+        m_bus->advance(m_busBegin + time);
+        if (time >= until || m_bus->locked(isEnough))
             return;
-        m_adapter->waitFor(std::min(until, m_bus->nextEvent().value_or(m_busBegin + until) - m_busBegin) -
-                           time);
+        const Instant next = m_bus->nextEvent().value_or(m_busBegin + until) - m_busBegin;
+        m_adapter->waitFor(std::min(until, next) - time);
     }
 }
 

@@ -36,7 +36,6 @@ public:
 
 private:
     Result<void> usable();
-    void advance(Instant until, bool upToNews);
     void passTime(Instant until, bool upToNews);
 
     std::shared_ptr<SimulatedCanBus> m_bus;

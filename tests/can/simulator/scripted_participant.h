@@ -3,6 +3,7 @@
 
 #include "can/simulator/simulated_can_bus.h"
 
+#include <algorithm>
 #include <deque>
 
 namespace codewheel::test {
@@ -62,8 +63,7 @@ inline std::shared_ptr<ScriptedParticipant> join(SimulatedCanBus &bus, Script sc
 inline std::vector<std::uint32_t> idsOf(const std::vector<ScriptedParticipant::Heard> &heard)
 {
     std::vector<std::uint32_t> ids;
-    for (const auto &each : heard)
-        ids.push_back(each.frame.id);
+    std::ranges::transform(heard, std::back_inserter(ids), [](const auto &each) { return each.frame.id; });
     return ids;
 }
 

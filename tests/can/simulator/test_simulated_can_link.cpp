@@ -136,6 +136,22 @@ TEST(SimulatedCanLink, AFrameOfBeforeItWasClosedIsNotTakenForANewOne)
     EXPECT_EQ(idsOf(bench.node->heard), (std::vector<std::uint32_t>{0x001, 0x002}));
 }
 
+TEST(SimulatedCanLink, InRealTimeItWaitsForWhatOthersDo)
+{
+    Linked bench;
+    SimulatedCanLink link(bench.bus, 125'000, realTime);
+    ASSERT_TRUE(link.open(CanUse::operate));
+    const std::jthread other([&] {
+        SimulatedCanLink another(bench.bus, 125'000, realTime);
+        ASSERT_TRUE(another.open(CanUse::operate));
+        EXPECT_TRUE(another.send({.id = 0x123}).value());
+        EXPECT_EQ(another.receive(1h).value().fates, std::vector{CanFate::done});
+    });
+    CanNews news = link.receive(1h).value();
+    ASSERT_EQ(news.frames.size(), 1U);
+    EXPECT_EQ(news.frames[0].id, 0x123U);
+}
+
 TEST(SimulatedCanLink, TwoLinksShareTheBus)
 {
     Linked bench;
