@@ -52,4 +52,15 @@ std::optional<CobId> CobId::of(std::uint32_t identifier)
     return std::nullopt;
 }
 
+std::uint32_t CobId::identifier() const
+{
+    for (const WithoutNode &each : withoutNode)
+        if (each.service == service)
+            return each.identifier;
+    for (const OfNodes &each : ofNodes)
+        if (each.service == service && each.number == number)
+            return each.base + static_cast<std::uint32_t>(node);
+    return 0;
+}
+
 } // namespace codewheel::canopen

@@ -32,6 +32,8 @@ struct CobId
 
     // Empty: it is not among them.
     static std::optional<CobId> of(std::uint32_t identifier);
+    // The other way round; of what is not among them 0.
+    std::uint32_t identifier() const;
 
     friend bool operator==(const CobId &, const CobId &) = default;
 };

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 
 namespace codewheel::canopen {
@@ -68,13 +69,15 @@ std::optional<Emcy> Emcy::read(Octets data)
     constexpr std::size_t size = 8;
     if (data.size() != size)
         return std::nullopt;
-    return Emcy{static_cast<std::uint16_t>(numberOf(data.first(2))), data[2]};
+    Emcy emcy{static_cast<std::uint16_t>(numberOf(data.first(2))), data[2]};
+    std::ranges::copy(data.subspan(3), emcy.ofMaker.begin());
+    return emcy;
 }
 
 QString Emcy::text() const
 {
     QString digits = hexNumber(code, 4);
-    if ((code & 0xFF00) == 0)
+    if (isGone())
         return sentence(EmcyTexts::tr("%1, error gone"), {digits});
     for (const EmcyCode &each : emcyCodes)
         if ((code & each.mask) == each.code)

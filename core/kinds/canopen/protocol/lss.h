@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "can/can_frame.h"
 #include "kinds/canopen/protocol/octets.h"
 
 #include <optional>
@@ -38,12 +39,14 @@ struct LssFrame
     std::uint32_t number = 0;                   // the four octets behind it
     std::uint8_t bit = 0;                       // of a fast scan: the last bit that counts; 80h: who is there
     std::uint8_t word = 0;                      // of a fast scan: which of the identity, 0 to 3
+    std::uint8_t nextWord = 0;                  // of a fast scan: which one is asked for next
 
     // The two octets behind the command: a node, a table and a place in it, or how it went.
     std::uint8_t first() const { return static_cast<std::uint8_t>(number); }
     std::uint8_t second() const { return static_cast<std::uint8_t>(number >> 8); }
 
     static std::optional<LssFrame> read(Octets data); // empty: it does not have eight bytes
+    CanFrame request() const;
 };
 
 } // namespace codewheel::canopen

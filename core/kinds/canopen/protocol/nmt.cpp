@@ -2,10 +2,13 @@
 #include "kinds/canopen/protocol/nmt.h"
 
 #include "kinds/canopen/protocol/cob_id.h"
+#include "kinds/canopen/protocol/frames.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
+
+#include <array>
 
 namespace codewheel::canopen {
 namespace {
@@ -61,6 +64,12 @@ std::optional<NmtRequest> NmtRequest::read(Octets data)
     if (data.size() != 2)
         return std::nullopt;
     return NmtRequest{static_cast<NmtCommand>(data[0]), data[1]};
+}
+
+CanFrame NmtRequest::frame() const
+{
+    return frameOf(CobId{.service = CobId::Service::nmt}.identifier(),
+                   std::array{static_cast<std::uint8_t>(command), static_cast<std::uint8_t>(node)});
 }
 
 QString NmtRequest::text() const

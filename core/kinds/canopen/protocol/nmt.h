@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "can/can_frame.h"
 #include "kinds/canopen/protocol/octets.h"
 
 #include <QString>
@@ -23,7 +24,8 @@ struct NmtRequest
     int node = 0;                           // 0: all
 
     static std::optional<NmtRequest> read(Octets data); // empty: it does not have two bytes
-    QString text() const;                               // "start node 5"
+    CanFrame frame() const;
+    QString text() const; // "start node 5"
 };
 
 enum class NmtState : std::uint8_t {

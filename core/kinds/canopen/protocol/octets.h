@@ -17,4 +17,13 @@ inline std::uint32_t numberOf(Octets octets)
     return number;
 }
 
+// Likewise into all of them.
+inline void putNumber(std::span<std::uint8_t> octets, std::uint64_t number)
+{
+    for (std::uint8_t &octet : octets) {
+        octet = static_cast<std::uint8_t>(number);
+        number >>= 8;
+    }
+}
+
 } // namespace codewheel::canopen

@@ -42,6 +42,8 @@ TEST(CobId, ThePredefinedConnectionSet)
 {
     for (const CobRow &row : cobRows)
         EXPECT_EQ(CobId::of(row.identifier), row.cob) << std::hex << row.identifier;
+    for (const CobRow &row : cobRows)
+        EXPECT_EQ(row.cob.identifier(), row.identifier);
 }
 
 TEST(CobId, WhatIsNotInIt)
