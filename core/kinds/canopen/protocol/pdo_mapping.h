@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "can/can_frame.h"
+#include "kinds/canopen/protocol/sdo.h"
+
+#include <functional>
+#include <vector>
+
+namespace codewheel::canopen {
+
+enum class PdoDirection : std::uint8_t {
+    transmit, // TPDO, of the node
+    receive,  // RPDO, to the node
+};
+
+struct PdoEntry
+{
+    SdoObject object{};
+    int bits = 0;
+    int firstBit = 0; // in the frame
+
+    // One of the types that can be mapped to leave room.
+    bool isDummy() const { return object.index >= 0x0001 && object.index <= 0x0007; }
+
+    friend bool operator==(const PdoEntry &, const PdoEntry &) = default;
+};
+
+// What is known of an object that is mapped.
+struct PdoType
+{
+    bool isSigned = false;
+    std::optional<int> bits{}; // as its answers by SDO have; empty: not known
+};
+
+struct PdoValue
+{
+    SdoObject object{};
+    int bits = 0;
+    std::uint64_t raw = 0;
+    std::int64_t number = 0; // of what is not signed the same as raw
+};
+
+// A PDO of a node as the node says, by its objects 14xxh or 18xxh and 16xxh or 1Axxh, and what a frame with
+// it means.
+class PdoMapping
+{
+public:
+    static constexpr int mostEntries = 64;
+
+    PdoMapping(PdoDirection direction, int number); // 1 to 512
+
+    // What has not been told yet, to be read in this order; which entries there are follows from their count.
+    std::vector<SdoObject> missing() const;
+    // Whether the object belongs to this PDO. One that the node does not have has no octets.
+    bool take(const SdoObject &object, Octets value);
+    bool isRead() const { return missing().empty(); }
+
+    // Without identifier and count there is no such PDO.
+    bool isThere() const;
+    bool isOff() const;
+    bool isRemoteAllowed() const;
+    std::uint32_t identifier() const; // of 11 or 29 bits
+    bool isExtended() const;          // 29 bits
+    std::optional<int> type() const;  // 0 acyclic, 1..240 each n-th SYNC, 252 to 255
+    std::optional<Instant> inhibitTime() const;
+    std::optional<Instant> eventTimer() const; // 0: off
+    const std::vector<PdoEntry> &entries() const { return m_entries; }
+
+    bool isOf(const CanFrame &frame) const;
+    // The entries that can be read, without the dummies. From one on that does not fit its object nothing
+    // can: where the next one begins is not known. A frame shorter than the mapping says nothing.
+    std::vector<PdoValue> values(const CanFrame &frame,
+                                 const std::function<PdoType(const SdoObject &)> &typeOf) const;
+
+private:
+    struct Told
+    {
+        SdoObject object;
+        std::optional<std::uint32_t> number; // empty: the node does not have it
+    };
+
+    SdoObject settingsObject(int sub) const;
+    SdoObject mappingObject(int sub) const;
+    const Told *told(const SdoObject &object) const;
+    std::optional<std::uint32_t> number(const SdoObject &object) const;
+    int count() const;
+    void place();
+
+    PdoDirection m_direction;
+    int m_number;
+    std::vector<Told> m_told{};
+    std::optional<std::uint32_t> m_identifier{}; // with its bits
+    std::vector<PdoEntry> m_entries{};
+    bool m_hasAllEntries = false;
+};
+
+} // namespace codewheel::canopen
