@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/node_watch.h"
+
+#include "kinds/canopen/protocol/cob_id.h"
+#include "kinds/canopen/protocol/frames.h"
+#include "kinds/canopen/protocol/sdo.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel::canopen {
+namespace {
+
+constexpr std::size_t beatsCompared = 5; // of one node in four times its time, of two nodes in two
+constexpr int beatsTime = 3;
+constexpr int secondAnswersOfTwo = 3; // to requests in a row: a single one may be a doubled frame
+
+std::uint32_t identifierOf(CobId::Service service, int node, int number = 0)
+{
+    return CobId{.service = service, .node = node, .number = number}.identifier();
+}
+
+Instant lateAfter(Instant producerTime)
+{
+    return producerTime * 3 / 2;
+}
+
+Instant lostAfter(Instant producerTime)
+{
+    return producerTime * 3;
+}
+
+struct RegisterBit
+{
+    std::uint16_t errors;
+    std::uint16_t mask;
+    std::uint8_t bit;
+};
+
+// Classes of errors with a bit of their own in object 1001h.
+constexpr std::array registerBitsOfClasses{
+    RegisterBit{0x2000, 0xF000, 1},
+    RegisterBit{0x3000, 0xF000, 2},
+    RegisterBit{0x4000, 0xF000, 3},
+    RegisterBit{0x8100, 0xFF00, 4},
+};
+
+// Whether it went with what the register says; of errors without a bit of their own that is not known.
+bool isGone(const Emcy &error, std::uint8_t errorRegister)
+{
+    return errorRegister == 0 || std::ranges::any_of(registerBitsOfClasses, [&](const RegisterBit &each) {
+               return (error.code & each.mask) == each.errors && (error.errorRegister >> each.bit & 1) != 0 &&
+                      (errorRegister >> each.bit & 1) == 0;
+           });
+}
+
+} // namespace
+
+NodeWatch::NodeWatch(int node)
+    : m_node(node)
+    , m_emcy(identifierOf(CobId::Service::emcy, node))
+{
+    for (int number = 1; number <= 4; ++number)
+        m_tpdos.push_back(identifierOf(CobId::Service::tpdo, node, number));
+}
+
+void NodeWatch::setTpdos(std::vector<std::uint32_t> identifiers)
+{
+    m_tpdos = std::move(identifiers);
+}
+
+void NodeWatch::setEmcy(std::uint32_t identifier)
+{
+    m_emcy = identifier;
+}
+
+void NodeWatch::setProducerTime(std::optional<Instant> time, Instant now)
+{
+    if (m_producerTime == time)
+        return;
+    m_producerTime = time;
+    m_beats.clear();
+    if (m_countsFrom)
+        m_countsFrom = now;
+}
+
+void NodeWatch::setMayBeSilent(bool may, Instant now)
+{
+    if (m_mayBeSilent && !may && m_countsFrom)
+        m_countsFrom = now;
+    m_mayBeSilent = may;
+}
+
+void NodeWatch::take(const CanFrame &frame, Instant now)
+{
+    const Instant at = frame.time.value_or(now);
+    if (frame.isExtended || frame.isError)
+        return;
+    if (frame.id == identifierOf(CobId::Service::nmt, 0))
+        takeCommand(frame, at);
+    else if (frame.id == identifierOf(CobId::Service::errorControl, m_node))
+        takeErrorControl(frame, now);
+    else if (frame.isRemote)
+        return;
+    else if (frame.id == m_emcy) {
+        if (const auto emcy = Emcy::read(frame.data()))
+            takeEmcy(*emcy);
+    } else if (std::ranges::count(m_tpdos, frame.id) != 0)
+        takeTpdo(at);
+    else
+        takeSdo(frame);
+}
+
+void NodeWatch::takeCommand(const CanFrame &frame, Instant at)
+{
+    const auto request = NmtRequest::read(frame.data());
+    if (!request || (request->node != 0 && request->node != m_node))
+        return;
+    m_command = request->command;
+    m_commandAt = at;
+    m_state.reset();
+}
+
+void NodeWatch::takeErrorControl(const CanFrame &frame, Instant now)
+{
+    if (frame.isRemote) {
+        m_isGuarded = true;
+        return;
+    }
+    const auto told = NodeState::read(frame.data());
+    if (!told)
+        return;
+    if (told->state == NmtState::bootUp && !told->toggle)
+        takeBootUp();
+    else
+        takeBeat(*told, frame.time, now);
+}
+
+// What was set and not stored is lost, the heartbeat with it.
+void NodeWatch::takeBootUp()
+{
+    ++m_bootUps;
+    m_state.reset();
+    m_command.reset();
+    m_countsFrom.reset();
+    m_beats.clear();
+    m_isGuarded = false;
+    m_toggle.reset();
+    m_standing.clear();
+    m_requests = 0;
+    m_answers = 0;
+}
+
+void NodeWatch::takeBeat(const NodeState &told, std::optional<Instant> at, Instant now)
+{
+    m_state = told.state == NmtState::bootUp ? std::nullopt : std::optional(told.state);
+    m_command.reset();
+    m_isGuarded = m_isGuarded || told.toggle;
+    if (m_isGuarded) {
+        m_toggleFaults += m_toggle == told.toggle ? 1 : 0;
+        m_toggle = told.toggle;
+        return;
+    }
+    m_countsFrom = at.value_or(now);
+    if (at && isSupervised())
+        compareBeats(*at);
+}
+
+void NodeWatch::compareBeats(Instant at)
+{
+    m_beats.push_back(at);
+    if (m_beats.size() < beatsCompared)
+        return;
+    m_hasTooManyBeats = at - m_beats.front() < *m_producerTime * beatsTime;
+    m_beats.pop_front();
+}
+
+void NodeWatch::takeTpdo(Instant at)
+{
+    if (m_command && at <= m_commandAt) // it was under way
+        return;
+    m_state = NmtState::operational;
+    m_command.reset();
+}
+
+void NodeWatch::takeEmcy(const Emcy &emcy)
+{
+    if (emcy.isGone()) {
+        std::erase_if(m_standing, [&](const Emcy &each) { return isGone(each, emcy.errorRegister); });
+        return;
+    }
+    m_errors.push_back(emcy);
+    if (m_errors.size() > mostErrors)
+        m_errors.pop_front();
+    std::erase_if(m_standing, [&](const Emcy &each) { return each.code == emcy.code; });
+    if (m_standing.size() < mostErrors)
+        m_standing.push_back(emcy);
+}
+
+// Within a block transfer requests and answers are not one to one.
+void NodeWatch::takeSdo(const CanFrame &frame)
+{
+    if (frame.id == identifierOf(CobId::Service::sdoRequest, m_node)) {
+        const auto request = SdoFrame::request(frame.data());
+        if (!request)
+            return;
+        m_isInBlocks = request->kind == SdoFrame::Kind::block;
+        m_requests = request->kind == SdoFrame::Kind::abort ? 0 : m_requests + 1;
+        if (m_answers == 1)
+            m_secondInARow = 0;
+        m_answers = 0;
+    } else if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node) && !m_isInBlocks) {
+        ++m_answers;
+        m_secondAnswers += m_requests == 0 ? 1 : 0;
+        m_secondInARow += m_requests == 0 ? 1 : 0;
+        m_requests = std::max(m_requests - 1, 0);
+    }
+}
+
+bool NodeWatch::isDoubled() const
+{
+    return m_secondInARow >= secondAnswersOfTwo || m_hasTooManyBeats;
+}
+
+bool NodeWatch::isSupervised() const
+{
+    return m_producerTime.value_or(Instant()) > Instant() && !m_isGuarded;
+}
+
+Heartbeat NodeWatch::heartbeat(Instant now) const
+{
+    if (!isSupervised() || !m_countsFrom)
+        return Heartbeat::notHeard;
+    const Instant since = now - *m_countsFrom;
+    if (m_mayBeSilent || since <= lateAfter(*m_producerTime))
+        return Heartbeat::present;
+    return since <= lostAfter(*m_producerTime) ? Heartbeat::late : Heartbeat::lost;
+}
+
+std::optional<Instant> NodeWatch::wakesAt(Instant now) const
+{
+    if (!isSupervised() || !m_countsFrom || m_mayBeSilent)
+        return std::nullopt;
+    for (const Instant after : {lateAfter(*m_producerTime), lostAfter(*m_producerTime)})
+        if (now <= *m_countsFrom + after)
+            return *m_countsFrom + after + Instant(1);
+    return std::nullopt;
+}
+
+} // namespace codewheel::canopen

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/canopen/protocol/emcy.h"
+#include "kinds/canopen/protocol/nmt.h"
+
+#include <deque>
+#include <vector>
+
+namespace codewheel::canopen {
+
+enum class Heartbeat : std::uint8_t {
+    notHeard, // since the node has booted, or with a time that is not known
+    present,
+    late, // by half of the time
+    lost, // three times the time
+};
+
+// What one node shows by its frames, asked by nobody: NMT state, heartbeat, boot-up, EMCY, and whether two
+// nodes have its number. Every frame on the bus goes through take(), with those that we send.
+class NodeWatch
+{
+public:
+    static constexpr std::size_t mostErrors = 64; // that are kept
+
+    explicit NodeWatch(int node);
+
+    int node() const { return m_node; }
+    // As read from the node. Predefined until then.
+    void setTpdos(std::vector<std::uint32_t> identifiers);
+    void setEmcy(std::uint32_t identifier);
+    // Object 1017h; 0: it has no heartbeat, empty: not known.
+    void setProducerTime(std::optional<Instant> time, Instant now);
+    // While it stores or restores, a node may be silent.
+    void setMayBeSilent(bool may, Instant now);
+
+    void take(const CanFrame &frame, Instant now);
+
+    // As the node has shown; empty: not known, as after boot-up or a command.
+    std::optional<NmtState> state() const { return m_state; }
+    // The last command to it, until the node shows its state.
+    std::optional<NmtCommand> command() const { return m_command; }
+    Heartbeat heartbeat(Instant now) const;
+    // When the heartbeat will be late or lost, if none comes.
+    std::optional<Instant> wakesAt(Instant now) const;
+    int bootUps() const { return m_bootUps; }
+
+    bool isGuarded() const { return m_isGuarded; }      // by another master
+    int toggleFaults() const { return m_toggleFaults; } // the same toggle bit twice, while it is guarded
+
+    const std::deque<Emcy> &errors() const { return m_errors; }      // that came, the last one at the end
+    const std::vector<Emcy> &standing() const { return m_standing; } // that did not go yet
+
+    // What one node alone does not do.
+    int secondAnswers() const { return m_secondAnswers; } // more SDO answers than requests
+    bool isDoubled() const;                               // its number, by answers or by heartbeats
+
+private:
+    void takeCommand(const CanFrame &frame, Instant at);
+    void takeErrorControl(const CanFrame &frame, Instant now);
+    void takeBootUp();
+    void takeBeat(const NodeState &told, std::optional<Instant> at, Instant now);
+    void compareBeats(Instant at);
+    void takeTpdo(Instant at);
+    void takeEmcy(const Emcy &emcy);
+    void takeSdo(const CanFrame &frame);
+    bool isSupervised() const;
+
+    int m_node;
+    std::vector<std::uint32_t> m_tpdos;
+    std::uint32_t m_emcy;
+    std::optional<Instant> m_producerTime{};
+    bool m_mayBeSilent = false;
+
+    std::optional<NmtState> m_state{};
+    std::optional<NmtCommand> m_command{};
+    Instant m_commandAt{};
+    std::optional<Instant> m_countsFrom{}; // the last heartbeat, or the end of a silence
+    std::deque<Instant> m_beats{};
+    bool m_hasTooManyBeats = false;
+    int m_bootUps = 0;
+    bool m_isGuarded = false;
+    std::optional<bool> m_toggle{};
+    int m_toggleFaults = 0;
+    std::deque<Emcy> m_errors{};
+    std::vector<Emcy> m_standing{};
+    int m_requests = 0; // SDO, not answered
+    bool m_isInBlocks = false;
+    int m_answers = 0; // since the last request
+    int m_secondAnswers = 0;
+    int m_secondInARow = 0;
+};
+
+} // namespace codewheel::canopen

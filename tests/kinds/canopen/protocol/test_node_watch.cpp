@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/node_watch.h"
+#include "tests/kinds/canopen/protocol/frame_literal.h"
+
+#include <gtest/gtest.h>
+
+using namespace std::chrono_literals;
+
+namespace codewheel::canopen {
+namespace {
+
+class NodeWatchTest : public ::testing::Test
+{
+protected:
+    NodeWatch watch{5};
+    Instant now = 10s;
+
+    void comes(std::string_view text)
+    {
+        CanFrame frame = frameFrom(text);
+        frame.time = now;
+        watch.take(frame, now);
+    }
+    void beatsFor(Instant duration, Instant each, std::string_view frame = "705# 05")
+    {
+        for (const Instant end = now + duration; now < end; now += each)
+            comes(frame);
+    }
+};
+
+TEST_F(NodeWatchTest, StatesAreThoseThatTheNodeShows)
+{
+    EXPECT_FALSE(watch.state());
+    comes("705# 7F");
+    EXPECT_EQ(watch.state(), NmtState::preOperational);
+    comes("705# 05");
+    EXPECT_EQ(watch.state(), NmtState::operational);
+    comes("706# 04"); // another node
+    EXPECT_EQ(watch.state(), NmtState::operational);
+    comes("705# 04");
+    EXPECT_EQ(watch.state(), NmtState::stopped);
+}
+
+TEST_F(NodeWatchTest, AfterBootUpTheStateIsNotKnownAndAPdoTellsIt)
+{
+    comes("705# 7F");
+    comes("705# 00");
+    EXPECT_EQ(watch.bootUps(), 1);
+    EXPECT_FALSE(watch.state());
+    comes("205# 00"); // to the node
+    EXPECT_FALSE(watch.state());
+    comes("185# 88 13 00 00");
+    EXPECT_EQ(watch.state(), NmtState::operational);
+    comes("705# 00");
+    EXPECT_EQ(watch.bootUps(), 2);
+    EXPECT_FALSE(watch.state());
+}
+
+TEST_F(NodeWatchTest, PdosMayHaveOtherIdentifiers)
+{
+    watch.setTpdos({0x1A7});
+    comes("185# 88 13 00 00");
+    EXPECT_FALSE(watch.state());
+    comes("1A7# 88 13 00 00");
+    EXPECT_EQ(watch.state(), NmtState::operational);
+}
+
+TEST_F(NodeWatchTest, ACommandIsNoState)
+{
+    comes("705# 05");
+    comes("000# 02 06");
+    EXPECT_EQ(watch.state(), NmtState::operational);
+    comes("000# 02 00");
+    EXPECT_FALSE(watch.state());
+    EXPECT_EQ(watch.command(), NmtCommand::stop);
+    CanFrame underWay = frameFrom("185# 88 13 00 00");
+    underWay.time = now - 1us;
+    watch.take(underWay, now);
+    EXPECT_FALSE(watch.state());
+    comes("705# 04");
+    EXPECT_EQ(watch.state(), NmtState::stopped);
+    EXPECT_FALSE(watch.command());
+}
+
+TEST_F(NodeWatchTest, AHeartbeatIsLateAndThenLost)
+{
+    watch.setProducerTime(100ms, now);
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
+    EXPECT_FALSE(watch.wakesAt(now));
+    comes("705# 05");
+    EXPECT_EQ(watch.heartbeat(now + 150ms), Heartbeat::present);
+    EXPECT_EQ(watch.wakesAt(now), now + 150ms + 1us);
+    EXPECT_EQ(watch.heartbeat(now + 150ms + 1us), Heartbeat::late);
+    EXPECT_EQ(watch.wakesAt(now + 151ms), now + 300ms + 1us);
+    EXPECT_EQ(watch.heartbeat(now + 300ms + 1us), Heartbeat::lost);
+    EXPECT_FALSE(watch.wakesAt(now + 301ms));
+    now += 400ms;
+    comes("705# 05");
+    EXPECT_EQ(watch.heartbeat(now), Heartbeat::present);
+    comes("705# 00");
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
+}
+
+TEST_F(NodeWatchTest, NoHeartbeatIsMissedWhileTheNodeStores)
+{
+    watch.setProducerTime(100ms, now);
+    comes("705# 05");
+    watch.setMayBeSilent(true, now);
+    now += 5s;
+    EXPECT_EQ(watch.heartbeat(now), Heartbeat::present);
+    EXPECT_FALSE(watch.wakesAt(now));
+    watch.setMayBeSilent(false, now);
+    EXPECT_EQ(watch.heartbeat(now + 150ms), Heartbeat::present);
+    EXPECT_EQ(watch.heartbeat(now + 301ms), Heartbeat::lost);
+}
+
+TEST_F(NodeWatchTest, WithoutProducerTimeNothingIsMissed)
+{
+    comes("705# 05");
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
+    watch.setProducerTime(0ms, now);
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
+}
+
+TEST_F(NodeWatchTest, GuardingOfAnotherMasterIsNoHeartbeat)
+{
+    watch.setProducerTime(100ms, now);
+    comes("705#R");
+    EXPECT_TRUE(watch.isGuarded());
+    comes("705# 05");
+    comes("705#R");
+    comes("705# 85");
+    EXPECT_EQ(watch.state(), NmtState::operational);
+    EXPECT_EQ(watch.toggleFaults(), 0);
+    comes("705# 85");
+    EXPECT_EQ(watch.toggleFaults(), 1);
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
+    comes("705# 00");
+    EXPECT_EQ(watch.bootUps(), 1);
+    EXPECT_FALSE(watch.isGuarded());
+}
+
+TEST_F(NodeWatchTest, ErrorsStandUntilTheyAreGone)
+{
+    comes("085# 10 42 09 00 00 00 00 00"); // temperature
+    comes("085# 20 81 11 00 00 00 00 00"); // communication
+    comes("085# 00 FF 81 01 02 03 04 05"); // of the maker
+    comes("085# 10 42 09");                // no EMCY
+    comes("086# 10 42 09 00 00 00 00 00"); // another node
+    ASSERT_EQ(watch.errors().size(), 3);
+    EXPECT_EQ(watch.errors().back().ofMaker[0], 1);
+    EXPECT_EQ(watch.standing().size(), 3);
+    comes("085# 00 00 91 00 00 00 00 00"); // the temperature is well again
+    ASSERT_EQ(watch.standing().size(), 2);
+    EXPECT_EQ(watch.standing()[0].code, 0x8120);
+    comes("085# 00 FF 81 01 02 03 04 05");
+    EXPECT_EQ(watch.standing().size(), 2);
+    EXPECT_EQ(watch.errors().size(), 4);
+    comes("085# 00 00 00 00 00 00 00 00");
+    EXPECT_TRUE(watch.standing().empty());
+    for (int each = 0; each < 100; ++each)
+        comes("085# 00 FF 81 00 00 00 00 00");
+    EXPECT_EQ(watch.errors().size(), NodeWatch::mostErrors);
+}
+
+TEST_F(NodeWatchTest, ErrorsMayHaveAnotherIdentifier)
+{
+    watch.setEmcy(0x0C5);
+    comes("085# 10 42 09 00 00 00 00 00");
+    EXPECT_TRUE(watch.errors().empty());
+    comes("0C5# 10 42 09 00 00 00 00 00");
+    EXPECT_EQ(watch.errors().size(), 1);
+}
+
+TEST_F(NodeWatchTest, TwoAnswersToEachRequestAreTwoNodes)
+{
+    for (int each = 0; each < 3; ++each) {
+        EXPECT_FALSE(watch.isDoubled());
+        comes("605# 40 04 60 00 ..");
+        comes("585# 43 04 60 00 88 13 00 00");
+        comes("585# 43 04 60 00 11 00 00 00");
+    }
+    EXPECT_EQ(watch.secondAnswers(), 3);
+    EXPECT_TRUE(watch.isDoubled());
+}
+
+TEST_F(NodeWatchTest, ADoubledFrameNowAndThenIsNoSecondNode)
+{
+    for (int each = 0; each < 100; ++each) {
+        comes("605# 40 04 60 00 ..");
+        comes("585# 43 04 60 00 88 13 00 00");
+        if (each % 10 == 0)
+            comes("585# 43 04 60 00 88 13 00 00");
+    }
+    EXPECT_EQ(watch.secondAnswers(), 10);
+    EXPECT_FALSE(watch.isDoubled());
+}
+
+TEST_F(NodeWatchTest, HeartbeatsTwiceAsOftenAreTwoNodes)
+{
+    watch.setProducerTime(100ms, now);
+    beatsFor(10s, 99ms);
+    EXPECT_FALSE(watch.isDoubled());
+    beatsFor(1s, 50ms);
+    EXPECT_TRUE(watch.isDoubled());
+    beatsFor(1s, 100ms);
+    EXPECT_FALSE(watch.isDoubled());
+}
+
+TEST_F(NodeWatchTest, BlockTransfersHaveManyAnswers)
+{
+    comes("605# A0 08 10 00 7F 00 00 00");
+    comes("585# C2 08 10 00 20 00 00 00");
+    comes("605# A3 ..");
+    for (int each = 1; each < 5; ++each)
+        comes("585# 01 41 41 41 41 41 41 41");
+    EXPECT_EQ(watch.secondAnswers(), 0);
+}
+
+} // namespace
+} // namespace codewheel::canopen
