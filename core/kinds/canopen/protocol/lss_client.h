@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "can/can_link.h"
+#include "kinds/canopen/protocol/lss.h"
+#include "kinds/canopen/protocol/node_identity.h"
+
+namespace codewheel::canopen {
+
+struct LssRequest
+{
+    enum class Kind : std::uint8_t {
+        configureAll, // everybody takes part: who else is there is not known
+        operateAll,   // one without a number takes its new one
+        select,       // the device with this identity
+        inquireIdentity,
+        inquireNode,
+        setNode,
+        setRate,  // a place in table 0 of CiA 305; place 5 means something only where the description says so
+        activate, // the rate, after that many milliseconds, and silence for as long again
+        store,
+        fastScan, // finds a device without a number, and selects it
+    };
+
+    Kind kind = Kind::operateAll;
+    NodeIdentity identity{}; // select
+    int number = 0;          // setNode, setRate, activate
+
+    friend bool operator==(const LssRequest &, const LssRequest &) = default;
+};
+
+struct LssOutcome
+{
+    enum class Kind : std::uint8_t {
+        done,
+        refused,  // with a code
+        noAnswer, // of a fast scan: there is none, or it was lost
+        notSent,
+    };
+
+    Kind kind = Kind::noAnswer;
+    std::uint8_t code = 0;        // 1: out of range, not supported; 2: storing failed; FFh: the maker's
+    std::uint8_t codeOfMaker = 0; // with FFh
+    NodeIdentity identity{};      // inquireIdentity, fastScan
+    std::optional<int> node{};    // inquireNode; empty: it has none
+
+    friend bool operator==(const LssOutcome &, const LssOutcome &) = default;
+};
+
+struct LssTimes
+{
+    Instant answer = std::chrono::milliseconds(500);
+    Instant store = std::chrono::seconds(5);
+    Instant fastScan = std::chrono::milliseconds(100); // silence is an answer; 50 to 200 ms
+    Instant pause = std::chrono::milliseconds(10);     // after what nobody answers
+
+    friend bool operator==(const LssTimes &, const LssTimes &) = default;
+};
+
+// One LSS service at a time, with whoever listens (CiA 305). Nothing is repeated. A state machine without
+// I/O.
+class LssClient
+{
+public:
+    explicit LssClient(const LssTimes &times = {});
+
+    bool isBusy() const { return m_isBusy; }
+    void begin(const LssRequest &request, Instant now); // while it is not busy
+    // To be sent now, given once; acts on time-outs.
+    std::optional<CanFrame> next(Instant now);
+    // Of the frame that next() gave last.
+    void fate(CanFate fate, Instant now);
+    // Whether it is an LSS answer. Those that nobody waits for are counted.
+    bool take(const CanFrame &frame, Instant now);
+    std::optional<LssOutcome> takeOutcome();
+    std::optional<Instant> wakesAt() const;
+    void cancel() { m_isBusy = false; }
+
+    // In one fast scan, of at most mostSteps.
+    int step() const { return m_step; }
+    static constexpr int mostSteps = 133;
+    // More than one device takes part, or one answers late.
+    int extraAnswers() const { return m_extraAnswers; }
+
+private:
+    LssFrame frameNow() const;
+    LssFrame scanFrame() const;
+    bool isAnswered() const;
+    Instant timeOut() const;
+    void silent(Instant now);
+    void answered(const LssFrame &answer, Instant now);
+    void scanned(bool isAnswered, Instant now);
+    void goOn(int steps, Instant now);
+    void end(LssOutcome::Kind kind);
+
+    LssTimes m_times;
+    LssRequest m_request{};
+    bool m_isBusy = false;
+    bool m_isWaiting = false;
+    int m_step = 0; // frames done
+    Instant m_sentAt{};
+    Instant m_dueAt{};
+    LssOutcome m_result{}; // so far
+    std::optional<LssOutcome> m_outcome{};
+    int m_extraAnswers = 0;
+};
+
+} // namespace codewheel::canopen
