@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the library of protocols has of every kind: another kind has a row in each list that it has something
 // for.
+#include "can/can_refusals.h"
 #include "can/frame_meaning.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
@@ -84,8 +85,8 @@ namespace {
 
 std::vector<const RefusalFamily *> &familiesOfRefusals()
 {
-    static std::vector<const RefusalFamily *> families{&commonRefusals, &escRefusals, &wordRefusals,
-                                                       &gatewayRefusals, &ringRefusals};
+    static std::vector<const RefusalFamily *> families{&commonRefusals, &canRefusals,     &escRefusals,
+                                                       &wordRefusals,   &gatewayRefusals, &ringRefusals};
     return families;
 }
 
