@@ -67,6 +67,9 @@ constexpr std::array canRefusalRows{
     SentenceRow{CanRefusalId::busOff, "canBusOff",
                 QT_TRANSLATE_NOOP(
                     "Refusal", "%1 has left the bus after too many errors (bus off): the rate or the wiring "
+                               "is wrong, or nobody else is there. Check these, then start it again: %2"),
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "%1 has left the bus after too many errors (bus off): the rate or the wiring "
                                "is wrong, or nobody else is there. Check these, then open it again.")},
     SentenceRow{CanRefusalId::interfaceMissing, "canInterfaceMissing",
                 QT_TRANSLATE_NOOP("Refusal", "There is no CAN interface %1. Plug its adapter in, and see "

@@ -23,7 +23,7 @@ enum class CanRefusalId : std::uint8_t {
     openingNotKnown,  // name
     rateMayBe750,     // name: no reason not to open it
     onlyWatches,      // name
-    busOff,           // name
+    busOff,           // name; and the command that restarts a SocketCAN interface
     interfaceMissing, // name
     interfaceDown,    // name, command
     interfaceLost,    // name

@@ -110,13 +110,8 @@ void SlcanConversation::answerOldest(Answer answer, Instant now)
         m_news.fates.push_back(answer == Answer::done ? CanFate::done : CanFate::refused);
     if (m_state != State::opening)
         return;
-    if (m_step == Step::settle) {
-        m_stepEnds = now + quietTime;
-        if (m_waiting.empty())
-            stepEnded(m_step, answer, now);
-    } else if (oldest.step == m_step) {
+    if (m_step == Step::settle ? m_waiting.empty() : oldest.step == m_step)
         stepEnded(m_step, answer, now);
-    }
 }
 
 // Adapters answer in turn, so those before it have no answer.

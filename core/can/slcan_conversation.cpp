@@ -16,6 +16,7 @@ constexpr Instant slcanFrameTimeOut = 1s;   // assumed
 constexpr Instant longestOpening = 10s;     // of what says something all the time
 constexpr Instant bootTime = 2s;            // of a board that was reset when its port was opened
 constexpr Instant slcanStatusInterval = 1s;
+constexpr Instant quietAfterBoot = 200ms;
 constexpr int mostOpeningTries = 2;
 constexpr int mostBoots = 3;
 constexpr std::size_t mostUnansweredFrames = 16; // a Lawicel adapter has room for 32 frames
@@ -87,7 +88,7 @@ void SlcanConversation::enter(Step step, Instant now)
         ask(probeCommand, Waiting::What::command, now, probeTimeOut);
         break;
     case Step::settle:
-        m_stepEnds = now + quietTime;
+        m_stepEnds = now + slcanCommandTimeOut;
         if (m_waiting.empty())
             enter(Step::rate, now);
         break;
@@ -225,7 +226,7 @@ void SlcanConversation::waitForBoot(Instant now)
     if (m_step != Step::boot && ++m_boots > mostBoots)
         return;
     enter(Step::boot, now);
-    m_stepEnds = now + quietTime;
+    m_stepEnds = now + quietAfterBoot;
 }
 
 // Whatever it has done meanwhile, it is not to stay open.

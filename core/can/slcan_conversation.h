@@ -62,8 +62,6 @@ private:
         start,   // listens only, or opens
         none,    // the bus is open
     };
-    // After what a board says when it starts, and for answers that are late.
-    static constexpr Instant quietTime = std::chrono::milliseconds(200);
     enum class Answer : std::uint8_t { done, refused, none };
     struct Waiting
     {
