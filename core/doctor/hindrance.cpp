@@ -6,12 +6,27 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array hindranceKeys{"noPort",         "portMissing",       "notAPort",
-                                   "noRights",       "rightsAtNextLogin", "noRightsForAnyone",
-                                   "portTaken",      "slowPort",          "noDriver",
-                                   "brltty",         "modemManager",      "canDown",
-                                   "privilegedPort", "serverPortTaken",   "hostUnknown",
-                                   "hostRefuses",    "hostSilent",        "portLocked"};
+constexpr std::array hindranceKeys{"noPort",
+                                   "portMissing",
+                                   "notAPort",
+                                   "noRights",
+                                   "rightsAtNextLogin",
+                                   "noRightsForAnyone",
+                                   "portTaken",
+                                   "slowPort",
+                                   "noDriver",
+                                   "brltty",
+                                   "modemManager",
+                                   "canDown",
+                                   "privilegedPort",
+                                   "serverPortTaken",
+                                   "hostUnknown",
+                                   "hostRefuses",
+                                   "hostSilent",
+                                   "portLocked",
+                                   "canMissing",
+                                   "noCan",
+                                   "noCanPlugin"};
 constexpr std::array weightKeys{"prevents", "slows", "remark"};
 
 } // namespace

@@ -26,6 +26,9 @@ enum class HindranceId : std::uint8_t {
     hostRefuses,       //
     hostSilent,        //
     portLocked,        // by a program that has ended
+    canMissing,        // there is no such CAN interface
+    noCan,             // the kernel has none
+    noCanPlugin,       // of Qt
 };
 QString hindranceKey(HindranceId id); // language-neutral: "noRights"
 

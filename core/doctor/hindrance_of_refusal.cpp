@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "doctor/hindrance_of_refusal.h"
 
+#include "doctor/can_hindrances.h"
 #include "doctor/doctor_texts.h"
 #include "doctor/network_hindrances.h"
 #include "doctor/port_hindrances.h"
@@ -58,7 +59,7 @@ std::optional<Hindrance> hindranceOf(const Refusal &why, const Computer &compute
     const QString place = firstText(why);
     const auto id = why.id.as<RefusalId>();
     if (!id)
-        return std::nullopt;
+        return canHindranceOf(why);
     switch (*id) {
     case RefusalId::portNoRights:
         return rightsHindrance(place, computer);

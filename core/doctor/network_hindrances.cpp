@@ -8,23 +8,6 @@
 namespace codewheel {
 namespace {
 
-const QString interfaces = QStringLiteral("/sys/class/net/");
-
-bool isCan(const QString &name, const Computer &computer)
-{
-    constexpr int can = 280; // ARPHRD_CAN of <linux/if_arp.h>
-    return computer.contents(interfaces + name + QStringLiteral("/type")).toInt() == can;
-}
-
-bool isUp(const QString &name, const Computer &computer)
-{
-    constexpr unsigned up = 1; // IFF_UP of <linux/if.h>
-    bool isNumber = false;
-    const unsigned flags =
-        computer.contents(interfaces + name + QStringLiteral("/flags")).toUInt(&isNumber, 0);
-    return isNumber && (flags & up) != 0;
-}
-
 // The first one at which everybody may listen; empty: the system does not say.
 std::optional<int> firstFreePort(const Computer &computer)
 {
@@ -46,21 +29,6 @@ bool mayServeAnyPort(const Computer &computer)
 }
 
 } // namespace
-
-Hindrances canHindrances(const Computer &computer)
-{
-    Hindrances found;
-    for (const QString &name : computer.folders(interfaces))
-        if (isCan(name, computer) && !isUp(name, computer))
-            found.push_back(
-                {HindranceId::canDown, Hindrance::Weight::prevents, name,
-                 sentence(
-                     DoctorTexts::tr("The CAN interface %1 is switched off. Switch it on with the bit rate "
-                                     "of the bus."),
-                     {name}),
-                 shellCommand(QStringLiteral("sudo ip link set %1 up type can bitrate 125000"), {name})});
-    return found;
-}
 
 Hindrance privilegedPortHindrance(int port, Hindrance::Weight weight, const Computer &computer)
 {

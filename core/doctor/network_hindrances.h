@@ -6,9 +6,6 @@
 
 namespace codewheel {
 
-// CAN interfaces that are switched off.
-Hindrances canHindrances(const Computer &computer);
-
 // Whether this user's server may not listen at a port of TCP.
 Hindrances serverPortHindrances(int port, Hindrance::Weight weight, const Computer &computer);
 

@@ -24,7 +24,8 @@ std::optional<CanInterface> canInterface(const QString &name, const Computer &co
                        .isUp = (flags & up) != 0,
                        .isVirtual = computer.canonical(folder).contains(QStringLiteral("/virtual/")),
                        .isConfirming = (flags & echoes) != 0};
-    found.status = statusOf(name).value_or(CanStatus());
+    if (statusOf)
+        found.status = statusOf(name).value_or(CanStatus());
     return found;
 }
 

@@ -21,6 +21,7 @@ struct CanInterface
     friend bool operator==(const CanInterface &, const CanInterface &) = default;
 };
 
+// Empty: it is not asked for.
 using CanStatusOf = std::function<std::optional<CanStatus>(const QString &interface)>;
 
 // Empty: there is none of this name, or it is not one for CAN.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "doctor/can_hindrances.h"
 #include "doctor/doctor.h"
 #include "doctor/network_hindrances.h"
 #include "tests/doctor/made_computer.h"

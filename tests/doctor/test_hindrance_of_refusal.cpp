@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "can/can_refusals.h"
 #include "doctor/hindrance_of_refusal.h"
 #include "tests/doctor/made_computer.h"
 #include "vocabulary/refusal_text.h"
@@ -33,6 +34,9 @@ TEST(HindranceOfRefusal, HasTheSentenceOfTheRefusalAndACommand)
          "sudo fuser -v /dev/ttyNobody"},
         {refusal(RefusalId::portNotFound, {QStringLiteral("/dev/ttyNobody")}), "portMissing",
          "ls -l /dev/serial/by-id"},
+        {refusal(CanRefusalId::interfaceMissing, {QStringLiteral("can3")}), "canMissing", "ip link"},
+        {refusal(CanRefusalId::notInKernel, {QStringLiteral("can3")}), "noCan", "sudo modprobe can_raw"},
+        {refusal(CanRefusalId::pluginMissing, {}), "noCanPlugin", "sudo apt install libqt6serialbus6"},
     };
     const MadeComputer made;
     for (const auto &row : rows) {
@@ -42,6 +46,17 @@ TEST(HindranceOfRefusal, HasTheSentenceOfTheRefusalAndACommand)
         EXPECT_EQ(found->sentence, refusalText(row.why));
         EXPECT_EQ(found->command, QLatin1String(row.command));
     }
+}
+
+TEST(HindranceOfRefusal, ACanInterfaceIsSwitchedOnByItsCommand)
+{
+    const auto found = hindranceOf(refusal(
+        CanRefusalId::interfaceDown, {QStringLiteral("can0"), QStringLiteral("sudo ip link set can0 up")}));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(hindranceKey(found->id), QStringLiteral("canDown"));
+    EXPECT_EQ(found->about, QStringLiteral("can0"));
+    EXPECT_EQ(found->command, QStringLiteral("sudo ip link set can0 up"));
+    EXPECT_FALSE(hindranceOf(refusal(CanRefusalId::adapterSilent, {QStringLiteral("/dev/ttyACM0")})));
 }
 
 TEST(HindranceOfRefusal, AMissingPortIsThatOfAnAdapterThatHasNone)
