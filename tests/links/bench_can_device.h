@@ -5,7 +5,6 @@
 
 #include <QCanBusDevice>
 #include <QCanBusFrame>
-#include <QDateTime>
 #include <QVariant>
 
 #include <cerrno>
@@ -58,8 +57,9 @@ public:
     QString interpretErrorFrame(const QCanBusFrame &) override { return {}; }
     void bring(QCanBusFrame frame)
     {
-        const qint64 now = QDateTime::currentMSecsSinceEpoch();
-        frame.setTimeStamp(QCanBusFrame::TimeStamp(now / 1000, now % 1000 * 1000));
+        const Instant now = std::chrono::duration_cast<Instant>(
+            std::chrono::system_clock::now().time_since_epoch()); // as the system stamps them
+        frame.setTimeStamp(QCanBusFrame::TimeStamp::fromMicroSeconds(now.count()));
         enqueueReceivedFrames({frame});
     }
     void echo(QCanBusFrame frame)
