@@ -153,7 +153,8 @@ void SlcanConversation::takeText(const QByteArray &text, Instant now)
         takeStatus(*bits, now);
     else if (text == m_firmware.version && takeAnswerTo(Waiting::What::version))
         return;
-    else if (m_state == State::open && hasWords(text) && now >= m_openSince + leastOpenTime)
+    else if (m_state == State::open && hasWords(text) && text != m_firmware.version &&
+             now >= m_openSince + leastOpenTime)
         reopen(now);
     else
         m_skipped += static_cast<std::uint64_t>(text.size());

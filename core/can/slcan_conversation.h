@@ -96,8 +96,8 @@ private:
     void tellTimeOuts(Instant now);
     bool isAwaited(Waiting::What what) const;
 
-    const QString m_name;
-    const int m_rate;
+    QString m_name;
+    int m_rate;
     CanUse m_use = CanUse::watch;
     bool m_takesUnsureWatch = false;
     State m_state = State::closed;

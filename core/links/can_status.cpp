@@ -17,7 +17,7 @@ namespace {
 
 // A value that lies anywhere in bytes; empty: they are too few.
 template <typename T>
-std::optional<T> valueAt(QByteArrayView bytes)
+std::optional<T> valueIn(QByteArrayView bytes)
 {
     T value{};
     if (bytes.size() < static_cast<qsizetype>(sizeof value))
@@ -29,7 +29,7 @@ std::optional<T> valueAt(QByteArrayView bytes)
 // What is in the attribute of this type; empty: there is none.
 QByteArrayView attribute(QByteArrayView all, int type)
 {
-    while (const auto head = valueAt<rtattr>(all)) {
+    while (const auto head = valueIn<rtattr>(all)) {
         if (head->rta_len < sizeof(rtattr) || head->rta_len > all.size())
             break;
         if ((head->rta_type & NLA_TYPE_MASK) == type)
@@ -39,7 +39,7 @@ QByteArrayView attribute(QByteArrayView all, int type)
     return {};
 }
 
-CanState stateOf(std::uint32_t state)
+CanState stateOfKernel(std::uint32_t state)
 {
     constexpr std::array states{CanState::active, CanState::warning, CanState::passive, CanState::busOff};
     return state < states.size() ? states[state] : CanState::notKnown;
@@ -59,23 +59,23 @@ struct LinkRequest
 
 std::optional<CanStatus> canStatusOf(const QByteArray &answer)
 {
-    const auto head = valueAt<nlmsghdr>(answer);
+    const auto head = valueIn<nlmsghdr>(answer);
     constexpr qsizetype before = NLMSG_SPACE(sizeof(ifinfomsg));
     if (!head || head->nlmsg_type != RTM_NEWLINK || head->nlmsg_len > answer.size() || answer.size() < before)
         return std::nullopt;
     const QByteArrayView info =
         attribute(QByteArrayView(answer).first(head->nlmsg_len).sliced(before), IFLA_LINKINFO);
     const QByteArrayView data = attribute(info, IFLA_INFO_DATA);
-    const auto state = valueAt<std::uint32_t>(attribute(data, IFLA_CAN_STATE));
+    const auto state = valueIn<std::uint32_t>(attribute(data, IFLA_CAN_STATE));
     if (attribute(info, IFLA_INFO_KIND) != QByteArrayView("can", 4) || !state) // with its NUL
         return std::nullopt;
-    CanStatus status{.state = stateOf(*state)};
-    if (const auto timing = valueAt<can_bittiming>(attribute(data, IFLA_CAN_BITTIMING));
+    CanStatus status{.state = stateOfKernel(*state)};
+    if (const auto timing = valueIn<can_bittiming>(attribute(data, IFLA_CAN_BITTIMING));
         timing && timing->bitrate != 0)
         status.rate = static_cast<int>(timing->bitrate);
-    if (const auto mode = valueAt<can_ctrlmode>(attribute(data, IFLA_CAN_CTRLMODE)))
+    if (const auto mode = valueIn<can_ctrlmode>(attribute(data, IFLA_CAN_CTRLMODE)))
         status.listensOnly = (mode->flags & CAN_CTRLMODE_LISTENONLY) != 0;
-    if (const auto errors = valueAt<can_berr_counter>(attribute(data, IFLA_CAN_BERR_COUNTER))) {
+    if (const auto errors = valueIn<can_berr_counter>(attribute(data, IFLA_CAN_BERR_COUNTER))) {
         status.transmitErrors = errors->txerr;
         status.receiveErrors = errors->rxerr;
     }

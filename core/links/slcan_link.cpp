@@ -7,8 +7,6 @@
 
 namespace codewheel {
 
-using State = SlcanConversation::State;
-
 SlcanLink::SlcanLink(std::unique_ptr<ByteLink> line, int rate, int baudRate)
     : m_line(std::move(line))
     , m_rate(rate)
@@ -26,12 +24,14 @@ Result<void> SlcanLink::open(CanUse use)
 {
     const bool isNew = !m_isOpen;
     m_loss.reset();
-    if (isNew)
-        if (const auto opened = openLine(); !opened)
+    if (isNew) {
+        if (auto opened = openLine(); !opened)
             return opened;
+        m_talk = SlcanConversation(name(), m_rate); // which may be plugged in elsewhere
+    }
     m_use = use;
     m_talk.open(use, m_takesUnsureWatch, isNew, now());
-    while (m_talk.state() == State::opening) {
+    while (m_talk.state() == SlcanConversation::State::opening) {
         const Result<bool> went = proceed(m_talk.wakesAt().value_or(now()));
         if (!went)
             return tl::unexpected(went.error());
@@ -40,9 +40,9 @@ Result<void> SlcanLink::open(CanUse use)
             return refuse(RefusalKind::stopped, RefusalId::cancelled);
         }
     }
-    if (const auto written = write(); !written)
+    if (auto written = write(); !written)
         return written;
-    if (m_talk.state() != State::failed)
+    if (m_talk.state() != SlcanConversation::State::failed)
         return {};
     const Refusal why = m_talk.failure();
     close();
@@ -51,7 +51,7 @@ Result<void> SlcanLink::open(CanUse use)
 
 Result<void> SlcanLink::openLine()
 {
-    const auto opened =
+    auto opened =
         m_line->open({.baudRate = m_baudRate, .parity = SerialSettings::Parity::none, .stopBits = 1});
     m_isOpen = opened.has_value();
     return opened;
@@ -71,7 +71,7 @@ Result<void> SlcanLink::write()
     const QByteArray bytes = m_talk.next(now());
     if (bytes.isEmpty())
         return {};
-    const auto written = m_line->write(bytes);
+    auto written = m_line->write(bytes);
     if (!written)
         close();
     return written;
@@ -117,7 +117,7 @@ Result<CanNews> SlcanLink::receive(Instant until)
         if (!went)
             return tl::unexpected(went.error());
         news = takeNews();
-        if (m_talk.state() == State::failed) { // a board that started anew
+        if (m_talk.state() == SlcanConversation::State::failed) { // a board that started anew
             const Refusal why = m_talk.failure();
             close();
             return tl::unexpected(why);

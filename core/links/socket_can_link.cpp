@@ -282,6 +282,8 @@ Result<bool> SocketCanLink::send(const CanFrame &frame)
         return refuse(RefusalKind::link, CanRefusalId::onlyWatches, {m_interface});
     if (m_status.state == CanState::busOff)
         return refuse(RefusalKind::link, CanRefusalId::busOff, {m_interface, restartCommand(m_interface)});
+    if (m_port->device->state() != QCanBusDevice::ConnectedState)
+        return lost();
     Sent sent{.frame = frame, .until = now() + echoTimeOut};
     sent.frame.interface.clear();
     sent.frame.time.reset();

@@ -11,7 +11,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::SlcanPeer;
-using enum CanUse;
 
 RefusalCode reasonOf(const Result<void> &result)
 {
@@ -57,11 +56,11 @@ void expectAFrame(SlcanPeer &peer)
 TEST(SlcanLink, ListensOnlyToWatchAndOpensToSend)
 {
     SlcanPeer peer;
-    ASSERT_TRUE(peer.link().open(watch));
+    ASSERT_TRUE(peer.link().open(CanUse::watch));
     EXPECT_EQ(peer.state(), "listening S5");
     expectAFrame(peer);
     EXPECT_EQ(peer.link().status().listensOnly, true);
-    ASSERT_TRUE(peer.link().open(operate));
+    ASSERT_TRUE(peer.link().open(CanUse::operate));
     EXPECT_EQ(peer.state(), "open S5 !");
     EXPECT_TRUE(peer.link().send({.id = 0x60C, .length = 1, .bytes = {0x40}}).value_or(false));
     EXPECT_EQ(fatesFrom(peer.link(), 1), std::vector{CanFate::done});
@@ -76,7 +75,7 @@ TEST(SlcanLink, UnderstandsAdaptersOfAllKinds)
          {"--tear", "--end lf --firmware uccb", "--end crlf", "--end crlf --tear --late 5", "--late 450",
           "--open", "--stamps", "--firmware arduino --boot 600 --end crlf", "--boot 1900"}) {
         SlcanPeer peer(QString::fromLatin1(options));
-        ASSERT_TRUE(peer.link().open(watch)) << options;
+        ASSERT_TRUE(peer.link().open(CanUse::watch)) << options;
         EXPECT_EQ(peer.state(), "listening S5") << options;
         expectAFrame(peer);
     }
@@ -85,10 +84,10 @@ TEST(SlcanLink, UnderstandsAdaptersOfAllKinds)
 TEST(SlcanLink, NeverOpensInsteadOfListening)
 {
     SlcanPeer refusing(QStringLiteral("--no-listening"));
-    EXPECT_EQ(reasonOf(refusing.link().open(watch)), CanRefusalId::watchNotSure);
+    EXPECT_EQ(reasonOf(refusing.link().open(CanUse::watch)), CanRefusalId::watchNotSure);
     EXPECT_EQ(refusing.state(), "closed S5");
     refusing.link().takeUnsureWatch();
-    ASSERT_TRUE(refusing.link().open(watch));
+    ASSERT_TRUE(refusing.link().open(CanUse::watch));
     EXPECT_EQ(refusing.link().status().listensOnly, false);
     EXPECT_EQ(refusing.state(), "open S5 !");
 }
@@ -96,15 +95,15 @@ TEST(SlcanLink, NeverOpensInsteadOfListening)
 TEST(SlcanLink, SilentFirmwareIsOpenedByAgreementOnly)
 {
     SlcanPeer peer(QStringLiteral("--firmware canable"));
-    EXPECT_EQ(reasonOf(peer.link().open(watch)), CanRefusalId::watchNotSure);
+    EXPECT_EQ(reasonOf(peer.link().open(CanUse::watch)), CanRefusalId::watchNotSure);
     EXPECT_EQ(peer.state(), "closed");
     peer.link().takeUnsureWatch();
-    ASSERT_TRUE(peer.link().open(watch));
+    ASSERT_TRUE(peer.link().open(CanUse::watch));
     EXPECT_EQ(peer.state(), "open S5 !");
     EXPECT_EQ(peer.link().status().listensOnly, false);
     EXPECT_EQ(peer.link().firmware().version, "CANable-b158aa7 github.com");
     expectAFrame(peer);
-    ASSERT_TRUE(peer.link().open(operate));
+    ASSERT_TRUE(peer.link().open(CanUse::operate));
     EXPECT_TRUE(peer.link().send({.id = 0x60C}).value_or(false));
     EXPECT_EQ(fatesFrom(peer.link(), 1), std::vector{CanFate::notKnown});
     EXPECT_EQ(peer.order(QStringLiteral("heard")), QStringList{QStringLiteral("60C#")});
@@ -113,10 +112,10 @@ TEST(SlcanLink, SilentFirmwareIsOpenedByAgreementOnly)
 TEST(SlcanLink, SaysThat800MayBe750)
 {
     SlcanPeer lawicel({}, 800'000);
-    ASSERT_TRUE(lawicel.link().open(operate));
+    ASSERT_TRUE(lawicel.link().open(CanUse::operate));
     EXPECT_FALSE(lawicel.link().remark());
     SlcanPeer canable(QStringLiteral("--firmware canable"), 800'000);
-    ASSERT_TRUE(canable.link().open(operate));
+    ASSERT_TRUE(canable.link().open(CanUse::operate));
     ASSERT_TRUE(canable.link().remark());
     EXPECT_EQ(canable.link().remark()->id, CanRefusalId::rateMayBe750);
 }
@@ -124,7 +123,7 @@ TEST(SlcanLink, SaysThat800MayBe750)
 TEST(SlcanLink, SaysWhichRateIsRefused)
 {
     SlcanPeer peer(QStringLiteral("--no-rates 5"));
-    const auto refused = peer.link().open(operate);
+    const auto refused = peer.link().open(CanUse::operate);
     ASSERT_FALSE(refused);
     EXPECT_EQ(
         refused.error(),
@@ -135,7 +134,7 @@ TEST(SlcanLink, SaysWhichRateIsRefused)
 TEST(SlcanLink, ALateRefusalIsThatOfItsFrame)
 {
     SlcanPeer peer;
-    ASSERT_TRUE(peer.link().open(operate));
+    ASSERT_TRUE(peer.link().open(CanUse::operate));
     peer.order(QStringLiteral("hold"));
     EXPECT_TRUE(peer.link().send({.id = 0x101}).value_or(false));
     EXPECT_EQ(fatesFrom(peer.link(), 1), std::vector{CanFate::notKnown});
@@ -148,7 +147,7 @@ TEST(SlcanLink, ALateRefusalIsThatOfItsFrame)
 TEST(SlcanLink, TellsTheStateOfTheBus)
 {
     SlcanPeer peer;
-    ASSERT_TRUE(peer.link().open(watch));
+    ASSERT_TRUE(peer.link().open(CanUse::watch));
     peer.order(QStringLiteral("status 24"));
     const auto errors = framesFrom(peer.link(), 1);
     ASSERT_EQ(errors.size(), 1U);
@@ -159,7 +158,7 @@ TEST(SlcanLink, TellsTheStateOfTheBus)
 TEST(SlcanLink, OpensABoardAgainThatStartedAnew)
 {
     SlcanPeer peer;
-    ASSERT_TRUE(peer.link().open(watch));
+    ASSERT_TRUE(peer.link().open(CanUse::watch));
     peer.link().wait(peer.link().now() + 1100ms);
     peer.order(QStringLiteral("reset"));
     EXPECT_EQ(peer.state(), "closed");
@@ -172,7 +171,7 @@ TEST(SlcanLink, OpensABoardAgainThatStartedAnew)
 TEST(SlcanLink, RubbishIsCountedAndSkipped)
 {
     SlcanPeer peer;
-    ASSERT_TRUE(peer.link().open(watch));
+    ASSERT_TRUE(peer.link().open(CanUse::watch));
     peer.order(QStringLiteral("raw FFFE0D7431383538380D"));
     expectAFrame(peer);
     EXPECT_EQ(peer.link().skipped(), 2U + 6U);
@@ -182,7 +181,7 @@ TEST(SlcanLink, OpeningIsInterrupted)
 {
     SlcanPeer peer(QStringLiteral("--late 100000"));
     const std::jthread other([&] { peer.link().interrupt(); });
-    const auto stopped = peer.link().open(watch);
+    const auto stopped = peer.link().open(CanUse::watch);
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().kind, RefusalKind::stopped);
 }
@@ -190,7 +189,7 @@ TEST(SlcanLink, OpeningIsInterrupted)
 TEST(SlcanLink, AnAdapterThatIsUnpluggedIsTold)
 {
     SlcanPeer peer;
-    ASSERT_TRUE(peer.link().open(watch));
+    ASSERT_TRUE(peer.link().open(CanUse::watch));
     peer.unplug();
     const auto gone = peer.link().receive(peer.link().now() + 1h);
     ASSERT_FALSE(gone);

@@ -43,7 +43,7 @@ protected:
         [this](const QString &) { return m_bus->interface; }};
 };
 
-using Fates = std::vector<CanFate>;
+using SocketCanFates = std::vector<CanFate>;
 
 TEST_F(SocketCan, WatchesWhatListensOnlyAndNothingElseUnasked)
 {
@@ -94,7 +94,7 @@ TEST_F(SocketCan, AFrameIsDoneWhenItComesBack)
     EXPECT_TRUE(news(5ms).fates.empty()) << "the first is still waiting";
     device().echo(m_bus->written[0]);
     const CanNews both = news();
-    EXPECT_EQ(both.fates, (Fates{CanFate::done, CanFate::done}));
+    EXPECT_EQ(both.fates, (SocketCanFates{CanFate::done, CanFate::done}));
     EXPECT_TRUE(both.frames.empty()) << "own frames are not received";
 }
 
@@ -103,10 +103,10 @@ TEST_F(SocketCan, WhatNeverComesBackIsNotKnown)
     operate();
     m_bus->isAcknowledged = false;
     EXPECT_TRUE(send(0x101));
-    Fates fates;
+    SocketCanFates fates;
     while (fates.empty())
         fates = news(50ms).fates;
-    EXPECT_EQ(fates, Fates{CanFate::notKnown});
+    EXPECT_EQ(fates, SocketCanFates{CanFate::notKnown});
 }
 
 TEST_F(SocketCan, ADriverThatDoesNotConfirmLeavesItUnknown)
@@ -114,7 +114,7 @@ TEST_F(SocketCan, ADriverThatDoesNotConfirmLeavesItUnknown)
     m_bus->interface->isConfirming = false;
     operate();
     EXPECT_TRUE(send(0x101));
-    EXPECT_EQ(news().fates, Fates{CanFate::notKnown});
+    EXPECT_EQ(news().fates, SocketCanFates{CanFate::notKnown});
 }
 
 TEST_F(SocketCan, AFullQueueIsNoError)
@@ -166,7 +166,7 @@ TEST_F(SocketCan, AfterBusOffNothingIsSent)
     m_bus->isAcknowledged = false;
     EXPECT_TRUE(send(0x101));
     device().bringError(QCanBusFrame::BusOffError, {});
-    EXPECT_EQ(news().fates, Fates{CanFate::notKnown});
+    EXPECT_EQ(news().fates, SocketCanFates{CanFate::notKnown});
     const auto refused = m_link.send({.id = 0x101});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error(),
