@@ -89,7 +89,7 @@ const DeviceDescription *Catalog::findFitting(QStringView key, unsigned deviceCo
 const DeviceDescription *Catalog::generic(unsigned deviceCode) const
 {
     const auto found = std::ranges::find_if(m_devices, [deviceCode](const DeviceDescription &device) {
-        return device.isGeneric() && device.deviceCode == deviceCode;
+        return device.isGeneric() && device.hasWords() && device.deviceCode == deviceCode;
     });
     return found == m_devices.end() ? nullptr : &*found;
 }

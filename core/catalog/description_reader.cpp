@@ -20,7 +20,8 @@ constexpr NamedValue<Unit> units[] = {{"none", Unit::none},
                                       {"ten-minutes", Unit::tenMinutes},
                                       {"tenth-degree-celsius", Unit::tenthDegreeCelsius},
                                       {"micrometres", Unit::micrometres},
-                                      {"tenth-hours", Unit::tenthHours}};
+                                      {"tenth-hours", Unit::tenthHours},
+                                      {"milliseconds", Unit::milliseconds}};
 constexpr NamedValue<RefusalId> errorMeanings[] = {
     {"wrongParameterData", RefusalId::wrongParameterData},
     {"unknownParameterNumber", RefusalId::unknownParameterNumber},
@@ -62,6 +63,7 @@ private:
     static void checkRange(const JsonObject &row, const ParameterDescription &parameter);
     static void refuseTaken(const JsonObject &row, const ParameterDescription &parameter,
                             const DeviceDescription &device);
+    static void refuseObjects(const JsonObject &row, const ProtocolRules &rules);
 };
 
 bool isKey(QStringView text)
@@ -112,6 +114,8 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     rules.readDialect(json, device);
     device.vendor = json.textOr("vendor", {});
     rules.readPlaceOnBus(json, device);
+    if (json.has("vendorNumber") && !rules.hasObjects())
+        json.report("vendorNumber", tr("Only an encoder on CANopen has one. Leave it out."));
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
     device.physicalTurns = static_cast<int>(json.number("physicalTurns", 0, mostTurns));
     readCoding(json, device);
@@ -207,13 +211,21 @@ void DescriptionReader::refuseTaken(const JsonObject &row, const ParameterDescri
         row.report("parameter", tr("This parameter is here twice."));
 }
 
+void DescriptionReader::refuseObjects(const JsonObject &row, const ProtocolRules &rules)
+{
+    for (const char *key : ProtocolRules::objectKeys)
+        if (row.has(key) && !rules.hasObjects())
+            row.report(key, tr("Only an encoder on CANopen has objects. Leave it out."));
+}
+
 void DescriptionReader::readParameters(const JsonObject &json, DeviceDescription &device)
 {
-    for (const JsonObject &row :
-         json.array("parameters", {"parameter", "name", "detail", "hexDigits", "number", "readOut", "minimum",
-                                   "maximum", "factory", "unit", "stored", "onLabel", "choices", "chapter",
-                                   "read", "write", "bit", "text"})) {
+    for (const JsonObject &row : json.array(
+             "parameters", {"parameter", "name",    "detail", "hexDigits", "number",  "readOut", "minimum",
+                            "maximum",   "factory", "unit",   "stored",    "onLabel", "choices", "chapter",
+                            "read",      "write",   "bit",    "text",      "object",  "type",    "access"})) {
         const ProtocolRules &rules = protocolRules(device.profile);
+        refuseObjects(row, rules);
         ParameterDescription parameter = readParameter(row, device);
         refuseTaken(row, parameter, device);
         rules.checkParameter(row, parameter, device);
@@ -328,7 +340,8 @@ DeviceDescription readDescription(const Json::Value &root, const Catalog &catalo
         {"key",           "vendor",     "name",       "manual",  "notes",        "profile",
          "dialect",       "idCode",     "deviceCode", "inWords", "outWords",     "physicalStepsPerTurn",
          "physicalTurns", "coding",     "parameters", "errors",  "capabilities", "quirks",
-         "tablesOf",      "connectors", "leds",       "supply",  "limits",       "orderingKey"},
+         "tablesOf",      "connectors", "leds",       "supply",  "limits",       "orderingKey",
+         "vendorNumber"},
         faults);
     DeviceDescription device;
     DescriptionReader::readIdentity(json, device);

@@ -36,7 +36,8 @@ enum class Unit : std::uint8_t {
     tenMinutes,
     tenthDegreeCelsius,
     micrometres,
-    tenthHours
+    tenthHours,
+    milliseconds
 };
 
 // Values that are not plain numbers, as the manual of their protocol writes them. What the options hold, only
@@ -115,6 +116,7 @@ struct DeviceDescription
     LocalText notes; // what is assumed where the manual is silent; may be empty
     Profile profile;
     OwnKind dialect;         // where makes of one protocol differ
+    KindData ofKind{};       // what only its protocol asks for
     unsigned idCode = 0;     // 37h
     unsigned deviceCode = 0; // 0237h = length code << 8 | ID code
     int inWords = 2;         // 16 bit each

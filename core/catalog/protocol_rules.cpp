@@ -26,7 +26,10 @@ void ProtocolRules::readPlaceOnBus(const JsonObject &json, DeviceDescription &de
 {
     for (const char *key : {"idCode", "deviceCode", "inWords", "outWords"})
         if (json.has(key))
-            json.report(key, DescriptionRules::tr("An encoder on a serial line has none. Leave it out."));
+            json.report(key,
+                        hasObjects()
+                            ? DescriptionRules::tr("Only an encoder on INTERBUS has one. Leave it out.")
+                            : DescriptionRules::tr("An encoder on a serial line has none. Leave it out."));
     device.inWords = device.outWords = 0;
 }
 

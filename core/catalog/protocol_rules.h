@@ -34,7 +34,7 @@ public:
         return std::int64_t{1} << positionBits(device);
     }
     // It tells the place on a rod, not turns.
-    virtual bool measuresLength() const { return false; }
+    virtual bool measuresLength(const DeviceDescription & /*device*/) const { return false; }
     // What an encoder takes is valid only after run, not at once.
     virtual bool activatesByRun() const { return false; }
     // What is in force is kept without supply only after a step that stores it.
@@ -54,9 +54,15 @@ public:
     virtual std::int64_t largestData() const { return 0; }
     // Parameters may be texts.
     virtual bool hasTexts() const { return false; }
+    // Its parameters are objects of a dictionary.
+    virtual bool hasObjects() const { return false; }
+    // It can do this job, which only its kind has.
+    virtual bool hasJob(const KindData & /*what*/) const { return false; }
 
     // What a row may say of how its parameter is reached, whatever the protocol.
-    static constexpr std::array reachKeys{"number", "readOut", "read", "write", "bit"};
+    static constexpr std::array reachKeys{"number", "readOut", "read", "write", "bit", "object"};
+    // Likewise, only where there are objects.
+    static constexpr std::array objectKeys{"object", "type", "access"};
     // Takes it over: `reach`, `canBeRead`, `canBeWritten`. A protocol that writes and reads nothing takes
     // nothing.
     virtual void readReach(const JsonObject & /*row*/, ParameterDescription & /*parameter*/,
@@ -100,7 +106,7 @@ inline bool onlyTellsPosition(const DeviceDescription &device)
 // An encoder that tells the place on a rod, not turns.
 inline bool isRod(const DeviceDescription &device)
 {
-    return protocolRules(device.profile).measuresLength();
+    return protocolRules(device.profile).measuresLength(device);
 }
 
 inline bool activatesByRun(const DeviceDescription &device)

@@ -66,6 +66,7 @@ double divisorOf(Unit unit)
     case Unit::none:
     case Unit::steps:
     case Unit::revolutions:
+    case Unit::milliseconds:
         break;
     }
     return 1;
@@ -143,6 +144,8 @@ QString unitText(Unit unit, const std::optional<Value> &of)
         return QCoreApplication::translate("Unit", "°C");
     case Unit::micrometres:
         return QCoreApplication::translate("Unit", "mm");
+    case Unit::milliseconds:
+        return QCoreApplication::translate("Unit", "ms");
     }
     return {};
 }

@@ -17,6 +17,7 @@ constexpr NamedValue<Unit> unitKeys[] = {
     {"tenth-degree-celsius", Unit::tenthDegreeCelsius},
     {"micrometres", Unit::micrometres},
     {"tenth-hours", Unit::tenthHours},
+    {"milliseconds", Unit::milliseconds},
 };
 constexpr NamedValue<Mode> modeKeys[] = {
     {"position", Mode::position},

@@ -23,7 +23,7 @@ public:
 
     const WordMeanings *wordMeanings() const override { return &la66Meanings(); }
     bool hasOneCoding(const DeviceDescription & /*device*/) const override { return true; }
-    bool measuresLength() const override { return true; }
+    bool measuresLength(const DeviceDescription & /*device*/) const override { return true; }
     bool presetsByCommand() const override { return true; }
     std::int64_t largestData() const override { return la66::dataMask; } // D23..D0
 
