@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/job_check.h"
 
+#include "catalog/kept_values.h"
 #include "catalog/protocol_rules.h"
 #include "catalog/value_text.h"
 #include "vocabulary/hex.h"
@@ -54,6 +55,15 @@ struct WhyNot
                       RefusalId::velocityNotSupported);
     }
     Id operator()(const ResetToDefault &) const { return unless(can.resets, RefusalId::resetNotSupported); }
+    Id operator()(const StoreParameters &) const
+    {
+        return unless(protocolRules(device.profile).storesByStep() && keepsValues(device),
+                      RefusalId::jobNotSupported);
+    }
+    Id operator()(const KindJob &job) const
+    {
+        return unless(protocolRules(device.profile).hasJob(job.what), RefusalId::jobNotSupported);
+    }
     Id operator()(const ReadCams &) const
     {
         return unless(can.cams.has_value(), RefusalId::camsNotSupported);

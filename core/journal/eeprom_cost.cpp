@@ -59,6 +59,8 @@ struct Cost
     // Leaving cam mode stores a program that was changed.
     int operator()(const SwitchMode &) const { return mayBeInCamMode(encoder) ? 1 : 0; }
     int operator()(const ResetToDefault &) const { return 1 + (*this)(SwitchMode{}); }
+    int operator()(const StoreParameters &) const { return 1; }
+    int operator()(const KindJob &) const { return 0; }
     int operator()(const ReadCams &job) const
     {
         return size(job.programs) + (leavesAnother(job.programs, std::identity()) ? 1 : 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vocabulary/cam_program.h"
+#include "vocabulary/kind_data.h"
 #include "vocabulary/mode.h"
 #include "vocabulary/parameter.h"
 #include "vocabulary/word.h"
@@ -59,6 +60,16 @@ struct SwitchMode
 struct ResetToDefault
 {};
 
+// Keep what is in force without supply, where that is a step of its own (ProtocolRules::storesByStep()).
+struct StoreParameters
+{};
+
+// What only one kind of encoder can do: its protocol knows what it is (ProtocolRules::hasJob()).
+struct KindJob
+{
+    KindData what;
+};
+
 // Read cam programs, each in its own cam mode (FRABA manual 5.4.4).
 struct ReadCams
 {
@@ -97,7 +108,7 @@ struct EndParameterization
 };
 
 using Job = std::variant<ReadParameters, WriteParameters, SetPreset, SendWords, EndParameterization,
-                         SwitchMode, ResetToDefault, ReadCams, WriteCams>;
+                         SwitchMode, ResetToDefault, ReadCams, WriteCams, StoreParameters, KindJob>;
 
 // Whether 40000000h is among its words: in cam mode that sets the start of cam 0 instead.
 inline bool initialisesPreset(const Job &job)

@@ -330,7 +330,9 @@ const std::vector<JobRow> jobRows{
     {{"cams 1.0 read --program 1", "cams 1.0 compare %3/cams.json", "clone 1.0 6.1 --cams --yes",
       "store %2 1.0 --cams"},
      true},
-    {{"cams 1.0 write %3/cams.json --yes"}, true}};
+    {{"cams 1.0 write %3/cams.json --yes"}, true},
+    {{}, true},   // StoreParameters
+    {{}, false}}; // KindJob
 
 TEST_F(CliJournal, NoKindOfJobWritesPastTheLimitUnlessThePlaceIsTyped)
 {

@@ -116,7 +116,9 @@ TEST_F(EepromCost, IsStatedForEachKindOfJob)
         {SwitchMode{}, 1},
         {ResetToDefault{}, 2},
         {ReadCams{{1, 2}, {}}, 3},
-        {WriteCams{{CamProgram{.number = 3}}, true, {}}, 2}};
+        {WriteCams{{CamProgram{.number = 3}}, true, {}}, 2},
+        {StoreParameters{}, 1},
+        {KindJob{}, 0}};
     ASSERT_EQ(all.size(), std::variant_size_v<Job>);
     for (std::size_t kind = 0; kind < all.size(); ++kind) {
         EXPECT_EQ(all[kind].first.index(), kind);
