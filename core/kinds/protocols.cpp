@@ -5,7 +5,12 @@
 #include "can/frame_meaning.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
+#include "kinds/canopen/driver/canopen_protocol.h"
 #include "kinds/canopen/protocol/canopen_explain.h"
+#include "kinds/canopen/protocol/canopen_messages.h"
+#include "kinds/canopen/protocol/canopen_profile.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
+#include "kinds/canopen/protocol/canopen_rules.h"
 #include "kinds/esc/driver/esc_protocol.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_line_address.h"
@@ -58,9 +63,13 @@ namespace {
 std::vector<ProtocolKind> &protocolKinds()
 {
     static std::vector<ProtocolKind> kinds{
-        {profile::k1, k1Rules(), k3Protocol()},       {profile::k2, k2Rules(), k3Protocol()},
-        {profile::k3, k3Rules(), k3Protocol()},       {profile::k4, k4Rules(), k3Protocol()},
-        {profile::la66, la66Rules(), la66Protocol()}, {profile::esc, escRules(), escProtocol()},
+        {profile::k1, k1Rules(), k3Protocol()},
+        {profile::k2, k2Rules(), k3Protocol()},
+        {profile::k3, k3Rules(), k3Protocol()},
+        {profile::k4, k4Rules(), k3Protocol()},
+        {profile::la66, la66Rules(), la66Protocol()},
+        {profile::esc, escRules(), escProtocol()},
+        {profile::cia406, canopenRules(), canopenProtocol()},
     };
     return kinds;
 }
@@ -86,14 +95,15 @@ namespace {
 std::vector<const RefusalFamily *> &familiesOfRefusals()
 {
     static std::vector<const RefusalFamily *> families{&commonRefusals, &canRefusals,     &escRefusals,
-                                                       &wordRefusals,   &gatewayRefusals, &ringRefusals};
+                                                       &wordRefusals,   &gatewayRefusals, &ringRefusals,
+                                                       &canopenRefusals};
     return families;
 }
 
 std::vector<const MessageFamily *> &familiesOfMessages()
 {
     static std::vector<const MessageFamily *> families{&commonMessages, &escMessages, &offerMessages,
-                                                       &ringMessages};
+                                                       &ringMessages, &canopenMessages};
     return families;
 }
 

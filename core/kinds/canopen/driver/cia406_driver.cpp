@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/driver/cia406_driver.h"
+
+#include "kinds/canopen/protocol/canopen_messages.h"
+#include "kinds/canopen/protocol/canopen_profile.h"
+#include "kinds/canopen/protocol/canopen_reach.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
+#include "kinds/canopen/protocol/encoder_objects.h"
+#include "kinds/canopen/protocol/nmt_job.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace codewheel::canopen {
+namespace {
+
+constexpr int predefinedPdos = 4;
+constexpr SdoObject heartbeatTime{0x1017, 0};
+
+} // namespace
+
+std::unique_ptr<NodeDriver> makeNodeDriver(const DeviceDescription &device, int node)
+{
+    return device.profile == profile::cia406 ? std::make_unique<Cia406Driver>(device, node) : nullptr;
+}
+
+Cia406Driver::Cia406Driver(const DeviceDescription &device, int node, const NodeSettings &settings)
+    : m_encoder(device, node, settings)
+{
+    getToKnow();
+}
+
+// What it sends and when may have changed while it was away.
+void Cia406Driver::getToKnow()
+{
+    m_pdos.clear();
+    for (int number = 1; number <= predefinedPdos; ++number)
+        m_pdos.emplace_back(PdoDirection::transmit, number);
+    m_toKnow = {heartbeatTime};
+    m_bits.clear();
+    const auto reachOf = [this](Parameter parameter) {
+        const ParameterDescription *its = m_encoder.device.find(parameter);
+        return its != nullptr && its->canBeRead ? canopenReach(*its) : nullptr;
+    };
+    if (const CanopenReach *serial = reachOf(Parameter::serialNumber))
+        m_toKnow.push_back(serial->object);
+    for (const Parameter parameter : {Parameter::alarms, Parameter::warnings})
+        if (const CanopenReach *bits = reachOf(parameter))
+            m_bits.push_back(bits->object);
+    m_pdoAt.reset();
+}
+
+Result<void> Cia406Driver::begin(JobId id, const Job &job, Pace pace, Instant now)
+{
+    const bool mayStop = std::exchange(m_mayStop, false);
+    if (m_job)
+        return refuse(RefusalKind::busy, RefusalId::jobRunning);
+    if (auto checked = m_encoder.plan().check(job); !checked)
+        return checked;
+    const bool stops = std::holds_alternative<ResetToDefault>(job) && state() == NmtState::operational;
+    if (stops && !mayStop)
+        return refuse(RefusalKind::busy, CanopenRefusalId::nodeWouldStop, {std::int64_t{node()}});
+    m_now = now;
+    m_job.emplace(id, job, pace, mayStop, m_encoder);
+    return {};
+}
+
+void Cia406Driver::proceed()
+{
+    if (m_job)
+        m_job->proceed();
+}
+
+void Cia406Driver::cancel(OnCancel how, Instant now)
+{
+    if (!m_job)
+        return;
+    m_job->cancel(how, now);
+    if (m_job->isDone())
+        endJob();
+}
+
+void Cia406Driver::stop(const Refusal &why, Instant /*now*/)
+{
+    if (!m_job)
+        return;
+    m_job->stop(why);
+    endJob();
+}
+
+// After that, an answer still awaited belongs to nobody.
+void Cia406Driver::endJob()
+{
+    m_job.reset();
+    if (m_asks == Asks::job)
+        m_asks = Asks::nobody;
+}
+
+bool Cia406Driver::isPositionByPdo(Instant now) const
+{
+    return m_pdoAt && now - *m_pdoAt < m_encoder.settings.pdoPatience;
+}
+
+// A stopped node answers nothing, and one that was reset is waited for.
+bool Cia406Driver::mayPoll() const
+{
+    return state() != NmtState::stopped && !mayBeSilent();
+}
+
+std::optional<Instant> Cia406Driver::wakesAt() const
+{
+    std::optional<Instant> wakes;
+    const auto at = [&](std::optional<Instant> when) {
+        if (when)
+            wakes = std::min(wakes.value_or(*when), *when);
+    };
+    if (m_job && !m_job->waits())
+        at(m_job->waitsUntil().value_or(m_now));
+    at(m_encoder.watch.wakesAt(m_now));
+    if (!mayPoll())
+        return wakes;
+    const bool isSilent = m_encoder.reading.state == EncoderState::silent;
+    Instant due = toGetToKnow()            ? m_now
+                  : isPositionByPdo(m_now) ? *m_pdoAt + m_encoder.settings.pdoPatience
+                                           : m_positionDue;
+    if (!m_bits.empty())
+        due = std::min(due, m_bitsDue);
+    at(isSilent ? std::max(due, m_silenceUntil) : due);
+    return wakes;
+}
+
+// In turn, where both want something.
+std::optional<NodeRequest> Cia406Driver::next(Instant now)
+{
+    m_now = now;
+    if (m_encoder.watch.heartbeat(now) == Heartbeat::lost &&
+        m_encoder.reading.state != EncoderState::silent && !mayBeSilent())
+        fallSilent(now, 0);
+    m_encoder.watch.setMayBeSilent(mayBeSilent(), now);
+    if (auto request = m_wasPoll ? jobRequest(now) : pollRequest(now))
+        return request;
+    return m_wasPoll ? pollRequest(now) : jobRequest(now);
+}
+
+std::optional<NodeRequest> Cia406Driver::jobRequest(Instant now)
+{
+    if (!m_job)
+        return std::nullopt;
+    auto request = m_job->next(now);
+    if (request) {
+        m_asks = Asks::job;
+        m_wasPoll = false;
+    }
+    if (m_job->isDone())
+        endJob();
+    return request;
+}
+
+std::optional<NodeRequest> Cia406Driver::pollRequest(Instant now)
+{
+    const auto object = mayPoll() ? polled(now) : std::nullopt;
+    if (!object)
+        return std::nullopt;
+    m_asks = Asks::poll;
+    m_wasPoll = true;
+    return SdoRequest{.node = node(), .object = *object, .timeOut = m_encoder.settings.timeOut};
+}
+
+std::optional<SdoObject> Cia406Driver::polled(Instant now)
+{
+    if (m_encoder.reading.state == EncoderState::silent) {
+        if (now < m_silenceUntil)
+            return std::nullopt;
+        m_silenceUntil = now + m_encoder.settings.silenceInterval;
+    }
+    if (const auto object = toGetToKnow())
+        return object;
+    if (now >= m_positionDue && !isPositionByPdo(now)) {
+        m_positionDue = now + m_encoder.settings.positionInterval;
+        return object::position;
+    }
+    if (now < m_bitsDue || m_bits.empty())
+        return std::nullopt;
+    m_bitsDue = now + m_encoder.settings.bitsInterval / static_cast<int>(m_bits.size());
+    return m_bits[m_nextBits++ % m_bits.size()];
+}
+
+std::optional<SdoObject> Cia406Driver::toGetToKnow() const
+{
+    for (const PdoMapping &pdo : m_pdos)
+        if (const auto missing = pdo.missing(); !missing.empty())
+            return missing.front();
+    return m_toKnow.empty() ? std::nullopt : std::optional(m_toKnow.front());
+}
+
+void Cia406Driver::answered(const NodeRequest &request, const SdoOutcome &outcome, Instant now)
+{
+    m_now = now;
+    const Asks asks = std::exchange(m_asks, Asks::nobody);
+    if (std::holds_alternative<SdoRequest>(request))
+        count(outcome, now);
+    if (asks == Asks::poll)
+        pollAnswered(std::get<SdoRequest>(request).object, outcome, now);
+    if (asks == Asks::job) {
+        m_job->answered(outcome, now);
+        if (m_job->isDone())
+            endJob();
+    }
+    m_encoder.flush();
+}
+
+void Cia406Driver::count(const SdoOutcome &outcome, Instant now)
+{
+    if (outcome.kind == SdoOutcome::Kind::notSent)
+        return;
+    if (outcome.kind != SdoOutcome::Kind::noAnswer) {
+        if (m_encoder.reading.state == EncoderState::silent) {
+            m_encoder.tell(now, Severity::information, MessageId::encoderAnswers);
+            getToKnow();
+        }
+        m_unanswered = 0;
+        m_encoder.isHeard(now);
+        return;
+    }
+    const bool isSilent = m_encoder.reading.state == EncoderState::silent;
+    if (++m_unanswered >= m_encoder.settings.silentAfter && !isSilent && !mayBeSilent())
+        fallSilent(now, m_unanswered);
+}
+
+void Cia406Driver::fallSilent(Instant now, int tries)
+{
+    m_encoder.fallSilent();
+    m_silenceUntil = now + m_encoder.settings.silenceInterval;
+    m_encoder.tell(now, Severity::fault, MessageId::encoderSilent, {std::int64_t{tries}});
+}
+
+// What the encoder does not have is not asked for again.
+void Cia406Driver::pollAnswered(SdoObject object, const SdoOutcome &outcome, Instant now)
+{
+    using Kind = SdoOutcome::Kind;
+    const bool isRead = outcome.kind == Kind::read;
+    if (isRead)
+        m_encoder.take(object, outcome, now);
+    if (!isRead && outcome.kind != Kind::aborted)
+        return;
+    if (toGetToKnow() == object)
+        gotToKnow(object, outcome, now);
+    else if (!isRead)
+        std::erase(m_bits, object);
+}
+
+void Cia406Driver::gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now)
+{
+    const auto pdo =
+        std::ranges::find_if(m_pdos, [&](PdoMapping &each) { return each.take(object, outcome.value); });
+    if (pdo != m_pdos.end()) {
+        std::vector<std::uint32_t> identifiers;
+        for (const PdoMapping &each : m_pdos)
+            if (each.isRead() && each.isThere() && !each.isOff())
+                identifiers.push_back(each.identifier());
+        if (m_pdos.back().isRead())
+            m_encoder.watch.setTpdos(std::move(identifiers));
+        return;
+    }
+    std::erase(m_toKnow, object);
+    if (object == heartbeatTime && !outcome.value.empty())
+        m_encoder.watch.setProducerTime(std::chrono::milliseconds(numberOf(outcome.value)), now);
+    else
+        takeSerialNumber(now);
+}
+
+// Another one than before: all that was known was of another encoder.
+void Cia406Driver::takeSerialNumber(Instant /*now*/)
+{
+    const auto number = m_encoder.values.value(Parameter::serialNumber);
+    const auto before = std::exchange(m_serialNumber, number);
+    if (!number || !before || before == number)
+        return;
+    for (const ParameterValue &value : m_encoder.values.values())
+        if (value.parameter != Parameter::serialNumber)
+            m_encoder.values.forget(value.parameter);
+    m_encoder.takeCams({});
+}
+
+void Cia406Driver::take(const CanFrame &frame, Instant now)
+{
+    const auto booted = m_encoder.bootedAt;
+    m_encoder.take(frame, now);
+    if (m_encoder.bootedAt != booted) {
+        getToKnow();
+        m_unanswered = 0;
+        if (!mayBeSilent())
+            m_encoder.tell(now, Severity::attention, CanopenMessageId::nodeBooted);
+    }
+    const auto typeOf = [this](const SdoObject &object) { return m_encoder.pdoType(object); };
+    for (const PdoMapping &pdo : m_pdos) {
+        if (!pdo.isRead() || !pdo.isOf(frame))
+            continue;
+        for (const PdoValue &value : pdo.values(frame, typeOf)) {
+            m_encoder.take(value, now);
+            if (value.object == object::position)
+                m_pdoAt = now;
+        }
+    }
+}
+
+void Cia406Driver::lost(Instant /*now*/)
+{
+    m_encoder.reading.state = EncoderState::notSeen;
+    m_encoder.watch = NodeWatch(node());
+    m_encoder.forgetPosition();
+    m_asks = Asks::nobody;
+    m_unanswered = 0;
+    getToKnow();
+}
+
+std::vector<Event> Cia406Driver::takeEvents()
+{
+    return std::exchange(m_encoder.events, {});
+}
+
+std::vector<Message> Cia406Driver::takeMessages()
+{
+    return std::exchange(m_encoder.messages, {});
+}
+
+} // namespace codewheel::canopen

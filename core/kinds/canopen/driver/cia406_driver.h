@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/canopen/driver/node_job.h"
+
+#include <optional>
+#include <vector>
+
+namespace codewheel::canopen {
+
+// Drives an encoder of CiA 406. Its position comes by PDO as the mapping says that was read from it, or by
+// SDO where no PDO brings it; alarms and warnings are asked for now and then, and jobs are carried out in
+// between, so that none of them waits for more than one request of the other.
+class Cia406Driver final : public NodeDriver
+{
+public:
+    // The description must outlive the driver.
+    Cia406Driver(const DeviceDescription &device, int node, const NodeSettings &settings = {});
+
+    const Reading &reading() const override { return m_encoder.reading; }
+    std::optional<NmtState> state() const override { return m_encoder.state(); }
+    bool busy() const override { return m_job.has_value(); }
+    void setKnown(const std::vector<Known> &known) override { m_encoder.values.set(known); }
+    Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) override;
+    void mayStopNode() override { m_mayStop = true; }
+    void proceed() override;
+    void cancel(OnCancel how, Instant now) override;
+    void stop(const Refusal &why, Instant now) override;
+    std::optional<Instant> wakesAt() const override;
+    std::optional<NodeRequest> next(Instant now) override;
+    void answered(const NodeRequest &request, const SdoOutcome &outcome, Instant now) override;
+    void take(const CanFrame &frame, Instant now) override;
+    void lost(Instant now) override;
+    bool mayBeSilent() const override { return m_job && m_job->mayBeSilent(); }
+    int node() const override { return m_encoder.node; }
+    std::vector<Event> takeEvents() override;
+    std::vector<Message> takeMessages() override;
+
+    // The PDOs of the node, as far as they were read.
+    const std::vector<PdoMapping> &transmitPdos() const { return m_pdos; }
+
+private:
+    enum class Asks : std::uint8_t { nobody, poll, job };
+
+    std::optional<NodeRequest> jobRequest(Instant now);
+    std::optional<NodeRequest> pollRequest(Instant now);
+    std::optional<SdoObject> polled(Instant now);
+    std::optional<SdoObject> toGetToKnow() const;
+    bool isPositionByPdo(Instant now) const;
+    bool mayPoll() const;
+    void getToKnow();
+    void endJob();
+    void count(const SdoOutcome &outcome, Instant now);
+    void fallSilent(Instant now, int tries);
+    void pollAnswered(SdoObject object, const SdoOutcome &outcome, Instant now);
+    void gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now);
+    void takeSerialNumber(Instant now);
+
+    NodeEncoder m_encoder;
+    std::optional<NodeJob> m_job;
+    bool m_mayStop = false;
+    Asks m_asks = Asks::nobody; // whose request is under way
+    bool m_wasPoll = false;     // the last request
+    std::vector<PdoMapping> m_pdos;
+    std::vector<SdoObject> m_toKnow; // once, when it answers
+    std::vector<SdoObject> m_bits;   // alarms and warnings, in turn
+    std::size_t m_nextBits = 0;
+    Instant m_positionDue{};
+    Instant m_bitsDue{};
+    Instant m_silenceUntil{};
+    std::optional<Instant> m_pdoAt{}; // the last one with a position
+    std::optional<std::int64_t> m_serialNumber;
+    int m_unanswered = 0; // in a row
+    Instant m_now{};
+};
+
+} // namespace codewheel::canopen

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/canopen_messages.h"
+
+#include "kinds/canopen/protocol/emcy.h"
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/refusal_text.h"
+
+#include <QtGlobal>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr std::array canopenMessageRows{
+    SentenceRow{CanopenMessageId::emergency, "emergency",
+                QT_TRANSLATE_NOOP("Message", "The encoder reports an error: %1.")},
+    SentenceRow{CanopenMessageId::emergencyGone, "emergencyGone",
+                QT_TRANSLATE_NOOP("Message", "The encoder reports that its error is gone.")},
+    SentenceRow{CanopenMessageId::nodeBooted, "nodeBooted",
+                QT_TRANSLATE_NOOP(
+                    "Message", "The encoder has started anew: it had no supply, or was reset. What was not "
+                               "stored is lost.")},
+    SentenceRow{CanopenMessageId::speedStandsStill, "speedStandsStill",
+                QT_TRANSLATE_NOOP("Message",
+                                  "%1 stays 0 while the position moves: the encoder may not tell its speed "
+                                  "until an object of its maker switches that on.")},
+    SentenceRow{CanopenMessageId::speedIsOpposite, "speedIsOpposite",
+                QT_TRANSLATE_NOOP("Message",
+                                  "%1 has another sign than the movement of the position: the description "
+                                  "may have the wrong type for it.")},
+};
+
+static_assert(areInOrder(canopenMessageRows, &SentenceRow::id, CanopenMessageId::speedIsOpposite));
+
+QString canopenMessageText(const Message &message)
+{
+    const bool isEmergency = message.id == CanopenMessageId::emergency && message.arguments.size() == 2;
+    if (!isEmergency)
+        return rowText(message);
+    const auto word = [&](std::size_t index) {
+        const auto *value = std::get_if<Word>(&message.arguments[index]);
+        return value != nullptr ? *value : 0;
+    };
+    const canopen::Emcy emcy{static_cast<std::uint16_t>(word(0)), static_cast<std::uint8_t>(word(1))};
+    return rowText(message, {(QStringList{emcy.text()} + emcy.registerTexts()).join(QStringLiteral(", "))});
+}
+
+} // namespace
+
+constinit const MessageFamily canopenMessages{canopenMessageRows, canopenMessageText};
+
+} // namespace codewheel

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "catalog/device_description.h"
+#include "kinds/canopen/protocol/object_value.h"
+#include "kinds/canopen/protocol/sdo.h"
+
+#include <optional>
+
+namespace codewheel {
+
+// The object that a parameter is, or a bit of.
+struct CanopenReach
+{
+    canopen::SdoObject object{};
+    canopen::ObjectType type = canopen::ObjectType::u32;
+    std::optional<unsigned> bit{}; // empty: all of it
+
+    // What it has in the object's value.
+    Value in(const Value &whole) const { return bit ? Value(whole.number() >> *bit & 1) : whole; }
+
+    friend bool operator==(const CanopenReach &, const CanopenReach &) = default;
+};
+
+// Null: it is reached in another way, or not at all.
+inline const CanopenReach *canopenReach(const ParameterDescription &parameter)
+{
+    return parameter.reach.as<CanopenReach>();
+}
+
+// What a description says of an encoder on CANopen beyond its parameters.
+struct CanopenDevice
+{
+    bool isLinear = false;
+    std::optional<std::uint32_t> vendor{}; // as 1018h:1 tells it; empty: of any make
+
+    friend bool operator==(const CanopenDevice &, const CanopenDevice &) = default;
+};
+
+inline CanopenDevice canopenDevice(const DeviceDescription &device)
+{
+    const auto *its = device.ofKind.as<CanopenDevice>();
+    return its != nullptr ? *its : CanopenDevice();
+}
+
+// What an object of this index means is the maker's business.
+inline bool isMakers(canopen::SdoObject object)
+{
+    return object.index >= 0x2000 && object.index < 0x6000;
+}
+
+} // namespace codewheel

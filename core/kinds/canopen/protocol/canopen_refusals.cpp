@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/canopen_refusals.h"
+
+#include "kinds/canopen/protocol/sdo_abort.h"
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+
+#include <QtGlobal>
+
+#include <array>
+
+namespace codewheel {
+namespace {
+
+constexpr std::array canopenRefusalRows{
+    SentenceRow{
+        CanopenRefusalId::sdoAborted, "sdoAborted",
+        QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1: %3 Abort code %2; it kept what it has.")},
+    SentenceRow{CanopenRefusalId::sdoNoAnswer, "sdoNoAnswer",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "Node %2 does not answer for %1. Check its supply, its number and the rate "
+                               "of the bus; a node that was stopped answers nothing until it is started.")},
+    SentenceRow{CanopenRefusalId::sdoNotSent, "sdoNotSent",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The request for %1 of node %2 could not be sent, so nothing was changed. "
+                                  "Check the CAN bus, then start again.")},
+    SentenceRow{CanopenRefusalId::sdoWriteUnknown, "sdoWriteUnknown",
+                QT_TRANSLATE_NOOP(
+                    "Refusal",
+                    "%1 was written and not answered, and it could not be found out afterwards whether the "
+                    "encoder has the new value. Check the bus, and read the encoder before you go on.")},
+    SentenceRow{CanopenRefusalId::sdoWriteNotDone, "sdoWriteNotDone",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 was written and not answered, and the encoder still has the old value. "
+                                  "Check the bus, then write again.")},
+    SentenceRow{CanopenRefusalId::storingUnknown, "storingUnknown",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Node %1 did not answer the command that stores its values: whether they "
+                                  "are stored is not known. Store them again, or read them after switching "
+                                  "its supply off and on.")},
+    SentenceRow{CanopenRefusalId::nodeWouldStop, "nodeWouldStop",
+                QT_TRANSLATE_NOOP(
+                    "Refusal", "Node %1 is running, and takes this only while it is stopped: its positions "
+                               "would not come until it is started again. Agree that it is stopped and "
+                               "started again, or stop it first.")},
+    SentenceRow{CanopenRefusalId::notBackAfterReset, "notBackAfterReset",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Node %1 did not report within %2 s after its reset. It may have another "
+                                  "number or another rate now: search the bus for it.")},
+    SentenceRow{CanopenRefusalId::makeDiffers, "makeDiffers",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 is an object of the maker, and the encoder is of another make (vendor "
+                                  "number %3) than its description (%2). Nothing was written: choose the "
+                                  "description that belongs to it.")},
+};
+
+static_assert(areInOrder(canopenRefusalRows, &SentenceRow::id, CanopenRefusalId::makeDiffers));
+
+// What the abort code means is said in the present language.
+QString canopenRefusalText(const Refusal &refusal)
+{
+    QStringList parts = argumentTexts(refusal.arguments);
+    if (refusal.id == CanopenRefusalId::sdoAborted && parts.size() == 2) {
+        const auto *code = std::get_if<Word>(&refusal.arguments[1]);
+        parts << (code != nullptr ? canopen::sdoAbortText(*code) : QString());
+    }
+    return rowText(refusal, parts);
+}
+
+} // namespace
+
+constinit const RefusalFamily canopenRefusals{canopenRefusalRows, canopenRefusalText};
+
+} // namespace codewheel

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/refusal.h"
+
+namespace codewheel {
+
+// What only an encoder on CANopen or its bus refuses. The comment beside each lists its arguments. An object
+// is its text, "6001h:0".
+enum class CanopenRefusalId : std::uint8_t {
+    sdoAborted,        // object, Word abort code
+    sdoNoAnswer,       // object, node
+    sdoNotSent,        // object, node
+    sdoWriteUnknown,   // object: no answer, and what the encoder has now could not be read
+    sdoWriteNotDone,   // object: no answer, and the encoder has the old value
+    storingUnknown,    // node: no answer to the command that stores
+    nodeWouldStop,     // node: it is running, and what is wanted stops it
+    notBackAfterReset, // node, seconds
+    makeDiffers,       // object, Word vendor number of the description, Word vendor number of the device
+};
+extern const RefusalFamily canopenRefusals;
+constexpr const RefusalFamily &familyOf(CanopenRefusalId)
+{
+    return canopenRefusals;
+}
+
+} // namespace codewheel

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace codewheel {
+
+class ProtocolRules;
+
+// For encoders on CANopen (CiA 406): their parameters are objects.
+const ProtocolRules &canopenRules();
+
+} // namespace codewheel

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/canopen_messages.h"
+#include "tests/kinds/canopen/driver/node_bench.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel::canopen {
+namespace {
+
+using namespace std::chrono_literals;
+
+// TPDO 1 has the position and the speed, in this order.
+void mapPositionAndSpeed(NodeBench &bench)
+{
+    bench.has["1800:1"] = {0x85, 0x01, 0, 0x40};
+    bench.has["1800:2"] = {0xFE};
+    bench.has["1A00:0"] = {2};
+    bench.has["1A00:1"] = {0x20, 0, 0x04, 0x60};
+    bench.has["1A00:2"] = {0x10, 0x01, 0x30, 0x60};
+}
+
+TEST(NodeDriver, IsMadeForItsProfileOnly)
+{
+    const Catalog catalog = Catalog::builtIn();
+    EXPECT_NE(makeNodeDriver(*catalog.find(u"canopen-406-single-turn"), 5), nullptr);
+    EXPECT_EQ(makeNodeDriver(*catalog.find(u"kuebler-esc-rs485"), 5), nullptr);
+}
+
+TEST(NodeDriver, AsksForThePositionWhereNoPdoBringsIt)
+{
+    NodeBench bench;
+    bench.settle();
+    EXPECT_EQ(bench.driver.reading().position, 5000);
+    EXPECT_EQ(bench.driver.reading().alarms, 0);
+    EXPECT_EQ(bench.value(Parameter::serialNumber), 12345);
+    bench.run(1s);
+    EXPECT_GE(std::ranges::count(bench.log, std::string("6004:0")), 9);
+    EXPECT_LE(std::ranges::count(bench.log, std::string("6004:0")), 11);
+    EXPECT_EQ(std::ranges::count(bench.log, std::string("6503:0")), 1);
+    EXPECT_EQ(std::ranges::count(bench.log, std::string("1800:1")), 0) << "what it has is known";
+}
+
+TEST(NodeDriver, TakesThePositionByTheMappingThatWasRead)
+{
+    NodeBench bench;
+    mapPositionAndSpeed(bench);
+    bench.settle();
+    bench.hear(0x705, {0x05});
+    for (int i = 0; i < 100; ++i) {
+        bench.hear(0x185, {0x10, 0x27, 0, 0, 0, 0});
+        bench.run(20ms);
+    }
+    EXPECT_EQ(bench.driver.reading().position, 10000);
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::operation);
+    EXPECT_EQ(std::ranges::count(bench.log, std::string("6004:0")), 0);
+    bench.log.clear();
+    bench.run(3s);
+    EXPECT_GT(std::ranges::count(bench.log, std::string("6004:0")), 10) << "no PDO comes any more";
+}
+
+TEST(NodeDriver, AnotherLayoutIsDecodedAsItIs)
+{
+    NodeBench bench;
+    bench.has["1800:1"] = {0x00, 0x03, 0, 0x40}; // 300h
+    bench.has["1A00:0"] = {2};
+    bench.has["1A00:1"] = {0x10, 0, 0x05, 0x65};
+    bench.has["1A00:2"] = {0x20, 0, 0x04, 0x60};
+    bench.settle();
+    bench.hear(0x300, {0x02, 0x00, 0x10, 0x27, 0, 0});
+    EXPECT_EQ(bench.driver.reading().position, 10000);
+    EXPECT_EQ(bench.driver.reading().warnings, 2);
+    bench.hear(0x185, {0x01, 0, 0, 0, 0, 0});
+    EXPECT_EQ(bench.driver.reading().position, 10000) << "no PDO of this encoder";
+}
+
+TEST(NodeDriver, AnEntryThatDoesNotFitItsObjectIsNotDecoded)
+{
+    NodeBench bench;
+    bench.has["1800:1"] = {0x85, 0x01, 0, 0x40};
+    bench.has["1A00:0"] = {1};
+    bench.has["1A00:1"] = {0x10, 0, 0x04, 0x60}; // 16 bits of 32
+    bench.settle();
+    bench.hear(0x185, {0x10, 0x27});
+    EXPECT_EQ(bench.driver.reading().position, 5000);
+}
+
+TEST(NodeDriver, ASpeedThatContradictsThePositionIsToldOnce)
+{
+    for (const bool isZero : {true, false}) {
+        NodeBench bench;
+        mapPositionAndSpeed(bench);
+        bench.settle();
+        bench.finish(ReadParameters{
+            {Parameter::steps, Parameter::measuringRange, Parameter::scaling, Parameter::direction}});
+        const std::uint8_t speed = isZero ? 0x00 : 0xFF; // -1
+        for (int i = 0; i < 200; ++i) {
+            bench.hear(0x185, {static_cast<std::uint8_t>(i), 0, 0, 0, speed, speed});
+            bench.run(10ms);
+        }
+        EXPECT_EQ(bench.countOf(CanopenMessageId::speedStandsStill), isZero ? 1 : 0);
+        EXPECT_EQ(bench.countOf(CanopenMessageId::speedIsOpposite), isZero ? 0 : 1);
+    }
+}
+
+TEST(NodeDriver, AnObjectThatIsNotThereIsAskedForOnce)
+{
+    NodeBench bench;
+    bench.has.erase("6505:0");
+    bench.settle();
+    bench.run(5s);
+    EXPECT_EQ(std::ranges::count(bench.log, std::string("6505:0")), 0);
+    EXPECT_GE(std::ranges::count(bench.log, std::string("6503:0")), 4);
+    EXPECT_FALSE(bench.driver.reading().warnings);
+}
+
+TEST(NodeDriver, ShowsAPositionInPreOperational)
+{
+    NodeBench bench;
+    bench.hear(0x705, {0x7F});
+    bench.settle();
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::waiting);
+    EXPECT_EQ(bench.driver.reading().position, 5000);
+}
+
+TEST(NodeDriver, AnUnaskedBootUpIsToldAndWhatWasNotStoredIsForgotten)
+{
+    NodeBench bench;
+    bench.settle();
+    bench.finish(WriteParameters{.values = {{Parameter::steps, 4000}}, .previous = {}}); // and stored
+    bench.finish(ReadParameters{{Parameter::measuringRange}});
+    bench.log.clear();
+    bench.hear(0x705, {0x00});
+    bench.run(200ms);
+    EXPECT_EQ(bench.countOf(CanopenMessageId::nodeBooted), 1);
+    EXPECT_EQ(bench.value(Parameter::steps), 4000);
+    EXPECT_FALSE(bench.value(Parameter::measuringRange));
+    EXPECT_GT(std::ranges::count(bench.log, std::string("1800:1")), 0) << "its PDOs may be others";
+}
+
+TEST(NodeDriver, EmergenciesAreTold)
+{
+    NodeBench bench;
+    bench.settle();
+    bench.hear(0x085, {0x10, 0x43, 0x09, 0, 0, 0, 0, 0});
+    bench.hear(0x086, {0x10, 0x43, 0x09, 0, 0, 0, 0, 0}); // of another node
+    ASSERT_EQ(bench.countOf(CanopenMessageId::emergency), 1);
+    EXPECT_EQ(bench.messages.front().arguments, (std::vector<RefusalArgument>{Word{0x4310}, Word{0x09}}));
+    bench.hear(0x085, {0, 0, 0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(bench.countOf(CanopenMessageId::emergencyGone), 1);
+}
+
+TEST(NodeDriver, SilenceAndItsEndAreToldOnce)
+{
+    NodeBench bench;
+    bench.settle();
+    for (int i = 0; i < 6; ++i)
+        for (const char *object : {"6004:0", "6503:0", "6505:0"})
+            bench.next(object, NodeBench::Fate::lost);
+    bench.run(10s);
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::silent);
+    EXPECT_EQ(bench.countOf(MessageId::encoderSilent), 1);
+    bench.run(60s);
+    EXPECT_EQ(bench.countOf(MessageId::encoderAnswers), 1);
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::operation);
+}
+
+TEST(NodeDriver, AnotherSerialNumberIsAnotherEncoder)
+{
+    NodeBench bench;
+    bench.settle();
+    bench.finish(ReadParameters{{Parameter::steps}});
+    bench.has["1018:4"] = {1, 0, 0, 0};
+    bench.hear(0x705, {0x00});
+    bench.run(1s);
+    EXPECT_EQ(bench.value(Parameter::serialNumber), 1);
+    EXPECT_FALSE(bench.value(Parameter::steps));
+}
+
+TEST(NodeDriver, CommandsOfAnotherMasterAreHeeded)
+{
+    NodeBench bench;
+    bench.settle();
+    bench.hear(0x000, {0x01, 0x00});
+    EXPECT_EQ(bench.driver.state(), NmtState::operational);
+    bench.hear(0x000, {0x02, 0x06});
+    EXPECT_EQ(bench.driver.state(), NmtState::operational) << "for another node";
+    bench.hear(0x000, {0x02, 0x05});
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::waiting);
+}
+
+} // namespace
+} // namespace codewheel::canopen

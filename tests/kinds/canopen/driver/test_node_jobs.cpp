@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/canopen_refusals.h"
+#include "kinds/canopen/protocol/nmt_job.h"
+#include "tests/kinds/canopen/driver/node_bench.h"
+
+#include <gtest/gtest.h>
+
+namespace codewheel::canopen {
+namespace {
+
+using Rows = std::vector<std::string>;
+
+struct NodeJobs : ::testing::Test
+{
+    NodeJobs() { bench.settle(); }
+
+    static WriteParameters writing(ParameterValues values, bool onlyWhatDiffers = false)
+    {
+        return {.values = std::move(values), .onlyWhatDiffers = onlyWhatDiffers, .previous = {}};
+    }
+
+    NodeBench bench;
+};
+
+TEST_F(NodeJobs, ReadsEachObjectOnceAndLeavesOutWhatTheEncoderDoesNotHave)
+{
+    const Outcome &outcome =
+        bench.finish(ReadParameters{{Parameter::scaling, Parameter::direction, Parameter::steps,
+                                     Parameter::lowerLimit, Parameter::offset}});
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6000:0", "6001:0", "6401:1", "6509:0"}));
+    EXPECT_EQ(outcome.read, (ParameterValues{{Parameter::scaling, 1},
+                                             {Parameter::direction, 0},
+                                             {Parameter::steps, 4096},
+                                             {Parameter::offset, 0}}));
+}
+
+TEST_F(NodeJobs, ReadingOnlyWhatTheEncoderDoesNotHaveFails)
+{
+    EXPECT_FALSE(bench.finish(ReadParameters{{Parameter::lowerLimit}}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoAborted);
+    EXPECT_EQ(bench.outcome->result.error().arguments,
+              (std::vector<RefusalArgument>{QStringLiteral("6401h:1"), Word{0x06020000}}));
+}
+
+TEST_F(NodeJobs, SignsComeFromTheDescriptionAndSizesFromTheAnswer)
+{
+    bench.has["6509:0"] = {0xFE, 0xFF};
+    bench.has["6001:0"] = {0xFE, 0xFF};
+    const Outcome &outcome = bench.finish(ReadParameters{{Parameter::steps, Parameter::offset}});
+    EXPECT_EQ(outcome.read, (ParameterValues{{Parameter::steps, 65534}, {Parameter::offset, -2}}));
+    bench.log.clear();
+    bench.finish(writing({{Parameter::steps, 1000}}));
+    EXPECT_EQ(bench.jobLog()[0], "6001:0 E8 03") << "as wide as the encoder has it";
+}
+
+TEST_F(NodeJobs, WritesReadsBackAndStores)
+{
+    const Outcome &outcome =
+        bench.finish(writing({{Parameter::measuringRange, 16'000'000}, {Parameter::steps, 4000}}));
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0 A0 0F 00 00", "6001:0", "6002:0 00 24 F4 00", "6002:0",
+                                    "1010:1 73 61 76 65", "6500:0", "6509:0"}));
+    EXPECT_EQ(outcome.written.size(), 2u);
+    EXPECT_EQ(outcome.eepromWrites, 1);
+    EXPECT_EQ(bench.eepromWrites, 1);
+    EXPECT_EQ(outcome.positionBefore, 5000);
+    EXPECT_EQ(bench.known.at(Parameter::steps).evidence, Evidence::read);
+    EXPECT_EQ(bench.kept(Parameter::steps), Kept::stored);
+}
+
+TEST_F(NodeJobs, BitsAreWrittenTogetherAndTheOthersStay)
+{
+    const Outcome &outcome =
+        bench.finish(writing({{Parameter::scaling, 1}, {Parameter::steps, 4000}, {Parameter::direction, 1}}));
+    EXPECT_TRUE(outcome.result);
+    const Rows rows = bench.jobLog();
+    EXPECT_EQ((Rows{rows.begin(), rows.begin() + 5}),
+              (Rows{"6001:0 A0 0F 00 00", "6001:0", "6000:0", "6000:0 05 10", "6000:0"}))
+        << "scaling goes on when the steps are there; the maker's bit 12 stays";
+    EXPECT_EQ(outcome.written.size(), 3u);
+    EXPECT_EQ(bench.value(Parameter::operatingParameters), 0x1005) << "what is in force is told by 6500h";
+}
+
+TEST_F(NodeJobs, ScalingGoesOffBeforeTheStepsAreWritten)
+{
+    bench.finish(writing({{Parameter::steps, 4000}, {Parameter::scaling, 0}}));
+    const Rows rows = bench.jobLog();
+    EXPECT_EQ((Rows{rows.begin(), rows.begin() + 4}),
+              (Rows{"6000:0", "6000:0 00 10", "6000:0", "6001:0 A0 0F 00 00"}));
+}
+
+TEST_F(NodeJobs, WhatIsThereIsNotWrittenAgainOnlyStored)
+{
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4096}}, true));
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0", "1010:1 73 61 76 65"}));
+    EXPECT_TRUE(outcome.written.empty());
+    EXPECT_EQ(outcome.stored.size(), 1u);
+    bench.log.clear();
+    const Outcome &again = bench.finish(writing({{Parameter::steps, 4096}}, true));
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0"})) << "it is stored now";
+    EXPECT_EQ(again.alreadyThere.size(), 1u);
+    EXPECT_EQ(again.eepromWrites, 0);
+}
+
+TEST_F(NodeJobs, AnEncoderThatHasNoCommandToStoreKeepsWhatItKeeps)
+{
+    bench.has.erase("1010:1");
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(outcome.eepromWrites, 0);
+    EXPECT_EQ(bench.kept(Parameter::steps), Kept::notKnown);
+}
+
+TEST_F(NodeJobs, ARefusalEndsTheJobAndNothingIsStored)
+{
+    bench.refuses["6001:0"] = 0x06090030;
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoAborted);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0 A0 0F 00 00"}));
+    EXPECT_TRUE(outcome.written.empty());
+    EXPECT_EQ(outcome.inDoubt, InDoubt());
+}
+
+TEST_F(NodeJobs, AWriteWithoutAnAnswerThatIsFoundWasDone)
+{
+    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::unanswered);
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::steps, 4000}}));
+    EXPECT_EQ(std::ranges::count(bench.log, std::string("6001:0 A0 0F 00 00")), 1);
+}
+
+TEST_F(NodeJobs, AWriteWithoutAnAnswerThatIsNotFoundWasNotDone)
+{
+    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::lost);
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteNotDone);
+    EXPECT_TRUE(outcome.written.empty());
+    EXPECT_EQ(outcome.inDoubt, InDoubt());
+    EXPECT_EQ(std::ranges::count(bench.log, std::string("6001:0 A0 0F 00 00")), 1);
+}
+
+TEST_F(NodeJobs, AWriteWithoutAnAnswerThatCannotBeReadIsInDoubt)
+{
+    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::unanswered);
+    bench.next("6001:0", NodeBench::Fate::lost);
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteUnknown);
+    EXPECT_EQ(outcome.inDoubt.values, (ParameterValues{{Parameter::steps, 4000}}));
+    EXPECT_FALSE(bench.value(Parameter::steps));
+}
+
+TEST_F(NodeJobs, WhatCouldNotBeSentChangesNothing)
+{
+    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::notSent);
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoNotSent);
+    EXPECT_EQ(outcome.inDoubt, InDoubt());
+}
+
+TEST_F(NodeJobs, AnotherValueThanTheOneWrittenIsReported)
+{
+    bench.has["6001:0"] = {0, 0x10, 0, 0};
+    ASSERT_TRUE(bench.begin(writing({{Parameter::steps, 4000}})));
+    while (bench.log.empty() || bench.log.back() != "6001:0 A0 0F 00 00")
+        bench.step();
+    bench.has["6001:0"] = {0x80, 0x0F, 0, 0};
+    const Outcome &outcome = bench.finish();
+    EXPECT_EQ(bench.refusal(), RefusalId::verificationFailed);
+    EXPECT_TRUE(outcome.written.empty());
+    EXPECT_EQ(bench.value(Parameter::steps), 3968);
+}
+
+TEST_F(NodeJobs, WhetherItWasStoredIsNotKnownWithoutAnAnswer)
+{
+    bench.next("1010:1 73 61 76 65", NodeBench::Fate::unanswered);
+    const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::storingUnknown);
+    EXPECT_EQ(outcome.written.size(), 1u) << "it is in force";
+    EXPECT_EQ(outcome.inDoubt.eepromWrites, 1);
+    EXPECT_EQ(bench.kept(Parameter::steps), Kept::notKnown);
+}
+
+TEST_F(NodeJobs, StoringIsAJobOfItsOwn)
+{
+    bench.finish(ReadParameters{{Parameter::steps}});
+    const Outcome &outcome = bench.finish(StoreParameters{});
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(std::ranges::count(outcome.stored, ParameterValue{Parameter::steps, 4096}), 1);
+    EXPECT_EQ(outcome.eepromWrites, 1);
+    EXPECT_EQ(bench.kept(Parameter::steps), Kept::stored);
+}
+
+TEST_F(NodeJobs, FactoryValuesAreReadAfterAReset)
+{
+    bench.finish(writing({{Parameter::steps, 4000}}));
+    bench.log.clear();
+    bench.has["6001:0"] = {0, 0x20, 0, 0};
+    const Outcome &outcome = bench.finish(ResetToDefault{});
+    EXPECT_TRUE(outcome.result);
+    const Rows rows = bench.jobLog();
+    EXPECT_EQ((Rows{rows.begin(), rows.begin() + 3}), (Rows{"1011:1 6C 6F 61 64", "NMT 81", "6001:0"}));
+    EXPECT_EQ(outcome.eepromWrites, 1);
+    EXPECT_EQ(bench.value(Parameter::steps), 8192);
+    EXPECT_EQ(bench.messages.size(), 0u) << "its boot-up was expected";
+}
+
+TEST_F(NodeJobs, ANodeThatDoesNotComeBackIsToBeSearchedFor)
+{
+    bench.bootsAfterReset = false;
+    const Instant begun = bench.now;
+    EXPECT_FALSE(bench.finish(ResetToDefault{}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::notBackAfterReset);
+    EXPECT_GE(bench.now - begun, std::chrono::seconds(5));
+    EXPECT_LT(bench.now - begun, std::chrono::seconds(6));
+}
+
+TEST_F(NodeJobs, ARunningNodeIsNotStoppedUnasked)
+{
+    bench.refusesWhileRunning = bench.isRunning = true;
+    bench.hear(0x705, {0x05});
+    const WriteParameters job = writing({{Parameter::steps, 4000}});
+    EXPECT_FALSE(bench.finish(job).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::nodeWouldStop);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0 A0 0F 00 00"}));
+    EXPECT_FALSE(bench.finish(ResetToDefault{}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::nodeWouldStop);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0 A0 0F 00 00"})) << "nothing is sent";
+
+    bench.log.clear();
+    bench.driver.mayStopNode();
+    EXPECT_TRUE(bench.finish(job).result);
+    const Rows rows = bench.jobLog();
+    EXPECT_EQ((Rows{rows.begin(), rows.begin() + 3}),
+              (Rows{"6001:0 A0 0F 00 00", "NMT 80", "6001:0 A0 0F 00 00"}));
+    EXPECT_EQ(rows.back(), "NMT 01") << "and started again";
+    EXPECT_TRUE(bench.isRunning);
+}
+
+TEST_F(NodeJobs, ANodeThatWasStoppedForAJobIsStartedAgainEvenIfItFails)
+{
+    bench.refusesWhileRunning = bench.isRunning = true;
+    bench.hear(0x705, {0x05});
+    bench.next("6001:0", NodeBench::Fate::lost); // the read back
+    bench.driver.mayStopNode();
+    EXPECT_FALSE(bench.finish(writing({{Parameter::steps, 4000}})).result);
+    EXPECT_EQ(bench.jobLog().back(), "NMT 01");
+}
+
+TEST_F(NodeJobs, SetsThePositionAndStoresIt)
+{
+    const Outcome &outcome = bench.finish(SetPreset{.value = 100});
+    EXPECT_TRUE(outcome.result);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6000:0", "6002:0", "6003:0", "6003:0 64 00 00 00", "6003:0", "6509:0",
+                                    "1010:1 73 61 76 65"}));
+    EXPECT_EQ(outcome.positionBefore, 5000);
+    EXPECT_EQ(outcome.positionAfter, 100);
+    EXPECT_EQ(outcome.eepromWrites, 1);
+}
+
+TEST_F(NodeJobs, APresetWithoutAnAnswerIsJudgedByWhatTheEncoderHas)
+{
+    bench.next("6003:0 64 00 00 00", NodeBench::Fate::unanswered);
+    EXPECT_TRUE(bench.finish(SetPreset{.value = 100}).result);
+    EXPECT_FALSE(bench.outcome->inDoubt.position);
+
+    bench.next("6003:0 65 00 00 00", NodeBench::Fate::lost);
+    EXPECT_FALSE(bench.finish(SetPreset{.value = 101}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteNotDone);
+
+    bench.has["6004:0"] = {0x88, 0x13, 0, 0}; // the same preset again: only the position tells
+    bench.next("6003:0 64 00 00 00", NodeBench::Fate::unanswered);
+    EXPECT_TRUE(bench.finish(SetPreset{.value = 100}).result);
+
+    bench.next("6003:0 64 00 00 00", NodeBench::Fate::unanswered); // which is there already
+    EXPECT_FALSE(bench.finish(SetPreset{.value = 100}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteUnknown);
+    EXPECT_TRUE(bench.outcome->inDoubt.position);
+}
+
+TEST_F(NodeJobs, APresetLiesWithinTheRange)
+{
+    bench.finish(ReadParameters{{Parameter::scaling, Parameter::measuringRange}});
+    EXPECT_FALSE(bench.finish(SetPreset{.value = 16'777'217}).result);
+    EXPECT_EQ(bench.refusal(), RefusalId::valueOutOfRange);
+}
+
+TEST_F(NodeJobs, ByHandEachChangeWaits)
+{
+    ASSERT_TRUE(bench.begin(writing({{Parameter::steps, 4000}}), Pace::byHand));
+    for (int i = 0; i < 50; ++i)
+        bench.step();
+    EXPECT_TRUE(bench.progress.waitsForUser);
+    EXPECT_TRUE(bench.jobLog().empty());
+    bench.driver.proceed();
+    for (int i = 0; i < 50; ++i)
+        bench.step();
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0 A0 0F 00 00", "6001:0"})) << "storing waits again";
+    bench.driver.proceed();
+    EXPECT_TRUE(bench.finish().result);
+}
+
+TEST_F(NodeJobs, ACancelledJobGivesBackWhatItKnows)
+{
+    bench.finish(ReadParameters{{Parameter::steps}});
+    bench.log.clear();
+    ASSERT_TRUE(bench.begin(writing({{Parameter::steps, 4000}, {Parameter::measuringRange, 8'000'000}})));
+    while (!bench.outcome && (bench.log.empty() || bench.log.back() != "6001:0 A0 0F 00 00"))
+        bench.step();
+    bench.driver.cancel(OnCancel::restorePrevious, bench.now);
+    const Outcome &outcome = bench.finish();
+    EXPECT_EQ(bench.refusal(), RefusalId::cancelled);
+    EXPECT_EQ(outcome.restored, Evidence::read);
+    EXPECT_EQ(bench.has["6001:0"], (std::vector<std::uint8_t>{0, 0x10, 0, 0}));
+    EXPECT_EQ(bench.value(Parameter::steps), 4096);
+}
+
+TEST_F(NodeJobs, AJobThatIsStoppedInAWriteLeavesItInDoubt)
+{
+    ASSERT_TRUE(bench.begin(writing({{Parameter::steps, 4000}})));
+    std::optional<NodeRequest> request;
+    while (!request || !std::get<SdoRequest>(*request).value) {
+        if (request)
+            bench.driver.answered(*request, {.kind = SdoOutcome::Kind::read, .value = {0, 0, 0, 0}},
+                                  bench.now);
+        request = bench.driver.next(bench.now);
+    }
+    bench.driver.stop({RefusalKind::link, RefusalId::linkFailed, {}}, bench.now);
+    bench.step();
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.outcome->inDoubt.values, (ParameterValues{{Parameter::steps, 4000}}));
+    EXPECT_EQ(bench.outcome->leftIn, EncoderState::unknown);
+}
+
+TEST_F(NodeJobs, StatesOfTheNodeAreJobs)
+{
+    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::start)).result);
+    EXPECT_EQ(bench.driver.state(), NmtState::operational);
+    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::stop)).result);
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::waiting);
+    EXPECT_FALSE(bench.driver.reading().position) << "it answers nothing";
+    bench.log.clear();
+    bench.run(std::chrono::seconds(2));
+    EXPECT_TRUE(bench.log.empty()) << "and is asked nothing";
+    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::resetNode)).result);
+    EXPECT_EQ(bench.jobLog(), (Rows{"NMT 81"}));
+}
+
+TEST_F(NodeJobs, CamsAreReadAndOnlyWhatDiffersIsWritten)
+{
+    for (const char *base : {"631", "632"})
+        for (int cam = 0; cam < 8; ++cam)
+            bench.has[base + std::to_string(cam) + ":1"] = {0, 0, 0, 0};
+    for (int cam = 0; cam < 8; ++cam)
+        bench.has["633" + std::to_string(cam) + ":1"] = {0, 0};
+    bench.has["6301:1"] = {0x01};
+    bench.has["6302:1"] = {0x00};
+    bench.has["6310:1"] = {0x0A, 0, 0, 0};
+    ASSERT_TRUE(bench.finish(ReadCams{{1}, {}}).result);
+    ASSERT_EQ(bench.outcome->camsRead.size(), 1u);
+    CamProgram program = bench.outcome->camsRead.front();
+    EXPECT_EQ(program.cam[0].start, 10);
+    EXPECT_TRUE(program.cam[0].active);
+
+    program.cam[0].stop = 20;
+    program.cam[1] = {.start = 30, .stop = 40, .active = true, .hysteresis = 2, .isInverted = true};
+    bench.log.clear();
+    const Outcome &outcome = bench.finish(WriteCams{{program}, true, {}});
+    EXPECT_TRUE(outcome.result);
+    Rows written;
+    for (const std::string &row : bench.jobLog())
+        if (row.find(' ') != std::string::npos)
+            written.push_back(row);
+    EXPECT_EQ(written, (Rows{"6320:1 14 00 00 00", "6311:1 1E 00 00 00", "6321:1 28 00 00 00", "6331:1 02 00",
+                             "6302:1 02", "6301:1 03", "1010:1 73 61 76 65"}));
+    ASSERT_EQ(bench.cams.size(), 1u);
+    EXPECT_EQ(bench.cams.front().program, program);
+    EXPECT_EQ(outcome.eepromWrites, 1);
+}
+
+} // namespace
+} // namespace codewheel::canopen
