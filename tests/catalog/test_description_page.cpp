@@ -43,11 +43,11 @@ TEST(DescriptionPage, NamesEverythingTheReaderKnows)
         const char *to = R"("nonsense")";
     };
     const Row rows[] = {
-        {R"("manual")", 24},                                      // the device
-        {R"("profile": "LA-66")", 6, R"("profile": "nonsense")"}, // profiles
+        {R"("manual")", 25},                                      // the device
+        {R"("profile": "LA-66")", 7, R"("profile": "nonsense")"}, // profiles
         {R"("direction")", 29},                                   // parameters
-        {R"("readOut")", 18},                                     // a parameter
-        {R"("micrometres")", 7},                                  // units
+        {R"("readOut")", 21},                                     // a parameter
+        {R"("micrometres")", 8},                                  // units
         {R"("magnetOutOfRange")", 9},                             // meanings of errors
         {R"("text")", 4},                                         // an error
         {R"("presetNeedsValue")", 11},                            // capabilities

@@ -34,6 +34,7 @@ Cia406Driver::Cia406Driver(const DeviceDescription &device, int node, const Node
 void Cia406Driver::getToKnow()
 {
     m_pdos.clear();
+    m_read.clear();
     for (int number = 1; number <= predefinedPdos; ++number)
         m_pdos.emplace_back(PdoDirection::transmit, number);
     m_toKnow = {heartbeatTime};
@@ -254,23 +255,30 @@ void Cia406Driver::gotToKnow(SdoObject object, const SdoOutcome &outcome, Instan
     const auto pdo =
         std::ranges::find_if(m_pdos, [&](PdoMapping &each) { return each.take(object, outcome.value); });
     if (pdo != m_pdos.end()) {
-        std::vector<std::uint32_t> identifiers;
-        for (const PdoMapping &each : m_pdos)
-            if (each.isRead() && each.isThere() && !each.isOff())
-                identifiers.push_back(each.identifier());
-        if (m_pdos.back().isRead())
-            m_encoder.watch.setTpdos(std::move(identifiers));
+        if (pdo->isRead() && pdo->isThere() && !pdo->isOff())
+            m_read.push_back(*pdo);
+        if (pdo->isRead() && pdo == std::prev(m_pdos.end()))
+            noteIdentifiers();
         return;
     }
     std::erase(m_toKnow, object);
     if (object == heartbeatTime && !outcome.value.empty())
         m_encoder.watch.setProducerTime(std::chrono::milliseconds(numberOf(outcome.value)), now);
     else
-        takeSerialNumber(now);
+        takeSerialNumber();
+}
+
+void Cia406Driver::noteIdentifiers()
+{
+    std::vector<std::uint32_t> identifiers;
+    for (const PdoMapping &pdo : m_read)
+        if (!pdo.isExtended())
+            identifiers.push_back(pdo.identifier());
+    m_encoder.watch.setTpdos(std::move(identifiers));
 }
 
 // Another one than before: all that was known was of another encoder.
-void Cia406Driver::takeSerialNumber(Instant /*now*/)
+void Cia406Driver::takeSerialNumber()
 {
     const auto number = m_encoder.values.value(Parameter::serialNumber);
     const auto before = std::exchange(m_serialNumber, number);
@@ -293,8 +301,8 @@ void Cia406Driver::take(const CanFrame &frame, Instant now)
             m_encoder.tell(now, Severity::attention, CanopenMessageId::nodeBooted);
     }
     const auto typeOf = [this](const SdoObject &object) { return m_encoder.pdoType(object); };
-    for (const PdoMapping &pdo : m_pdos) {
-        if (!pdo.isRead() || !pdo.isOf(frame))
+    for (const PdoMapping &pdo : m_read) {
+        if (!pdo.isOf(frame))
             continue;
         for (const PdoValue &value : pdo.values(frame, typeOf)) {
             m_encoder.take(value, now);

@@ -33,11 +33,9 @@ public:
     void lost(Instant now) override;
     bool mayBeSilent() const override { return m_job && m_job->mayBeSilent(); }
     int node() const override { return m_encoder.node; }
+    std::span<const PdoMapping> transmitPdos() const override { return m_pdos; }
     std::vector<Event> takeEvents() override;
     std::vector<Message> takeMessages() override;
-
-    // The PDOs of the node, as far as they were read.
-    const std::vector<PdoMapping> &transmitPdos() const { return m_pdos; }
 
 private:
     enum class Asks : std::uint8_t { nobody, poll, job };
@@ -54,7 +52,8 @@ private:
     void fallSilent(Instant now, int tries);
     void pollAnswered(SdoObject object, const SdoOutcome &outcome, Instant now);
     void gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now);
-    void takeSerialNumber(Instant now);
+    void noteIdentifiers();
+    void takeSerialNumber();
 
     NodeEncoder m_encoder;
     std::optional<NodeJob> m_job;
@@ -62,6 +61,7 @@ private:
     Asks m_asks = Asks::nobody; // whose request is under way
     bool m_wasPoll = false;     // the last request
     std::vector<PdoMapping> m_pdos;
+    std::vector<PdoMapping> m_read;  // those of them that were read, and are on
     std::vector<SdoObject> m_toKnow; // once, when it answers
     std::vector<SdoObject> m_bits;   // alarms and warnings, in turn
     std::size_t m_nextBits = 0;

@@ -147,9 +147,12 @@ void NodeJob::writeAnswered(const SdoOutcome &outcome, Instant now)
         accepted(now);
         break;
     case Answer::aborted:
-        aborted(outcome);
-        break;
-    default: // a read is no answer to a write
+        if (!outcome.isOwnAbort) {
+            aborted(outcome);
+            break;
+        }
+        [[fallthrough]]; // what came does not tell what became of it
+    default:
         notAnswered();
         break;
     }
@@ -382,7 +385,7 @@ void NodeJob::fail(Refusal why)
 Refusal NodeJob::refusalOf(const SdoOutcome &outcome) const
 {
     const QString object = m_steps.current().object.text();
-    if (outcome.kind == Answer::aborted)
+    if (outcome.kind == Answer::aborted && !outcome.isOwnAbort)
         return {RefusalKind::device, CanopenRefusalId::sdoAborted, {object, Word{outcome.abortCode}}};
     return {RefusalKind::device, CanopenRefusalId::sdoNoAnswer, {object, std::int64_t{m_encoder.node}}};
 }

@@ -15,7 +15,7 @@ struct NodeSettings
     Instant pdoPatience = std::chrono::seconds(1);             // after the last PDO that brought one
     Instant bitsInterval = std::chrono::seconds(1);            // of alarms and warnings
     Instant silenceInterval = std::chrono::seconds(1);         // of a node that does not answer
-    int silentAfter = 3;                                       // requests in a row without an answer
+    int silentAfter = 2; // reads in a row without an answer, each sent three times
 };
 
 } // namespace codewheel::canopen

@@ -39,7 +39,11 @@ bool isPolledRow(const std::string &text)
 } // namespace
 
 NodeBench::NodeBench(QStringView key)
-    : device(*Catalog::builtIn().find(key))
+    : NodeBench(*Catalog::builtIn().find(key))
+{}
+
+NodeBench::NodeBench(const DeviceDescription &described)
+    : device(described)
     , driver(device, benchNode)
     , has{{"1018:1", {0x0D, 1, 0, 0}}, {"1018:4", {0x39, 0x30, 0, 0}},
           {"1017:0", {0, 0}},          {"6000:0", {0x04, 0x10}},

@@ -23,6 +23,7 @@ public:
     };
 
     explicit NodeBench(QStringView device = u"canopen-406-multi-turn");
+    explicit NodeBench(const DeviceDescription &described);
 
     const DeviceDescription device;
     Cia406Driver driver;

@@ -249,6 +249,31 @@ TEST_F(NodeJobs, ANodeThatWasStoppedForAJobIsStartedAgainEvenIfItFails)
     EXPECT_EQ(bench.jobLog().back(), "NMT 01");
 }
 
+// TWK: its number is 2000h, which is the position of another make.
+TEST(NodeMake, ObjectsOfTheMakerAreWrittenToThatMakeOnly)
+{
+    Catalog catalog;
+    ASSERT_TRUE(
+        catalog.add(R"({"key": "node", "vendor": "TWK", "name": "N", "manual": "M", "profile": "CiA-406",
+        "vendorNumber": "10Dh", "physicalStepsPerTurn": 0, "physicalTurns": 0, "parameters": [
+        {"parameter": "address", "object": "2000", "type": "u8", "access": "rw", "minimum": 1, "maximum": 127}],
+        "errors": [], "capabilities": {"presets": false, "cams": false, "readingHidesPosition": false,
+        "presetIsStored": false, "hasBattery": false}, "quirks": {"confirmsWhileProcessing": false,
+        "presetNeedsRearming": false, "mayCountStepsMinusOne": false, "hasModes": false}})",
+                    QStringLiteral("node.json")));
+    NodeBench bench(catalog.devices().front());
+    bench.has["2000:0"] = {5};
+    bench.settle();
+    const WriteParameters job{.values = {{Parameter::lineAddress, 6}}, .previous = {}};
+    EXPECT_TRUE(bench.finish(job).result);
+    EXPECT_EQ(bench.jobLog(), (Rows{"1018:1", "2000:0 06", "2000:0", "1010:1 73 61 76 65"}));
+    bench.log.clear();
+    bench.has["1018:1"] = {0x82, 0, 0, 0};
+    EXPECT_FALSE(bench.finish(job).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::makeDiffers);
+    EXPECT_EQ(bench.jobLog(), (Rows{"1018:1"}));
+}
+
 TEST_F(NodeJobs, SetsThePositionAndStoresIt)
 {
     const Outcome &outcome = bench.finish(SetPreset{.value = 100});
