@@ -14,9 +14,8 @@ namespace codewheel {
 namespace {
 
 constexpr std::array canopenRefusalRows{
-    SentenceRow{
-        CanopenRefusalId::sdoAborted, "sdoAborted",
-        QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1: %3 Abort code %2; it kept what it has.")},
+    SentenceRow{CanopenRefusalId::sdoAborted, "sdoAborted",
+                QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1 (abort code %2h): %3")},
     SentenceRow{CanopenRefusalId::sdoNoAnswer, "sdoNoAnswer",
                 QT_TRANSLATE_NOOP(
                     "Refusal", "Node %2 does not answer for %1. Check its supply, its number and the rate "
@@ -51,11 +50,13 @@ constexpr std::array canopenRefusalRows{
     SentenceRow{CanopenRefusalId::makeDiffers, "makeDiffers",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1 is an object of the maker, and the encoder is of another make (vendor "
-                                  "number %3) than its description (%2). Nothing was written: choose the "
+                                  "number %3h) than its description (%2h). Nothing was written: choose the "
                                   "description that belongs to it.")},
 };
 
 static_assert(areInOrder(canopenRefusalRows, &SentenceRow::id, CanopenRefusalId::makeDiffers));
+
+constexpr const char *otherReason = QT_TRANSLATE_NOOP("Refusal", "CiA 301 has no reason with this number.");
 
 // What the abort code means is said in the present language.
 QString canopenRefusalText(const Refusal &refusal)
@@ -63,7 +64,8 @@ QString canopenRefusalText(const Refusal &refusal)
     QStringList parts = argumentTexts(refusal.arguments);
     if (refusal.id == CanopenRefusalId::sdoAborted && parts.size() == 2) {
         const auto *code = std::get_if<Word>(&refusal.arguments[1]);
-        parts << (code != nullptr ? canopen::sdoAbortText(*code) : QString());
+        const QString why = code != nullptr ? canopen::sdoAbortText(*code) : QString();
+        parts << (why.isEmpty() ? refusalPattern(otherReason) : why);
     }
     return rowText(refusal, parts);
 }
