@@ -87,17 +87,26 @@ SdoOutcome NodeBench::answerTo(const SdoRequest &request, const std::string &tex
 {
     using Kind = SdoOutcome::Kind;
     const std::string object = requestedObject(request);
-    auto &fates = m_next[text];
-    if (!fates.empty()) {
-        const Fate fate = fates.front();
-        fates.pop_front();
-        if (fate == Fate::unanswered)
+    if (const auto fate = fateOf(text)) {
+        if (*fate == Fate::unanswered)
             execute(request, object);
-        if (fate != Fate::notSent)
+        if (*fate != Fate::notSent)
             now += request.timeOut * (request.value ? 1 : 3);
-        return {.kind = fate == Fate::notSent ? Kind::notSent : Kind::noAnswer};
+        return {.kind = *fate == Fate::notSent ? Kind::notSent : Kind::noAnswer};
     }
     return execute(request, object);
+}
+
+std::optional<NodeBench::Fate> NodeBench::fateOf(const std::string &text)
+{
+    if (fateOfJobRequest && !isPolledRow(text) && jobLog().size() == fateOfJobRequest->first + 1)
+        return fateOfJobRequest->second;
+    auto &fates = m_next[text];
+    if (fates.empty())
+        return std::nullopt;
+    const Fate fate = fates.front();
+    fates.pop_front();
+    return fate;
 }
 
 SdoOutcome NodeBench::execute(const SdoRequest &request, const std::string &object)

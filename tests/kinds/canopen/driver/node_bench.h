@@ -38,6 +38,9 @@ public:
     // The next request with this text meets this fate.
     void next(const std::string &text, Fate fate) { m_next[text].push_back(fate); }
 
+    // Of the requests that are not polled, the one with this number in the log, from 0.
+    std::optional<std::pair<std::size_t, Fate>> fateOfJobRequest;
+
     Instant now{};
     void run(Instant duration);
     void settle(); // until it knows what it wants to know; clears the log
@@ -65,6 +68,7 @@ public:
 private:
     SdoOutcome answerTo(const SdoRequest &request, const std::string &text);
     SdoOutcome answerTo(const NmtRequest &request);
+    std::optional<Fate> fateOf(const std::string &text);
     SdoOutcome execute(const SdoRequest &request, const std::string &object);
     void collect();
 

@@ -249,6 +249,62 @@ TEST_F(NodeJobs, ANodeThatWasStoppedForAJobIsStartedAgainEvenIfItFails)
     EXPECT_EQ(bench.jobLog().back(), "NMT 01");
 }
 
+struct Disturbed
+{
+    std::size_t request;
+    NodeBench::Fate fate;
+};
+
+// What the job says of its values and of the position must be so, wherever an answer is missing.
+void checkDisturbed(const Job &job, const ParameterValues &wanted, const Disturbed &by)
+{
+    NodeBench bench;
+    bench.settle();
+    bench.fateOfJobRequest = {by.request, by.fate};
+    const Outcome outcome = bench.finish(job);
+    const auto why = ::testing::Message()
+                     << "request " << by.request << ", fate " << static_cast<int>(by.fate);
+    for (const std::string &row : bench.log)
+        if (row.find(' ') != std::string::npos) {
+            EXPECT_EQ(std::ranges::count(bench.log, row), 1) << why << ": " << row;
+        }
+    bench.fateOfJobRequest.reset();
+    const auto before = NodeBench().has;
+    bench.run(std::chrono::seconds(5));
+    for (const ParameterValue &value : wanted) {
+        ASSERT_TRUE(bench.finish(ReadParameters{{value.parameter}}).result) << why;
+        const bool has = bench.value(value.parameter) == value.value.number();
+        const bool saysSo = findValue(outcome.written, value.parameter) == value.value;
+        const bool isInDoubt = findValue(outcome.inDoubt.values, value.parameter).has_value();
+        EXPECT_TRUE(isInDoubt || has == saysSo) << why << ": " << parameterKey(value.parameter).toStdString();
+    }
+    if (std::holds_alternative<SetPreset>(job) && !outcome.inDoubt.position) {
+        const bool wasSet = bench.has.at("6004:0") != before.at("6004:0");
+        const bool isStored = bench.refusal() == CanopenRefusalId::storingUnknown;
+        EXPECT_TRUE(!outcome.result || wasSet || isStored) << why;
+        EXPECT_FALSE(bench.refusal() == CanopenRefusalId::sdoWriteNotDone && wasSet) << why;
+    }
+}
+
+TEST(DisturbedNode, SaysOfEachValueWhatIsSo)
+{
+    const ParameterValues wanted{{Parameter::steps, 4000},
+                                 {Parameter::measuringRange, 8'000'000},
+                                 {Parameter::scaling, 0},
+                                 {Parameter::direction, 1}};
+    constexpr std::size_t mostRequests = 20;
+    for (std::size_t request = 0; request < mostRequests; ++request)
+        for (const auto fate :
+             {NodeBench::Fate::lost, NodeBench::Fate::unanswered, NodeBench::Fate::notSent}) {
+            for (const bool onlyWhatDiffers : {false, true})
+                checkDisturbed(
+                    WriteParameters{.values = wanted, .onlyWhatDiffers = onlyWhatDiffers, .previous = {}},
+                    wanted, {request, fate});
+            checkDisturbed(SetPreset{.value = 100}, {}, {request, fate});
+            checkDisturbed(ResetToDefault{}, {}, {request, fate});
+        }
+}
+
 // TWK: its number is 2000h, which is the position of another make.
 TEST(NodeMake, ObjectsOfTheMakerAreWrittenToThatMakeOnly)
 {
