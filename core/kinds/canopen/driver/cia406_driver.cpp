@@ -24,7 +24,7 @@ std::unique_ptr<NodeDriver> makeNodeDriver(const DeviceDescription &device, int 
     return device.profile == profile::cia406 ? std::make_unique<Cia406Driver>(device, node) : nullptr;
 }
 
-Cia406Driver::Cia406Driver(const DeviceDescription &device, int node, const NodeSettings &settings)
+Cia406Driver::Cia406Driver(const DeviceDescription &device, int node, const NodeTimes &settings)
     : m_encoder(device, node, settings)
 {
     getToKnow();

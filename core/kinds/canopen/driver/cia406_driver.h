@@ -15,7 +15,7 @@ class Cia406Driver final : public NodeDriver
 {
 public:
     // The description must outlive the driver.
-    Cia406Driver(const DeviceDescription &device, int node, const NodeSettings &settings = {});
+    Cia406Driver(const DeviceDescription &device, int node, const NodeTimes &settings = {});
 
     const Reading &reading() const override { return m_encoder.reading; }
     std::optional<NmtState> state() const override { return m_encoder.state(); }

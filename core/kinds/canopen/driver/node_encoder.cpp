@@ -63,7 +63,7 @@ ObjectType typeOf(const DeviceDescription &device, SdoObject object)
 
 } // namespace
 
-NodeEncoder::NodeEncoder(const DeviceDescription &description, int its, const NodeSettings &how)
+NodeEncoder::NodeEncoder(const DeviceDescription &description, int its, const NodeTimes &how)
     : device(description)
     , node(its)
     , settings(how)

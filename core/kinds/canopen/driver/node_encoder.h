@@ -3,7 +3,7 @@
 
 #include "jobs/known_values.h"
 #include "kinds/canopen/driver/node_plan.h"
-#include "kinds/canopen/driver/node_settings.h"
+#include "kinds/canopen/driver/node_times.h"
 #include "kinds/canopen/protocol/node_watch.h"
 #include "kinds/canopen/protocol/pdo_mapping.h"
 #include "vocabulary/position_speed.h"
@@ -18,11 +18,11 @@ class NodeEncoder
 {
 public:
     // The description must outlive this.
-    NodeEncoder(const DeviceDescription &description, int its, const NodeSettings &how);
+    NodeEncoder(const DeviceDescription &description, int its, const NodeTimes &how);
 
     const DeviceDescription &device;
     int node;
-    NodeSettings settings;
+    NodeTimes settings;
     Reading reading{};
     NodeWatch watch;
     std::optional<Instant> bootedAt{};

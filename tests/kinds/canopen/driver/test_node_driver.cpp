@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/canopen_messages.h"
-#include "tests/kinds/canopen/driver/node_bench.h"
+#include "tests/kinds/canopen/driver/driver_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // TPDO 1 has the position and the speed, in this order.
-void mapPositionAndSpeed(NodeBench &bench)
+void mapPositionAndSpeed(DriverBench &bench)
 {
     bench.has["1800:1"] = {0x85, 0x01, 0, 0x40};
     bench.has["1800:2"] = {0xFE};
@@ -28,7 +28,7 @@ TEST(NodeDriver, IsMadeForItsProfileOnly)
 
 TEST(NodeDriver, AsksForThePositionWhereNoPdoBringsIt)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.settle();
     EXPECT_EQ(bench.driver.reading().position, 5000);
     EXPECT_EQ(bench.driver.reading().alarms, 0);
@@ -42,7 +42,7 @@ TEST(NodeDriver, AsksForThePositionWhereNoPdoBringsIt)
 
 TEST(NodeDriver, TakesThePositionByTheMappingThatWasRead)
 {
-    NodeBench bench;
+    DriverBench bench;
     mapPositionAndSpeed(bench);
     bench.settle();
     bench.hear(0x705, {0x05});
@@ -60,7 +60,7 @@ TEST(NodeDriver, TakesThePositionByTheMappingThatWasRead)
 
 TEST(NodeDriver, AnotherLayoutIsDecodedAsItIs)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.has["1800:1"] = {0x00, 0x03, 0, 0x40}; // 300h
     bench.has["1A00:0"] = {2};
     bench.has["1A00:1"] = {0x10, 0, 0x05, 0x65};
@@ -75,7 +75,7 @@ TEST(NodeDriver, AnotherLayoutIsDecodedAsItIs)
 
 TEST(NodeDriver, AnEntryThatDoesNotFitItsObjectIsNotDecoded)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.has["1800:1"] = {0x85, 0x01, 0, 0x40};
     bench.has["1A00:0"] = {1};
     bench.has["1A00:1"] = {0x10, 0, 0x04, 0x60}; // 16 bits of 32
@@ -87,7 +87,7 @@ TEST(NodeDriver, AnEntryThatDoesNotFitItsObjectIsNotDecoded)
 TEST(NodeDriver, ASpeedThatContradictsThePositionIsToldOnce)
 {
     for (const bool isZero : {true, false}) {
-        NodeBench bench;
+        DriverBench bench;
         mapPositionAndSpeed(bench);
         bench.settle();
         bench.finish(ReadParameters{
@@ -104,7 +104,7 @@ TEST(NodeDriver, ASpeedThatContradictsThePositionIsToldOnce)
 
 TEST(NodeDriver, AnObjectThatIsNotThereIsAskedForOnce)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.has.erase("6505:0");
     bench.settle();
     bench.run(5s);
@@ -115,7 +115,7 @@ TEST(NodeDriver, AnObjectThatIsNotThereIsAskedForOnce)
 
 TEST(NodeDriver, ShowsAPositionInPreOperational)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.hear(0x705, {0x7F});
     bench.settle();
     EXPECT_EQ(bench.driver.reading().state, EncoderState::waiting);
@@ -124,7 +124,7 @@ TEST(NodeDriver, ShowsAPositionInPreOperational)
 
 TEST(NodeDriver, AnUnaskedBootUpIsToldAndWhatWasNotStoredIsForgotten)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.settle();
     bench.finish(WriteParameters{.values = {{Parameter::steps, 4000}}, .previous = {}}); // and stored
     bench.finish(ReadParameters{{Parameter::measuringRange}});
@@ -139,7 +139,7 @@ TEST(NodeDriver, AnUnaskedBootUpIsToldAndWhatWasNotStoredIsForgotten)
 
 TEST(NodeDriver, EmergenciesAreTold)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.settle();
     bench.hear(0x085, {0x10, 0x43, 0x09, 0, 0, 0, 0, 0});
     bench.hear(0x086, {0x10, 0x43, 0x09, 0, 0, 0, 0, 0}); // of another node
@@ -151,11 +151,11 @@ TEST(NodeDriver, EmergenciesAreTold)
 
 TEST(NodeDriver, SilenceAndItsEndAreToldOnce)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.settle();
     for (int i = 0; i < 6; ++i)
         for (const char *object : {"6004:0", "6503:0", "6505:0"})
-            bench.next(object, NodeBench::Fate::lost);
+            bench.next(object, DriverBench::Fate::lost);
     bench.run(10s);
     EXPECT_EQ(bench.driver.reading().state, EncoderState::silent);
     EXPECT_EQ(bench.countOf(MessageId::encoderSilent), 1);
@@ -166,7 +166,7 @@ TEST(NodeDriver, SilenceAndItsEndAreToldOnce)
 
 TEST(NodeDriver, AnotherSerialNumberIsAnotherEncoder)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.settle();
     bench.finish(ReadParameters{{Parameter::steps}});
     bench.has["1018:4"] = {1, 0, 0, 0};
@@ -178,7 +178,7 @@ TEST(NodeDriver, AnotherSerialNumberIsAnotherEncoder)
 
 TEST(NodeDriver, CommandsOfAnotherMasterAreHeeded)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.settle();
     bench.hear(0x000, {0x01, 0x00});
     EXPECT_EQ(bench.driver.state(), NmtState::operational);

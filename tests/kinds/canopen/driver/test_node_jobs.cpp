@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/nmt_job.h"
-#include "tests/kinds/canopen/driver/node_bench.h"
+#include "tests/kinds/canopen/driver/driver_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct NodeJobs : ::testing::Test
         return {.values = std::move(values), .onlyWhatDiffers = onlyWhatDiffers, .previous = {}};
     }
 
-    NodeBench bench;
+    DriverBench bench;
 };
 
 TEST_F(NodeJobs, ReadsEachObjectOnceAndLeavesOutWhatTheEncoderDoesNotHave)
@@ -125,7 +125,7 @@ TEST_F(NodeJobs, ARefusalEndsTheJobAndNothingIsStored)
 
 TEST_F(NodeJobs, AWriteWithoutAnAnswerThatIsFoundWasDone)
 {
-    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::unanswered);
+    bench.next("6001:0 A0 0F 00 00", DriverBench::Fate::unanswered);
     const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
     EXPECT_TRUE(outcome.result);
     EXPECT_EQ(outcome.written, (ParameterValues{{Parameter::steps, 4000}}));
@@ -134,7 +134,7 @@ TEST_F(NodeJobs, AWriteWithoutAnAnswerThatIsFoundWasDone)
 
 TEST_F(NodeJobs, AWriteWithoutAnAnswerThatIsNotFoundWasNotDone)
 {
-    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::lost);
+    bench.next("6001:0 A0 0F 00 00", DriverBench::Fate::lost);
     const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
     EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteNotDone);
     EXPECT_TRUE(outcome.written.empty());
@@ -144,8 +144,8 @@ TEST_F(NodeJobs, AWriteWithoutAnAnswerThatIsNotFoundWasNotDone)
 
 TEST_F(NodeJobs, AWriteWithoutAnAnswerThatCannotBeReadIsInDoubt)
 {
-    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::unanswered);
-    bench.next("6001:0", NodeBench::Fate::lost);
+    bench.next("6001:0 A0 0F 00 00", DriverBench::Fate::unanswered);
+    bench.next("6001:0", DriverBench::Fate::lost);
     const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
     EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteUnknown);
     EXPECT_EQ(outcome.inDoubt.values, (ParameterValues{{Parameter::steps, 4000}}));
@@ -154,7 +154,7 @@ TEST_F(NodeJobs, AWriteWithoutAnAnswerThatCannotBeReadIsInDoubt)
 
 TEST_F(NodeJobs, WhatCouldNotBeSentChangesNothing)
 {
-    bench.next("6001:0 A0 0F 00 00", NodeBench::Fate::notSent);
+    bench.next("6001:0 A0 0F 00 00", DriverBench::Fate::notSent);
     const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
     EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoNotSent);
     EXPECT_EQ(outcome.inDoubt, InDoubt());
@@ -175,7 +175,7 @@ TEST_F(NodeJobs, AnotherValueThanTheOneWrittenIsReported)
 
 TEST_F(NodeJobs, WhetherItWasStoredIsNotKnownWithoutAnAnswer)
 {
-    bench.next("1010:1 73 61 76 65", NodeBench::Fate::unanswered);
+    bench.next("1010:1 73 61 76 65", DriverBench::Fate::unanswered);
     const Outcome &outcome = bench.finish(writing({{Parameter::steps, 4000}}));
     EXPECT_EQ(bench.refusal(), CanopenRefusalId::storingUnknown);
     EXPECT_EQ(outcome.written.size(), 1u) << "it is in force";
@@ -243,7 +243,7 @@ TEST_F(NodeJobs, ANodeThatWasStoppedForAJobIsStartedAgainEvenIfItFails)
 {
     bench.refusesWhileRunning = bench.isRunning = true;
     bench.hear(0x705, {0x05});
-    bench.next("6001:0", NodeBench::Fate::lost); // the read back
+    bench.next("6001:0", DriverBench::Fate::lost); // the read back
     bench.driver.mayStopNode();
     EXPECT_FALSE(bench.finish(writing({{Parameter::steps, 4000}})).result);
     EXPECT_EQ(bench.jobLog().back(), "NMT 01");
@@ -252,13 +252,13 @@ TEST_F(NodeJobs, ANodeThatWasStoppedForAJobIsStartedAgainEvenIfItFails)
 struct Disturbed
 {
     std::size_t request;
-    NodeBench::Fate fate;
+    DriverBench::Fate fate;
 };
 
 // What the job says of its values and of the position must be so, wherever an answer is missing.
 void checkDisturbed(const Job &job, const ParameterValues &wanted, const Disturbed &by)
 {
-    NodeBench bench;
+    DriverBench bench;
     bench.settle();
     bench.fateOfJobRequest = {by.request, by.fate};
     const Outcome outcome = bench.finish(job);
@@ -269,7 +269,7 @@ void checkDisturbed(const Job &job, const ParameterValues &wanted, const Disturb
             EXPECT_EQ(std::ranges::count(bench.log, row), 1) << why << ": " << row;
         }
     bench.fateOfJobRequest.reset();
-    const auto before = NodeBench().has;
+    const auto before = DriverBench().has;
     bench.run(std::chrono::seconds(5));
     for (const ParameterValue &value : wanted) {
         ASSERT_TRUE(bench.finish(ReadParameters{{value.parameter}}).result) << why;
@@ -295,7 +295,7 @@ TEST(DisturbedNode, SaysOfEachValueWhatIsSo)
     constexpr std::size_t mostRequests = 20;
     for (std::size_t request = 0; request < mostRequests; ++request)
         for (const auto fate :
-             {NodeBench::Fate::lost, NodeBench::Fate::unanswered, NodeBench::Fate::notSent}) {
+             {DriverBench::Fate::lost, DriverBench::Fate::unanswered, DriverBench::Fate::notSent}) {
             for (const bool onlyWhatDiffers : {false, true})
                 checkDisturbed(
                     WriteParameters{.values = wanted, .onlyWhatDiffers = onlyWhatDiffers, .previous = {}},
@@ -317,7 +317,7 @@ TEST(NodeMake, ObjectsOfTheMakerAreWrittenToThatMakeOnly)
         "presetIsStored": false, "hasBattery": false}, "quirks": {"confirmsWhileProcessing": false,
         "presetNeedsRearming": false, "mayCountStepsMinusOne": false, "hasModes": false}})",
                     QStringLiteral("node.json")));
-    NodeBench bench(catalog.devices().front());
+    DriverBench bench(catalog.devices().front());
     bench.has["2000:0"] = {5};
     bench.settle();
     const WriteParameters job{.values = {{Parameter::lineAddress, 6}}, .previous = {}};
@@ -343,19 +343,19 @@ TEST_F(NodeJobs, SetsThePositionAndStoresIt)
 
 TEST_F(NodeJobs, APresetWithoutAnAnswerIsJudgedByWhatTheEncoderHas)
 {
-    bench.next("6003:0 64 00 00 00", NodeBench::Fate::unanswered);
+    bench.next("6003:0 64 00 00 00", DriverBench::Fate::unanswered);
     EXPECT_TRUE(bench.finish(SetPreset{.value = 100}).result);
     EXPECT_FALSE(bench.outcome->inDoubt.position);
 
-    bench.next("6003:0 65 00 00 00", NodeBench::Fate::lost);
+    bench.next("6003:0 65 00 00 00", DriverBench::Fate::lost);
     EXPECT_FALSE(bench.finish(SetPreset{.value = 101}).result);
     EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteNotDone);
 
     bench.has["6004:0"] = {0x88, 0x13, 0, 0}; // the same preset again: only the position tells
-    bench.next("6003:0 64 00 00 00", NodeBench::Fate::unanswered);
+    bench.next("6003:0 64 00 00 00", DriverBench::Fate::unanswered);
     EXPECT_TRUE(bench.finish(SetPreset{.value = 100}).result);
 
-    bench.next("6003:0 64 00 00 00", NodeBench::Fate::unanswered); // which is there already
+    bench.next("6003:0 64 00 00 00", DriverBench::Fate::unanswered); // which is there already
     EXPECT_FALSE(bench.finish(SetPreset{.value = 100}).result);
     EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteUnknown);
     EXPECT_TRUE(bench.outcome->inDoubt.position);

@@ -13,7 +13,7 @@ namespace codewheel::canopen {
 
 // A driver with a dictionary of octets instead of a node, in virtual time. What it is asked is logged as
 // "6001:0" for a read, "6001:0 88 13 00 00" for a write, "NMT 80" for a command.
-class NodeBench
+class DriverBench
 {
 public:
     enum class Fate : std::uint8_t {
@@ -22,8 +22,8 @@ public:
         notSent,
     };
 
-    explicit NodeBench(QStringView device = u"canopen-406-multi-turn");
-    explicit NodeBench(const DeviceDescription &described);
+    explicit DriverBench(QStringView device = u"canopen-406-multi-turn");
+    explicit DriverBench(const DeviceDescription &described);
 
     const DeviceDescription device;
     Cia406Driver driver;

@@ -6,7 +6,7 @@
 namespace codewheel::canopen {
 
 // How a node is asked.
-struct NodeSettings
+struct NodeTimes
 {
     Instant timeOut = std::chrono::milliseconds(500);
     // Assumed: of storing, restoring and setting the position, and until a node is back after its reset.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/kinds/canopen/driver/node_bench.h"
+#include "tests/kinds/canopen/driver/driver_bench.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace codewheel::canopen {
 namespace {
 
-constexpr int benchNode = 5;
+constexpr int driverNode = 5;
 constexpr std::uint32_t noObject = 0x0602'0000;
 
 std::string octetText(std::uint32_t number, int digits)
@@ -38,13 +38,13 @@ bool isPolledRow(const std::string &text)
 
 } // namespace
 
-NodeBench::NodeBench(QStringView key)
-    : NodeBench(*Catalog::builtIn().find(key))
+DriverBench::DriverBench(QStringView key)
+    : DriverBench(*Catalog::builtIn().find(key))
 {}
 
-NodeBench::NodeBench(const DeviceDescription &described)
+DriverBench::DriverBench(const DeviceDescription &described)
     : device(described)
-    , driver(device, benchNode)
+    , driver(device, driverNode)
     , has{{"1018:1", {0x0D, 1, 0, 0}}, {"1018:4", {0x39, 0x30, 0, 0}},
           {"1017:0", {0, 0}},          {"6000:0", {0x04, 0x10}},
           {"6001:0", {0, 0x10, 0, 0}}, {"6002:0", {0, 0, 0, 1}},
@@ -54,7 +54,7 @@ NodeBench::NodeBench(const DeviceDescription &described)
           {"1010:1", {1, 0, 0, 0}},    {"1011:1", {1, 0, 0, 0}}}
 {}
 
-void NodeBench::hear(std::uint32_t id, const std::vector<std::uint8_t> &data)
+void DriverBench::hear(std::uint32_t id, const std::vector<std::uint8_t> &data)
 {
     CanFrame frame{.id = id, .length = static_cast<std::uint8_t>(data.size())};
     std::ranges::copy(data, frame.bytes.begin());
@@ -62,7 +62,7 @@ void NodeBench::hear(std::uint32_t id, const std::vector<std::uint8_t> &data)
     collect();
 }
 
-void NodeBench::step(Instant end)
+void DriverBench::step(Instant end)
 {
     const auto request = driver.next(now);
     if (!request) {
@@ -83,7 +83,7 @@ void NodeBench::step(Instant end)
     collect();
 }
 
-SdoOutcome NodeBench::answerTo(const SdoRequest &request, const std::string &text)
+SdoOutcome DriverBench::answerTo(const SdoRequest &request, const std::string &text)
 {
     using Kind = SdoOutcome::Kind;
     const std::string object = requestedObject(request);
@@ -97,7 +97,7 @@ SdoOutcome NodeBench::answerTo(const SdoRequest &request, const std::string &tex
     return execute(request, object);
 }
 
-std::optional<NodeBench::Fate> NodeBench::fateOf(const std::string &text)
+std::optional<DriverBench::Fate> DriverBench::fateOf(const std::string &text)
 {
     if (fateOfJobRequest && !isPolledRow(text) && jobLog().size() == fateOfJobRequest->first + 1)
         return fateOfJobRequest->second;
@@ -109,7 +109,7 @@ std::optional<NodeBench::Fate> NodeBench::fateOf(const std::string &text)
     return fate;
 }
 
-SdoOutcome NodeBench::execute(const SdoRequest &request, const std::string &object)
+SdoOutcome DriverBench::execute(const SdoRequest &request, const std::string &object)
 {
     using Kind = SdoOutcome::Kind;
     const auto found = has.find(object);
@@ -130,36 +130,36 @@ SdoOutcome NodeBench::execute(const SdoRequest &request, const std::string &obje
     return {.kind = Kind::written};
 }
 
-SdoOutcome NodeBench::answerTo(const NmtRequest &request)
+SdoOutcome DriverBench::answerTo(const NmtRequest &request)
 {
-    EXPECT_EQ(request.node, benchNode);
+    EXPECT_EQ(request.node, driverNode);
     isRunning = request.command == NmtCommand::start;
     const bool isBoot = request.command == NmtCommand::resetNode;
     if (isBoot && bootsAfterReset)
-        hear(0x700 + benchNode, {0x00});
+        hear(0x700 + driverNode, {0x00});
     return {.kind = SdoOutcome::Kind::written};
 }
 
-void NodeBench::run(Instant duration)
+void DriverBench::run(Instant duration)
 {
     for (const Instant end = now + duration; now < end;)
         step(end);
 }
 
-void NodeBench::settle()
+void DriverBench::settle()
 {
     run(std::chrono::seconds(1));
     log.clear();
     messages.clear();
 }
 
-Result<void> NodeBench::begin(const Job &job, Pace pace)
+Result<void> DriverBench::begin(const Job &job, Pace pace)
 {
     outcome.reset();
     return driver.begin(++m_job, job, pace, now);
 }
 
-const Outcome &NodeBench::finish(const Job &job, Pace pace)
+const Outcome &DriverBench::finish(const Job &job, Pace pace)
 {
     if (const auto begun = begin(job, pace); !begun) {
         outcome.emplace();
@@ -169,7 +169,7 @@ const Outcome &NodeBench::finish(const Job &job, Pace pace)
     return finish();
 }
 
-const Outcome &NodeBench::finish()
+const Outcome &DriverBench::finish()
 {
     constexpr int mostSteps = 2000;
     for (int i = 0; i < mostSteps && !outcome; ++i)
@@ -179,7 +179,7 @@ const Outcome &NodeBench::finish()
     return outcome ? *outcome : none;
 }
 
-void NodeBench::collect()
+void DriverBench::collect()
 {
     for (const Event &event : driver.takeEvents()) {
         if (const auto *its = std::get_if<Outcome>(&event))
@@ -202,7 +202,7 @@ void NodeBench::collect()
         messages.push_back(std::move(message));
 }
 
-std::vector<std::string> NodeBench::jobLog() const
+std::vector<std::string> DriverBench::jobLog() const
 {
     std::vector<std::string> rows;
     std::ranges::copy_if(log, std::back_inserter(rows),
@@ -210,24 +210,24 @@ std::vector<std::string> NodeBench::jobLog() const
     return rows;
 }
 
-int NodeBench::countOf(MessageCode id) const
+int DriverBench::countOf(MessageCode id) const
 {
     return static_cast<int>(std::ranges::count(messages, id, &Message::id));
 }
 
-std::optional<std::int64_t> NodeBench::value(Parameter parameter) const
+std::optional<std::int64_t> DriverBench::value(Parameter parameter) const
 {
     const auto found = known.find(parameter);
     return found == known.end() ? std::nullopt : found->second.value.asNumber();
 }
 
-std::optional<Kept> NodeBench::kept(Parameter parameter) const
+std::optional<Kept> DriverBench::kept(Parameter parameter) const
 {
     const auto found = known.find(parameter);
     return found == known.end() ? std::nullopt : std::optional(found->second.kept);
 }
 
-std::optional<RefusalCode> NodeBench::refusal() const
+std::optional<RefusalCode> DriverBench::refusal() const
 {
     return outcome && !outcome->result ? std::optional(outcome->result.error().id) : std::nullopt;
 }
