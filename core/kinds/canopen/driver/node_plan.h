@@ -12,10 +12,11 @@ namespace codewheel::canopen {
 class NodePlan
 {
 public:
-    NodePlan(const DeviceDescription &device, ParameterValues known, std::optional<KnownCams> cams = {})
+    NodePlan(const DeviceDescription &device, ParameterValues known,
+             const std::optional<KnownCams> &cams = {})
         : m_device(device)
         , m_known(std::move(known))
-        , m_cams(std::move(cams))
+        , m_cams(cams)
     {}
 
     // Whether the job suits this encoder: bad input is refused here.
