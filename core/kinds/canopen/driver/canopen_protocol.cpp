@@ -19,7 +19,7 @@
 namespace codewheel {
 namespace {
 
-using Task = canopen::NodeStep::Task;
+using StepTask = canopen::NodeStep::Task;
 
 struct StepTexts
 {
@@ -29,17 +29,17 @@ struct StepTexts
 // Those of which the line says less than is meant.
 struct StepTextRow
 {
-    Task task;
+    StepTask task;
     const char *text;
 };
 constexpr std::array stepTextRows{
-    StepTextRow{Task::bits,
+    StepTextRow{StepTask::bits,
                 QT_TRANSLATE_NOOP("CanopenStep", "read %1, of which other bits stay as they are")},
-    StepTextRow{Task::readBack, QT_TRANSLATE_NOOP("CanopenStep", "read %1 back")},
-    StepTextRow{Task::store, QT_TRANSLATE_NOOP("CanopenStep", "store what is in force (%1 := \"save\")")},
-    StepTextRow{Task::restore,
+    StepTextRow{StepTask::readBack, QT_TRANSLATE_NOOP("CanopenStep", "read %1 back")},
+    StepTextRow{StepTask::store, QT_TRANSLATE_NOOP("CanopenStep", "store what is in force (%1 := \"save\")")},
+    StepTextRow{StepTask::restore,
                 QT_TRANSLATE_NOOP("CanopenStep", "restore the factory values (%1 := \"load\")")},
-    StepTextRow{Task::bootUp, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node reports again")},
+    StepTextRow{StepTask::bootUp, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node reports again")},
 };
 
 struct CommandTextRow
@@ -105,8 +105,8 @@ public:
 
 QString CanopenProtocol::stepText(const DeviceDescription &device, const Step &step) const
 {
-    const Task task = step.kind.as<Task>();
-    if (task == Task::nmt)
+    const StepTask task = step.kind.as<StepTask>();
+    if (task == StepTask::nmt)
         return commandText(step.line);
     const QString object = objectTextOf(step.line);
     const auto row = std::ranges::find(stepTextRows, task, &StepTextRow::task);

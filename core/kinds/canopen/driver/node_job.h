@@ -27,6 +27,7 @@ public:
 
 private:
     using Task = NodeStep::Task;
+    using Answer = SdoOutcome::Kind;
 
     // node_job.cpp
     void settle();
@@ -45,6 +46,10 @@ private:
     void noteRead(const NodeStep &step);
     void notePosition(const NodeStep &step);
     void checkVendor(const SdoOutcome &outcome);
+    void fail(Refusal why);
+    Refusal refusalOf(const SdoOutcome &outcome) const;
+
+    // node_job_writes.cpp
     void writeAnswered(const SdoOutcome &outcome, Instant now);
     void accepted(Instant now);
     void stored();
@@ -56,8 +61,6 @@ private:
     void readBack(const SdoOutcome &outcome, Instant now);
     void judgePreset();
     void failAsUnknown();
-    void fail(Refusal why);
-    Refusal refusalOf(const SdoOutcome &outcome) const;
 
     // node_job_cancel.cpp
     bool hasTaken() const override;
@@ -82,6 +85,8 @@ private:
     ParameterValues m_toStore;             // in force, found by reading
 };
 
+// The encoder does not have the object.
+bool isMissing(const SdoOutcome &outcome);
 // A step that changes what the encoder has.
 bool changesSomething(const NodeStep &step);
 
