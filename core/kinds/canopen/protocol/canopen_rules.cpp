@@ -5,6 +5,7 @@
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/encoder_bits.h"
 #include "kinds/canopen/protocol/nmt_job.h"
+#include "vocabulary/hex.h"
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include "kinds/canopen/protocol/encoder_bits.h"
 
 #include "catalog/device_description.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
