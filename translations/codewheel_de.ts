@@ -327,6 +327,77 @@
     </message>
 </context>
 <context>
+    <name>CanopenBit</name>
+    <message>
+        <source>measuring direction reversed</source>
+        <translation>Messrichtung umgekehrt</translation>
+    </message>
+    <message>
+        <source>scaling on</source>
+        <translation>Skalierung ein</translation>
+    </message>
+    <message>
+        <source>scaling off</source>
+        <translation>Skalierung aus</translation>
+    </message>
+    <message>
+        <source>commissioning diagnostics on</source>
+        <translation>Inbetriebnahmediagnose ein</translation>
+    </message>
+    <message>
+        <source>CCW</source>
+        <translation>ccw</translation>
+    </message>
+    <message>
+        <source>CW</source>
+        <translation>cw</translation>
+    </message>
+    <message>
+        <source>commissioning diagnostics</source>
+        <translation>Inbetriebnahmediagnose</translation>
+    </message>
+    <message>
+        <source>position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>reference point not reached</source>
+        <translation>Referenzpunkt nicht erreicht</translation>
+    </message>
+    <message>
+        <source>battery charge low</source>
+        <translation>Batterieladung niedrig</translation>
+    </message>
+    <message>
+        <source>operating time exceeded</source>
+        <translation>Betriebszeit überschritten</translation>
+    </message>
+    <message>
+        <source>CPU watchdog</source>
+        <translation>CPU-Watchdog</translation>
+    </message>
+    <message>
+        <source>light reserve used up</source>
+        <translation>Lichtreserve aufgebraucht</translation>
+    </message>
+    <message>
+        <source>frequency exceeded</source>
+        <translation>Frequenz überschritten</translation>
+    </message>
+    <message>
+        <source>bit %1 (of the maker)</source>
+        <translation>Bit %1 (vom Hersteller)</translation>
+    </message>
+    <message>
+        <source>bit %1 (not described)</source>
+        <translation>Bit %1 (nicht beschrieben)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
     <name>CanopenEmcy</name>
     <message>
         <source>frames lost</source>
@@ -930,6 +1001,53 @@
     <message>
         <source>There are no data.</source>
         <translation>Es gibt keine Daten.</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenStep</name>
+    <message>
+        <source>read %1, of which other bits stay as they are</source>
+        <translation>%1 lesen; die anderen Bits bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>read %1 back</source>
+        <translation>%1 zurücklesen</translation>
+    </message>
+    <message>
+        <source>store what is in force (%1 := &quot;save&quot;)</source>
+        <translation>speichern, was gilt (%1 := &quot;save&quot;)</translation>
+    </message>
+    <message>
+        <source>restore the factory values (%1 := &quot;load&quot;)</source>
+        <translation>Werkswerte wiederherstellen (%1 := &quot;load&quot;)</translation>
+    </message>
+    <message>
+        <source>wait until the node reports again</source>
+        <translation>warten, bis sich der Knoten wieder meldet</translation>
+    </message>
+    <message>
+        <source>start the node</source>
+        <translation>Knoten starten</translation>
+    </message>
+    <message>
+        <source>stop the node</source>
+        <translation>Knoten stoppen</translation>
+    </message>
+    <message>
+        <source>node to pre-operational</source>
+        <translation>Knoten nach Pre-Operational</translation>
+    </message>
+    <message>
+        <source>reset the node</source>
+        <translation>Knoten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>reset the communication of the node</source>
+        <translation>Kommunikation des Knotens zurücksetzen</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>%1 lesen</translation>
     </message>
 </context>
 <context>
@@ -2782,6 +2900,26 @@
         <source>Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).</source>
         <translation>Gespeichert, galt schon vorher: %3 (Parameter: %1, EEPROM-Schreibvorgänge: %2).</translation>
     </message>
+    <message>
+        <source>The encoder reports an error: %1.</source>
+        <translation>Der Geber meldet einen Fehler: %1.</translation>
+    </message>
+    <message>
+        <source>The encoder reports that its error is gone.</source>
+        <translation>Der Geber meldet, dass sein Fehler behoben ist.</translation>
+    </message>
+    <message>
+        <source>The encoder has started anew: it had no supply, or was reset. What was not stored is lost.</source>
+        <translation>Der Geber ist neu gestartet: Er war ohne Versorgung oder wurde zurückgesetzt. Was nicht gespeichert war, ist verloren.</translation>
+    </message>
+    <message>
+        <source>%1 stays 0 while the position moves: the encoder may not tell its speed until an object of its maker switches that on.</source>
+        <translation>%1 bleibt 0, während sich die Position bewegt: Möglicherweise gibt der Geber seine Geschwindigkeit erst aus, wenn ein Herstellerobjekt sie einschaltet.</translation>
+    </message>
+    <message>
+        <source>%1 has another sign than the movement of the position: the description may have the wrong type for it.</source>
+        <translation>%1 hat ein anderes Vorzeichen als die Bewegung der Position: Vielleicht hat die Beschreibung dafür den falschen Typ.</translation>
+    </message>
 </context>
 <context>
     <name>Mode</name>
@@ -3933,6 +4071,130 @@
         <source>The encoder has lost its parameters, and gives no position. Write them again.</source>
         <translation>Der Geber hat seine Parameter verloren und zeigt keine Position. Parameter neu schreiben.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no link to a CAN bus. Write can:can0 for an interface of the system, or slcan:ttyACM0,rate=250000 for a serial adapter.</source>
+        <translation>„%1“ ist keine Verbindung zu einem CAN-Bus. can:can0 für eine Schnittstelle des Systems schreiben, oder slcan:ttyACM0,rate=250000 für einen seriellen Adapter.</translation>
+    </message>
+    <message>
+        <source>A serial CAN adapter has no setting &quot;%1&quot;. It has the rate of the bus and that of its port, as slcan:ttyACM0,rate=250000,baud=115200.</source>
+        <translation>Ein serieller CAN-Adapter hat keine Einstellung „%1“. Er hat die Rate des Busses und die seines Anschlusses, wie slcan:ttyACM0,rate=250000,baud=115200.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a rate of a serial port. Give it in Bd, as baud=115200.</source>
+        <translation>„%1“ ist keine Rate eines seriellen Anschlusses. In Bd angeben, wie baud=115200.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a rate that serial CAN adapters have. Give one of these, in Bd: %2.</source>
+        <translation>„%1“ ist keine Rate, die serielle CAN-Adapter haben. Eine von diesen angeben, in Bd: %2.</translation>
+    </message>
+    <message>
+        <source>The link &quot;%1&quot; does not say at which rate its bus runs. Add it in Bd, as rate=250000.</source>
+        <translation>Die Verbindung „%1“ sagt nicht, mit welcher Rate ihr Bus läuft. In Bd anfügen, wie rate=250000.</translation>
+    </message>
+    <message>
+        <source>The rate of %1 is set in the system, not here. Leave it out; &quot;ip link&quot; sets it.</source>
+        <translation>Die Rate von %1 wird im System eingestellt, nicht hier. Weglassen; „ip link“ stellt sie ein.</translation>
+    </message>
+    <message>
+        <source>%1 is not set to listen only, so it acknowledges what others send. Set it so with &quot;%2&quot;, or agree that it acknowledges. Nothing was opened.</source>
+        <translation>%1 ist nicht auf Nur-Zuhören eingestellt und bestätigt deshalb, was andere senden. Mit „%2“ so einstellen, oder zustimmen, dass sie bestätigt. Es wurde nichts geöffnet.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 is not known to be able to listen only, so it may acknowledge what others send. Agree to that, or use another adapter. Nothing was opened.</source>
+        <translation>Vom Adapter an %1 ist nicht bekannt, dass er nur zuhören kann; er bestätigt deshalb vielleicht, was andere senden. Dem zustimmen, oder einen anderen Adapter nehmen. Es wurde nichts geöffnet.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 did not take the rate %2 Bd, so the bus was not opened. Choose another rate, or plug the adapter in again.</source>
+        <translation>Der Adapter an %1 hat die Rate %2 Bd nicht angenommen, deshalb wurde der Bus nicht geöffnet. Eine andere Rate wählen, oder den Adapter neu einstecken.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 refused to open the bus. Plug it in again, then open it again.</source>
+        <translation>Der Adapter an %1 hat sich geweigert, den Bus zu öffnen. Neu einstecken, dann noch einmal öffnen.</translation>
+    </message>
+    <message>
+        <source>Nothing at %1 answers as a serial CAN adapter. Check that it is the right port, that its adapter speaks SLCAN, and the rate of the port.</source>
+        <translation>An %1 antwortet nichts wie ein serieller CAN-Adapter. Prüfen, ob es der richtige Anschluss ist, ob sein Adapter SLCAN spricht, und die Rate des Anschlusses.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 did not answer when it was to open the bus: it is not known whether it has. Unplug it to be sure that it has not, then try again.</source>
+        <translation>Der Adapter an %1 hat nicht geantwortet, als er den Bus öffnen sollte: Es ist nicht bekannt, ob er es getan hat. Abziehen, damit er sicher nicht offen ist, dann noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The adapter at %1 is asked for 800 kBd, but adapters of this kind may run at 750 kBd then. If only errors come in, use another adapter.</source>
+        <translation>Vom Adapter an %1 werden 800 kBd verlangt, aber Adapter dieser Art laufen dann vielleicht mit 750 kBd. Wenn nur Fehler ankommen, einen anderen Adapter nehmen.</translation>
+    </message>
+    <message>
+        <source>%1 was opened to watch: nothing is sent. Switch to Operate first.</source>
+        <translation>%1 wurde zum Beobachten geöffnet: Es wird nichts gesendet. Erst auf Bedienen umschalten.</translation>
+    </message>
+    <message>
+        <source>%1 has left the bus after too many errors (bus off): the rate or the wiring is wrong, or nobody else is there. Check these, then start it again: %2</source>
+        <translation>%1 hat den Bus nach zu vielen Fehlern verlassen (Bus-off): Die Rate oder die Verdrahtung stimmt nicht, oder es ist sonst niemand da. Das prüfen, dann neu starten: %2</translation>
+    </message>
+    <message>
+        <source>%1 has left the bus after too many errors (bus off): the rate or the wiring is wrong, or nobody else is there. Check these, then open it again.</source>
+        <translation>%1 hat den Bus nach zu vielen Fehlern verlassen (Bus-off): Die Rate oder die Verdrahtung stimmt nicht, oder es ist sonst niemand da. Das prüfen, dann noch einmal öffnen.</translation>
+    </message>
+    <message>
+        <source>There is no CAN interface %1. Plug its adapter in, and see with &quot;ip link&quot; which interfaces there are.</source>
+        <translation>Es gibt keine CAN-Schnittstelle %1. Ihren Adapter einstecken, und mit „ip link“ nachsehen, welche es gibt.</translation>
+    </message>
+    <message>
+        <source>The CAN interface %1 is switched off. Switch it on with the rate of the bus: %2</source>
+        <translation>Die CAN-Schnittstelle %1 ist abgeschaltet. Mit der Rate des Busses einschalten: %2</translation>
+    </message>
+    <message>
+        <source>The CAN interface %1 has gone: its adapter was unplugged, or the interface switched off. Bring it back, then connect again.</source>
+        <translation>Die CAN-Schnittstelle %1 ist weg: Ihr Adapter wurde abgezogen, oder sie wurde abgeschaltet. Zurückbringen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: this system has no CAN. Load it with &quot;sudo modprobe can_raw&quot;, or use a serial adapter.</source>
+        <translation>%1 lässt sich nicht öffnen: Dieses System hat kein CAN. Mit „sudo modprobe can_raw“ laden, oder einen seriellen Adapter nehmen.</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s plugin for CAN interfaces is missing. Install the package libqt6serialbus6.</source>
+        <translation>Qts Plugin für CAN-Schnittstellen fehlt. Das Paket libqt6serialbus6 installieren.</translation>
+    </message>
+    <message>
+        <source>The encoder refused %1 (abort code %2h): %3</source>
+        <translation>Der Geber hat %1 abgelehnt (Abbruchcode %2h): %3</translation>
+    </message>
+    <message>
+        <source>Node %2 does not answer for %1. Check its supply, its number and the rate of the bus; a node that was stopped answers nothing until it is started.</source>
+        <translation>Knoten %2 antwortet nicht zu %1. Versorgung, Nummer und Bitrate des Busses prüfen; ein gestoppter Knoten antwortet nicht, bis er gestartet wird.</translation>
+    </message>
+    <message>
+        <source>The request for %1 of node %2 could not be sent, so nothing was changed. Check the CAN bus, then start again.</source>
+        <translation>Die Anfrage zu %1 von Knoten %2 konnte nicht gesendet werden, also wurde nichts geändert. Den CAN-Bus prüfen, dann noch einmal beginnen.</translation>
+    </message>
+    <message>
+        <source>%1 was written and not answered, and it could not be found out afterwards whether the encoder has the new value. Check the bus, and read the encoder before you go on.</source>
+        <translation>%1 wurde geschrieben und nicht beantwortet, und danach war nicht festzustellen, ob der Geber den neuen Wert hat. Den Bus prüfen und den Geber lesen, bevor es weitergeht.</translation>
+    </message>
+    <message>
+        <source>%1 was written and not answered, and the encoder still has the old value. Check the bus, then write again.</source>
+        <translation>%1 wurde geschrieben und nicht beantwortet, und der Geber hat noch den alten Wert. Den Bus prüfen, dann noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>Node %1 did not answer the command that stores its values: whether they are stored is not known. Store them again, or read them after switching its supply off and on.</source>
+        <translation>Knoten %1 hat den Befehl nicht beantwortet, der seine Werte speichert: Ob sie gespeichert sind, ist nicht bekannt. Noch einmal speichern, oder sie lesen, nachdem seine Versorgung aus- und eingeschaltet wurde.</translation>
+    </message>
+    <message>
+        <source>Node %1 is running, and takes this only while it is stopped: its positions would not come until it is started again. Agree that it is stopped and started again, or stop it first.</source>
+        <translation>Knoten %1 läuft und nimmt das nur an, wenn er angehalten ist: Bis zum erneuten Start kämen keine Positionen von ihm. Zustimmen, dass er angehalten und wieder gestartet wird, oder ihn vorher anhalten.</translation>
+    </message>
+    <message>
+        <source>Node %1 did not report within %2 s after its reset. It may have another number or another rate now: search the bus for it.</source>
+        <translation>Knoten %1 hat sich nach dem Zurücksetzen nicht innerhalb von %2 s gemeldet. Vielleicht hat er jetzt eine andere Nummer oder eine andere Bitrate: auf dem Bus nach ihm suchen.</translation>
+    </message>
+    <message>
+        <source>%1 is an object of the maker, and the encoder is of another make (vendor number %3h) than its description (%2h). Nothing was written: choose the description that belongs to it.</source>
+        <translation>%1 ist ein Herstellerobjekt, und der Geber ist von einem anderen Hersteller (Herstellernummer %3h) als seine Beschreibung (%2h). Es wurde nichts geschrieben: die Beschreibung wählen, die zu ihm gehört.</translation>
+    </message>
+    <message>
+        <source>CiA 301 has no reason with this number.</source>
+        <translation>In CiA 301 gibt es zu dieser Nummer keinen Grund.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -4106,6 +4368,29 @@
     </message>
 </context>
 <context>
+    <name>SimulatedCan</name>
+    <message>
+        <source>The simulated adapter is unplugged.</source>
+        <translation>Der simulierte Adapter ist nicht eingesteckt.</translation>
+    </message>
+    <message>
+        <source>simulated bus</source>
+        <translation>simulierter Bus</translation>
+    </message>
+    <message>
+        <source>The simulated bus was opened to watch: nothing is sent.</source>
+        <translation>Der simulierte Bus wurde zum Beobachten geöffnet: Es wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>The simulated bus is not open.</source>
+        <translation>Der simulierte Bus ist nicht offen.</translation>
+    </message>
+    <message>
+        <source>The simulated adapter was unplugged.</source>
+        <translation>Der simulierte Adapter wurde abgezogen.</translation>
+    </message>
+</context>
+<context>
     <name>SimulatedEscLine</name>
     <message>
         <source>training line</source>
@@ -4275,6 +4560,10 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
     </message>
 </context>
 <context>
@@ -5777,6 +6066,45 @@
     <message>
         <source>Restore writes the earlier values again. EEPROM writes for that: %1 at most.</source>
         <translation>Wiederherstellen schreibt die vorigen Werte zurück. EEPROM-Schreibvorgänge dafür: höchstens %1.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenRules</name>
+    <message>
+        <source>An object is written as index and, unless 0, subindex: &quot;6001&quot;, &quot;1018:4&quot;.</source>
+        <translation>Ein Objekt wird als Index geschrieben, mit Subindex, wenn er nicht 0 ist: &quot;6001&quot;, &quot;1018:4&quot;.</translation>
+    </message>
+    <message>
+        <source>This object is here twice.</source>
+        <translation>Dieses Objekt steht hier zweimal.</translation>
+    </message>
+    <message>
+        <source>%1, bit %2</source>
+        <translation>%1, Bit %2</translation>
+    </message>
+    <message>
+        <source>An encoder on CANopen has objects. Leave it out.</source>
+        <translation>Ein Geber an CANopen hat Objekte. Weglassen.</translation>
+    </message>
+    <message>
+        <source>A parameter with text has the type text, and no other has.</source>
+        <translation>Ein Parameter mit text hat den Typ text, und kein anderer hat ihn.</translation>
+    </message>
+    <message>
+        <source>Writing this object does more than giving a value. Write ro.</source>
+        <translation>Dieses Objekt zu schreiben bewirkt mehr, als einen Wert zu geben. ro schreiben.</translation>
+    </message>
+    <message>
+        <source>What an object of the maker means depends on the make: give the description the vendorNumber of the device (1018h:1), or write ro.</source>
+        <translation>Was ein Herstellerobjekt bedeutet, hängt vom Hersteller ab: der Beschreibung die vendorNumber des Geräts geben (1018h:1) oder ro schreiben.</translation>
+    </message>
+    <message>
+        <source>The parameter preset tells the range of the position. Give preset the object 6003, or write false.</source>
+        <translation>Der Parameter preset sagt den Bereich der Position. preset das Objekt 6003 geben oder false schreiben.</translation>
+    </message>
+    <message>
+        <source>The cams of CiA 406 are one program, without a mode and without a shift: write {&quot;programs&quot;: 1, &quot;mode&quot;: false, &quot;shift&quot;: false}.</source>
+        <translation>Die Nocken von CiA 406 sind ein Programm, ohne Modus und ohne Verschiebung: schreiben: {&quot;programs&quot;: 1, &quot;mode&quot;: false, &quot;shift&quot;: false}.</translation>
     </message>
 </context>
 <context>
@@ -9645,6 +9973,14 @@ Braucht keinen Bus und sendet nichts.</translation>
         <source>An encoder of the profile %1 has only numbers. Leave it out.</source>
         <translation>Ein Geber des Profils %1 hat nur Zahlen. Weglassen.</translation>
     </message>
+    <message>
+        <source>Only an encoder on CANopen has one. Leave it out.</source>
+        <translation>Nur ein Geber an CANopen hat eine. Weglassen.</translation>
+    </message>
+    <message>
+        <source>Only an encoder on CANopen has objects. Leave it out.</source>
+        <translation>Nur ein Geber an CANopen hat Objekte. Weglassen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DescriptionRules</name>
@@ -9812,6 +10148,10 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>This readOut code is here twice.</source>
         <translation>Dieser readOut-Code steht hier doppelt.</translation>
+    </message>
+    <message>
+        <source>Only an encoder on INTERBUS has one. Leave it out.</source>
+        <translation>Nur ein Geber an INTERBUS hat das. Weglassen.</translation>
     </message>
 </context>
 <context>
