@@ -153,7 +153,8 @@ bool CanopenProtocol::wasSent(const Progress &job, std::optional<Parameter> para
     const auto begun =
         std::span(job.steps).first(std::min(job.steps.size(), static_cast<std::size_t>(job.index) + 1));
     return std::ranges::any_of(begun, [parameter](const Step &step) {
-        return parameter ? takesValue(step) && step.carries(*parameter) : step.effect == Effect::setsPosition;
+        return parameter ? takesValue(step) && std::ranges::count(step.parameters, *parameter) > 0
+                         : step.effect == Effect::setsPosition;
     });
 }
 

@@ -188,7 +188,7 @@ void CanopenRules::checkObject(const JsonObject &row, const ParameterDescription
     if (known == objectRows.end() || isMakers(reach.object))
         return;
     const bool isLinear = canopenDevice(device).isLinear;
-    const auto indexText = [](std::uint16_t index) { return canopen::hexNumber(index, 4); };
+    const auto indexText = [](std::uint16_t index) { return hexNumber(index, 4); };
     const auto bitText = [](std::optional<unsigned> bit) { return bit ? QString::number(*bit) : QString(); };
     checkPlace(row, "object", indexText(reach.object.index), indexText(known->index), parameter,
                device.profile);
