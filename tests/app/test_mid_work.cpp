@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is half done while the language changes, or another device is chosen.
 #include "app/window/buses/plant.h"
+#include "app/window/kinds/interbus/ring_actions.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/main_window.h"
 #include "app/window/program.h"
@@ -8,6 +9,7 @@
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "tests/app/window_test.h"
+#include "widgets/connect/connect_page.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/job/step_table.h"
 #include "widgets/look/appearance.h"
@@ -27,6 +29,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -148,6 +151,20 @@ TEST_F(LanguageInMidWork, WhatIsBeingTypedInTheWizardIsStillBeingTyped)
     EXPECT_EQ(wizard().page(), ParameterWizard::values);
     EXPECT_EQ(steps().text(), QStringLiteral("25"));
     EXPECT_FALSE(window().findChild<WantedValues *>()->value(test::fraba, Parameter::steps)) << "not taken";
+}
+
+TEST_F(LanguageInMidWork, WhatIsBeingTypedInAFormOfALinkIsStillBeingTyped)
+{
+    window().findChild<RingActions *>()->connection->trigger();
+    const auto page = [this] { return window().findChild<ConnectPage *>(QStringLiteral("ringConnection")); };
+    const auto host = [&] { return page()->findChild<QLineEdit *>(QStringLiteral("host")); };
+    page()->findChild<QComboBox *>(QStringLiteral("link"))->setCurrentIndex(1);
+    host()->setFocus();
+    QTest::keyClicks(host(), QStringLiteral("gateway.h"));
+    becomeGerman();
+    ASSERT_TRUE(page()->isVisible());
+    ASSERT_TRUE(host() != nullptr && host()->isVisible()) << "its link is chosen";
+    EXPECT_EQ(host()->text(), QStringLiteral("gateway.h"));
 }
 
 TEST_F(LanguageInMidWork, ABusThatNoProjectNamesIsCalledInTheNewLanguage)

@@ -4,6 +4,7 @@
 #include "tests/app/question.h"
 #include "tests/app/window_test.h"
 #include "widgets/cams/cam_editor.h"
+#include "widgets/connect/link_form.h"
 #include "widgets/kinds/esc/line/esc_line_settings_form.h"
 #include "widgets/look/page.h"
 #include "widgets/parameters/parameter_table.h"
@@ -23,6 +24,8 @@
 #include <QSpinBox>
 #include <QToolButton>
 #include <QTreeView>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {
@@ -113,6 +116,20 @@ TEST_F(PagesTest, EachHasAHeadAndIsClosedByMouseAndByKeys)
     EXPECT_TRUE(titles.contains(QStringLiteral("Bus structure \u2013 Ring")))
         << titles.join(u'|').toStdString();
     EXPECT_TRUE(bus().isOperating()) << "Ctrl+W closes, and nothing else";
+}
+
+// Most people never see most forms, and each of them is some hundred widgets.
+TEST_F(PagesTest, AFormOfALinkHasFieldsOnceItIsSeen)
+{
+    const auto forms = window().findChildren<LinkForm *>();
+    const auto made = [&] { return std::ranges::count_if(forms, &LinkForm::hasFields); };
+    ASSERT_GE(forms.size(), 5) << "of a ring and a line";
+    EXPECT_EQ(made(), 0);
+    lineActions().settings->trigger();
+    EXPECT_EQ(made(), 1);
+    const auto &form = *window().findChild<EscLineSettingsForm *>();
+    EXPECT_TRUE(form.hasFields());
+    EXPECT_TRUE(form.findChild<QSpinBox *>()->isVisible());
 }
 
 TEST_F(PagesTest, WithoutAPageTheKeysDoNothing)

@@ -105,8 +105,16 @@ void ConnectPage::addForm(LinkForm *form)
     m_link->addItem(form->title());
     connect(form, &LinkForm::edited, this, &ConnectPage::forgetTest);
     connect(form, &LinkForm::portsWanted, this, &ConnectPage::portsWanted);
+    connect(form, &LinkForm::fieldsMade, this, &ConnectPage::orderTabs);
     orderTabs();
     choose(m_link->currentIndex());
+}
+
+void ConnectPage::setVisible(bool visible)
+{
+    if (visible && !std::exchange(m_isOpened, true) && form() != nullptr)
+        form()->makeFields(); // before its layout is worked out
+    Page::setVisible(visible);
 }
 
 // The buttons come after the fields, which are younger.
@@ -132,6 +140,8 @@ void ConnectPage::choose(int chosen)
     for (int i = 0; i < m_forms->count(); ++i)
         m_forms->widget(i)->setSizePolicy(QSizePolicy::Preferred,
                                           i == chosen ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    if (m_isOpened)
+        static_cast<LinkForm *>(m_forms->widget(chosen))->makeFields();
     m_forms->setCurrentIndex(chosen);
     m_sentence->setText(form()->sentence());
     forgetTest();
@@ -165,6 +175,16 @@ void ConnectPage::showPlan(const KindData &plan)
             m_link->setCurrentIndex(i);
     if (this->plan() != before)
         forgetTest();
+}
+
+int ConnectPage::chosenLink() const
+{
+    return m_link->currentIndex();
+}
+
+void ConnectPage::chooseLink(int link)
+{
+    m_link->setCurrentIndex(link);
 }
 
 KindData ConnectPage::plan() const
@@ -269,6 +289,7 @@ void ConnectPage::showButtons()
 // What is half typed is taken first, or nothing is done.
 bool ConnectPage::takeTyped()
 {
+    form()->makeFields(); // what they would show is meant
     const QString halfTyped = takeFields(*form());
     const QString wrong = halfTyped.isEmpty() ? form()->wrong() : halfTyped;
     if (!wrong.isEmpty())

@@ -31,6 +31,7 @@ public:
     explicit ConnectPage(QWidget *parent = nullptr);
 
     void addForm(LinkForm *form);
+    void setVisible(bool visible) override;
     void setAbout(const QString &bus); // its name
     QString title() const override { return tr("Connection"); }
     QString about() const override { return m_about; }
@@ -40,6 +41,9 @@ public:
     // Chooses the form of its link and shows it there.
     void showPlan(const KindData &plan);
     KindData plan() const; // as entered
+    // For the page in another language.
+    int chosenLink() const;
+    void chooseLink(int link);
     // As if the user had chosen this link and pressed Connect.
     void connectBy(const KindData &plan);
     void setConnecting(bool on);
@@ -92,6 +96,7 @@ private:
     QPushButton *m_test;
     QPushButton *m_keep;
     QPushButton *m_connect;
+    bool m_isOpened = false;      // has been, so that the fields of what is chosen are there
     bool m_asksToReplace = false; // what m_problem asks
     bool m_isTesting = false;
     bool m_isConnecting = false;

@@ -44,6 +44,12 @@
 namespace codewheel {
 namespace {
 
+struct WorkOnLine
+{
+    EscLineTerminal::Collected collected;
+    int link = 0; // that is being entered
+};
+
 std::vector<EscLineSearch::Device> devicesOnLines(const Catalog &catalog)
 {
     std::vector<EscLineSearch::Device> devices;
@@ -288,13 +294,16 @@ void EscLineViews::useSettings(const ProgramSettings &settings)
 
 std::any EscLineViews::takeWork()
 {
-    return m_terminal->takeRows();
+    return WorkOnLine{m_terminal->takeRows(), m_connection->chosenLink()};
 }
 
 void EscLineViews::goOn(const std::any &work)
 {
-    if (const auto *before = std::any_cast<EscLineTerminal::Collected>(&work))
-        m_terminal->goOn(*before);
+    const auto *before = std::any_cast<WorkOnLine>(&work);
+    if (before == nullptr)
+        return;
+    m_terminal->goOn(before->collected);
+    m_connection->chooseLink(before->link);
 }
 
 void EscLineViews::open()

@@ -149,6 +149,18 @@ RingViews::RingViews(RingAtWork &ring, const WindowParts &parts, QObject *parent
     showState();
 }
 
+// The link that is being entered.
+std::any RingViews::takeWork()
+{
+    return m_connect->chosenLink();
+}
+
+void RingViews::goOn(const std::any &work)
+{
+    if (const auto *link = std::any_cast<int>(&work))
+        m_connect->chooseLink(*link);
+}
+
 void RingViews::showPage(QWidget *page)
 {
     m_parts.pages.setCurrentWidget(page);

@@ -49,6 +49,8 @@ public:
     void loadFaultPlan(const QString &path) override;
     void askToOperate(const std::function<void()> &then) override;
     void showFrame() override;
+    std::any takeWork() override;
+    void goOn(const std::any &work) override;
     void compare() override;
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;

@@ -48,10 +48,14 @@ void setPeriod(QSpinBox &field)
 
 EscLineSettingsForm::EscLineSettingsForm(QWidget *parent)
     : LinkForm(parent)
-    , m_port(new PortField(this))
-    , m_rateTold(new InlineMessage(this))
 {
     setAccessibleName(tr("Settings of the serial line"));
+}
+
+void EscLineSettingsForm::addFields()
+{
+    m_port = new PortField(this);
+    m_rateTold = new InlineMessage(this);
     auto *form = new QFormLayout(this);
     form->setContentsMargins(QMargins());
     form->setHorizontalSpacing(grid::groupGap);
@@ -63,7 +67,7 @@ EscLineSettingsForm::EscLineSettingsForm(QWidget *parent)
     makeEncoder(*form);
     setFocusProxy(m_port);
     describe(m_baudRate->lineEdit(), m_baudRate->accessibleName(), m_baudRate->toolTip());
-    setSettings({});
+    showSettings(m_given);
 }
 
 QString EscLineSettingsForm::sentence() const
@@ -180,7 +184,7 @@ void EscLineSettingsForm::makeFractionBits(QFormLayout &form)
     m_determine->setToolTip(
         tr("Reads scaling factor, steps per turn and measuring range of the chosen encoder of the line, or "
            "else of the first that answers, and keeps the format that fits. Nothing is written (Alt+M)"));
-    m_determine->setEnabled(false); // before the line is open
+    m_determine->setEnabled(m_canDetermine);
     auto *row = new QHBoxLayout;
     row->setSpacing(grid::unit);
     row->addWidget(m_fractionBits, 1);
@@ -192,55 +196,73 @@ void EscLineSettingsForm::makeFractionBits(QFormLayout &form)
 
 void EscLineSettingsForm::setCanDetermine(bool can)
 {
-    m_determine->setEnabled(can);
+    m_canDetermine = can;
+    if (hasFields())
+        m_determine->setEnabled(can);
 }
 
 void EscLineSettingsForm::setFractionBits(int bits)
 {
-    m_fractionBits->setValue(bits);
+    m_given.fractionBits = bits;
+    if (hasFields())
+        m_fractionBits->setValue(bits);
 }
 
-void EscLineSettingsForm::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
+void EscLineSettingsForm::showPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
     m_port->setPorts(ports, trouble);
 }
 
+// With what the form does not show.
 EscLineSettings EscLineSettingsForm::settings() const
 {
+    EscLineSettings settings = m_given;
+    if (hasFields())
+        readFields(settings);
+    if (settings.serial.baudRate > 0)
+        settings.timing.character = settings.serial.timeOf(1);
+    return settings;
+}
+
+void EscLineSettingsForm::readFields(EscLineSettings &settings) const
+{
     using std::chrono::milliseconds;
-    EscLineSettings settings;
     settings.port = m_port->port();
-    settings.timing = m_timing;
     settings.serial.baudRate = m_baudRate->currentText().toInt();
     settings.serial.dataBits = m_dataBits->currentData().toInt();
     settings.serial.parity = static_cast<SerialSettings::Parity>(m_parity->currentData().toInt());
     settings.serial.stopBits = m_stopBits->currentData().toInt();
     settings.serial.lowLatency = m_lowLatency->isChecked();
-    if (settings.serial.baudRate > 0)
-        settings.timing.character = settings.serial.timeOf(1);
     settings.timing.answerTimeOut = milliseconds(m_timeOut->value());
     settings.timing.retries = m_retries->value();
     settings.timing.quietAfterWrite = milliseconds(m_quiet->value());
     settings.pollInterval = milliseconds(m_pollInterval->value());
     settings.fractionBits = m_fractionBits->value();
     settings.topSpeed = m_topSpeed->value();
-    return settings;
 }
 
 void EscLineSettingsForm::setPort(const QString &port)
 {
-    m_port->setPort(port);
+    m_given.port = port;
+    if (hasFields())
+        m_port->setPort(port);
 }
 
 void EscLineSettingsForm::setSettings(const EscLineSettings &settings)
 {
-    setPort(settings.port);
+    m_given = settings;
+    if (hasFields())
+        showSettings(settings);
+}
+
+void EscLineSettingsForm::showSettings(const EscLineSettings &settings)
+{
+    m_port->setPort(settings.port);
     m_baudRate->setEditText(QString::number(settings.serial.baudRate));
     choose(*m_dataBits, settings.serial.dataBits);
     choose(*m_parity, static_cast<int>(settings.serial.parity));
     choose(*m_stopBits, settings.serial.stopBits);
     m_lowLatency->setChecked(settings.serial.lowLatency);
-    m_timing = settings.timing;
     m_pollInterval->setValue(wholeMilliseconds(settings.pollInterval));
     m_timeOut->setValue(wholeMilliseconds(settings.timing.answerTimeOut));
     m_retries->setValue(settings.timing.retries);
@@ -251,6 +273,9 @@ void EscLineSettingsForm::setSettings(const EscLineSettings &settings)
 
 void EscLineSettingsForm::tellBaudRate(const QString &sentence, std::optional<int> wanted)
 {
+    if (sentence.isEmpty() && !hasFields())
+        return; // nothing was told
+    makeFields();
     m_rateWanted = wanted;
     m_rateTold->showMessage(Role::attention, sentence,
                             wanted ? tr("Set the line to %1 Bd").arg(QLocale().toString(*wanted))
@@ -277,12 +302,12 @@ QString EscLineSettingsForm::wrong() const
 // A line may be planned before anybody knows its port.
 QString EscLineSettingsForm::complaint() const
 {
-    return m_port->port().isEmpty() ? tr("Choose a serial port, or type the path of one.") : QString();
+    return settings().port.isEmpty() ? tr("Choose a serial port, or type the path of one.") : QString();
 }
 
 bool EscLineSettingsForm::isPicked() const
 {
-    return m_port->isPicked();
+    return hasFields() && m_port->isPicked();
 }
 
 } // namespace codewheel

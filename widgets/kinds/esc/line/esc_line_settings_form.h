@@ -34,9 +34,6 @@ public:
     KindData plan() const override;
     QString wrong() const override;
     QString complaint() const override;
-    // `trouble`: a sentence shown with the list, such as about missing rights; empty: none. The choice stays,
-    // even if it is not in the list.
-    void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble = {}) override;
 
     EscLineSettings settings() const;
     void setSettings(const EscLineSettings &settings);
@@ -56,6 +53,8 @@ Q_SIGNALS:
     void baudRateWanted(int baudRate); // as given to tellBaudRate(); set in the form
 
 private:
+    void addFields() override;
+    void showPorts(const std::vector<PortRow> &ports, const Trouble &trouble) override;
     void makePort(QFormLayout &form);
     void makeCharacter(QFormLayout &form);
     void makeTimes(QFormLayout &form);
@@ -64,11 +63,15 @@ private:
     IntegerField *addNumber(QFormLayout &form, const QString &label, const QString &toolTip,
                             line_limits::Limits limits);
     QComboBox *addChoice(QFormLayout &form, const QString &label, const QString &toolTip);
+    void readFields(EscLineSettings &settings) const;
+    void showSettings(const EscLineSettings &settings);
     void takeRate();
 
-    PortField *m_port;
+    EscLineSettings m_given; // what the fields show of them may have been edited since
+    bool m_canDetermine = false;
+    PortField *m_port = nullptr;
     QComboBox *m_baudRate = nullptr;
-    InlineMessage *m_rateTold;
+    InlineMessage *m_rateTold = nullptr;
     std::optional<int> m_rateWanted;
     QComboBox *m_dataBits = nullptr;
     QComboBox *m_parity = nullptr;
@@ -81,7 +84,6 @@ private:
     IntegerField *m_fractionBits = nullptr;
     QPushButton *m_determine = nullptr;
     DecimalField *m_topSpeed = nullptr;
-    esc::Timing m_timing; // includes what the form does not show
 };
 
 } // namespace codewheel

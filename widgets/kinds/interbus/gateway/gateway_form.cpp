@@ -44,6 +44,20 @@ constexpr std::array registerSettings{"in-area", "in",      "out",        "write
 const QString hostSetting = QStringLiteral("host");
 const QString portSetting = QStringLiteral("port");
 
+// With host or port; those that are not given have their defaults.
+std::map<QString, QString> allTexts(GatewaySettings::Transport transport,
+                                    const std::map<QString, QString> &given)
+{
+    std::map<QString, QString> all = allSettingTexts({.transport = transport});
+    all[portSetting] = QString();
+    if (transport == GatewaySettings::Transport::tcp)
+        all[hostSetting] = QString();
+    for (const auto &[name, text] : given)
+        if (const auto its = all.find(name); its != all.end())
+            its->second = text;
+    return all;
+}
+
 // The settings that a preset decides; what it does not name is as usual.
 std::map<QString, QString> registersOf(const GatewayPreset &preset, GatewaySettings::Transport transport)
 {
@@ -59,6 +73,10 @@ std::map<QString, QString> registersOf(const GatewayPreset &preset, GatewaySetti
 GatewayForm::GatewayForm(GatewaySettings::Transport transport, QWidget *parent)
     : LinkForm(parent)
     , m_transport(transport)
+    , m_given(allTexts(transport, {}))
+{}
+
+void GatewayForm::addFields()
 {
     auto *form = new QFormLayout(this);
     form->setContentsMargins({});
@@ -67,9 +85,10 @@ GatewayForm::GatewayForm(GatewaySettings::Transport transport, QWidget *parent)
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     makeWhere(*form);
     makePresets(*form);
-    for (const SettingField &field : settingFields(transport))
+    for (const SettingField &field : settingFields(m_transport))
         addField(*form, field);
-    setTexts({});
+    showLast();
+    showTexts(m_given);
 }
 
 QString GatewayForm::title() const
@@ -151,6 +170,8 @@ void GatewayForm::addField(QFormLayout &form, const SettingField &field)
 
 GatewayForm::Texts GatewayForm::texts() const
 {
+    if (!hasFields())
+        return m_given;
     Texts texts;
     for (const auto &[name, box] : m_choices)
         texts[name] = box->currentData().toString();
@@ -160,31 +181,41 @@ GatewayForm::Texts GatewayForm::texts() const
         const bool isNone = !number->specialValueText().isEmpty() && number->value() == number->minimum();
         texts[name] = isNone ? noneSetting : QString::number(number->value());
     }
+    if (m_host != nullptr)
+        texts[hostSetting] = m_host->text().trimmed();
+    texts[portSetting] = m_port != nullptr ? m_port->port() : QString::number(m_tcpPort->value());
     return texts;
 }
 
-// All settings; those that are not given have their defaults.
+// Those that are not given get their defaults.
 void GatewayForm::setTexts(const Texts &texts)
 {
+    const Texts all = allTexts(m_transport, texts);
+    if (hasFields())
+        showTexts(all);
+    else
+        m_given = all;
+}
+
+void GatewayForm::showTexts(const Texts &texts)
+{
     const QScopedValueRollback setting(m_isSetting, true);
-    Texts all = allSettingTexts({.transport = m_transport});
-    for (const auto &[name, text] : texts)
-        all[name] = text;
     for (const auto &[name, box] : m_choices)
-        box->setCurrentIndex(std::max(0, box->findData(all[name])));
+        box->setCurrentIndex(std::max(0, box->findData(texts.at(name))));
     for (const auto &[name, text] : m_texts)
-        text->setText(all[name] == noneSetting ? QString() : all[name]);
+        text->setText(texts.at(name) == noneSetting ? QString() : texts.at(name));
     for (const auto &[name, number] : m_numbers) {
         bool isNumber = false;
-        const int value = all[name].toInt(&isNumber);
+        const int value = texts.at(name).toInt(&isNumber);
         number->setValue(isNumber ? value : number->minimum());
     }
+    const QString &port = texts.at(portSetting);
     if (m_port != nullptr)
-        m_port->setPort(all[portSetting]);
+        m_port->setPort(port);
     if (m_host != nullptr)
-        m_host->setText(all[hostSetting]);
+        m_host->setText(texts.at(hostSetting));
     if (m_tcpPort != nullptr)
-        m_tcpPort->setValue(all[portSetting].isEmpty() ? modbus_limit::tcpPort : all[portSetting].toInt());
+        m_tcpPort->setValue(port.isEmpty() ? modbus_limit::tcpPort : port.toInt());
     m_isSetting = false;
     showPreset();
 }
@@ -200,34 +231,32 @@ bool GatewayForm::showPlan(const KindData &plan)
 
 KindData GatewayForm::plan() const
 {
-    GatewaySettings settings{.transport = m_transport};
-    (void)applySettings(settings, texts()); // if it is refused, wrong() says so
-    if (m_host != nullptr) {
-        settings.host = m_host->text().trimmed();
-        settings.tcpPort = m_tcpPort->value();
-    } else {
-        settings.serialPort = m_port->port();
-    }
-    return KindData(ProjectLink{linkKindOf(settings), linkTexts(settings)});
+    const QString kind = linkKindOf({.transport = m_transport});
+    const auto its = settings(); // if they are refused, wrong() says so
+    return KindData(ProjectLink{kind, its ? linkTexts(*its) : texts()});
+}
+
+Result<GatewaySettings> GatewayForm::settings() const
+{
+    return gatewaySettings(linkKindOf({.transport = m_transport}), texts());
 }
 
 QString GatewayForm::wrong() const
 {
-    GatewaySettings settings{.transport = m_transport};
-    const auto applied = applySettings(settings, texts());
-    return applied ? QString() : refusalText(applied.error());
+    const auto its = settings();
+    return its ? QString() : refusalText(its.error());
 }
 
 QString GatewayForm::complaint() const
 {
-    if (m_host != nullptr && m_host->text().trimmed().isEmpty())
-        return tr("Enter the name or address of the gateway.");
-    if (m_port != nullptr && m_port->port().isEmpty())
-        return tr("Choose a serial port, or type the path of one.");
-    return {};
+    const bool isTcp = m_transport == GatewaySettings::Transport::tcp;
+    if (!texts().at(isTcp ? hostSetting : portSetting).isEmpty())
+        return {};
+    return isTcp ? tr("Enter the name or address of the gateway.")
+                 : tr("Choose a serial port, or type the path of one.");
 }
 
-void GatewayForm::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
+void GatewayForm::showPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
     if (m_port != nullptr)
         m_port->setPorts(ports, trouble);
@@ -236,6 +265,12 @@ void GatewayForm::setPorts(const std::vector<PortRow> &ports, const Trouble &tro
 void GatewayForm::setLast(const Texts &texts)
 {
     m_last = texts;
+    if (hasFields())
+        showLast();
+}
+
+void GatewayForm::showLast()
+{
     const int behind = static_cast<int>(gatewayPresets().size()) + 1;
     if (m_preset->count() > behind)
         m_preset->removeItem(behind);
@@ -251,22 +286,14 @@ GatewayForm::Texts GatewayForm::withRegistersOf(const GatewayPreset &preset) con
         wanted[QString::fromLatin1(name)] = usual.at(QString::fromLatin1(name));
     for (const auto &[name, text] : preset.registers)
         wanted[name] = text;
-    return withPlace(std::move(wanted));
-}
-
-GatewayForm::Texts GatewayForm::withPlace(Texts texts) const
-{
-    if (m_host != nullptr)
-        texts[hostSetting] = m_host->text();
-    texts[portSetting] = m_port != nullptr ? m_port->port() : QString::number(m_tcpPort->value());
-    return texts;
+    return wanted;
 }
 
 // The test that found them stays valid.
 void GatewayForm::propose(const Texts &texts)
 {
     const QSignalBlocker blocker(this);
-    Texts wanted = withPlace(this->texts());
+    Texts wanted = this->texts();
     for (const auto &[name, text] : texts)
         wanted[name] = text;
     setTexts(wanted);

@@ -34,7 +34,6 @@ public:
     KindData plan() const override;
     QString wrong() const override;
     QString complaint() const override;
-    void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble) override;
 
     // Fills in settings that a test has found.
     void propose(const std::map<QString, QString> &texts);
@@ -44,13 +43,17 @@ public:
 private:
     using Texts = std::map<QString, QString>;
 
+    void addFields() override;
+    void showPorts(const std::vector<PortRow> &ports, const Trouble &trouble) override;
     void makeWhere(QFormLayout &form);
     void makePresets(QFormLayout &form);
     void addField(QFormLayout &form, const SettingField &field);
-    Texts texts() const;
+    Result<GatewaySettings> settings() const;
+    Texts texts() const; // with host and port
     void setTexts(const Texts &texts);
+    void showTexts(const Texts &texts);
+    void showLast();
     Texts withRegistersOf(const GatewayPreset &preset) const;
-    Texts withPlace(Texts texts) const; // with host and port
     void usePreset(int index);
     void showPreset();
 
@@ -60,6 +63,7 @@ private:
     PortField *m_port = nullptr;
     QComboBox *m_preset = nullptr;
     QLabel *m_presetSentence = nullptr;
+    Texts m_given; // all settings, as long as there are no fields
     Texts m_last;
     std::map<QString, IntegerField *> m_numbers; // by the name of the setting
     std::map<QString, QComboBox *> m_choices;

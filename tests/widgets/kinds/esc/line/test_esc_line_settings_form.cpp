@@ -2,6 +2,7 @@
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "tests/widgets/kinds/esc/line/esc_line_bench.h"
 #include "widgets/connect/connect_page.h"
+#include "widgets/connect/port_field.h"
 #include "widgets/connect/port_row.h"
 #include "widgets/kinds/esc/line/esc_line_settings_form.h"
 #include "widgets/look/inline_message.h"
@@ -230,6 +231,49 @@ TEST_F(EscLineSettingsFormTest, PositionsAreNotAskedForFasterThanTheManualAllows
 {
     field<QSpinBox>("Poll interval").setValue(1);
     EXPECT_EQ(form.settings().pollInterval, 10ms);
+}
+
+// Before the form is seen it has no fields.
+TEST_F(EscLineSettingsFormTest, WhatItWasGivenBeforeItIsSeenIsInItsFields)
+{
+    EscLineSettingsForm unseen;
+    EXPECT_EQ(unseen.settings(), form.settings());
+    EXPECT_EQ(unseen.complaint(), form.complaint());
+    EscLineSettings settings;
+    settings.port = QStringLiteral("/dev/ttyS4");
+    settings.serial.baudRate = 57'600;
+    settings.timing.adapterDelay = 18ms; // not in the form
+    unseen.setSettings(settings);
+    unseen.setPort(QStringLiteral("/dev/ttyS0"));
+    unseen.setFractionBits(30);
+    unseen.setCanDetermine(true);
+    unseen.setPorts(ports);
+    unseen.tellBaudRate({});
+    settings.port = QStringLiteral("/dev/ttyS0");
+    settings.fractionBits = 30;
+    settings.timing.character = settings.serial.timeOf(1);
+    EXPECT_EQ(unseen.settings(), settings);
+    EXPECT_FALSE(unseen.isPicked());
+    EXPECT_EQ(unseen.complaint(), QString());
+    EXPECT_TRUE(unseen.findChildren<QWidget *>().isEmpty());
+    unseen.makeFields();
+    EXPECT_EQ(unseen.settings(), settings);
+    EXPECT_FALSE(unseen.isPicked());
+    EXPECT_TRUE(test::button(unseen, QStringLiteral("Determine"))->isEnabled());
+    EXPECT_EQ(unseen.findChild<PortField *>()->findChild<QComboBox *>()->count(), 2);
+}
+
+TEST_F(EscLineSettingsFormTest, ABaudRateIsToldBeforeItIsSeen)
+{
+    EscLineSettingsForm unseen;
+    EscLineSettings settings;
+    settings.serial.baudRate = 49;
+    unseen.setSettings(settings);
+    EXPECT_EQ(unseen.wrong(), QStringLiteral("The baud rate is a number from 50 to 10000000."));
+    unseen.tellBaudRate(QStringLiteral("All have another."), 9'600);
+    test::button(unseen, QStringLiteral("Set the line to 9600 Bd"))->click();
+    EXPECT_EQ(unseen.settings().serial.baudRate, 9'600);
+    EXPECT_EQ(unseen.wrong(), QString());
 }
 
 TEST_F(EscLineSettingsFormTest, TheFormatOfTheFactorIsDeterminedByTheCaller)
