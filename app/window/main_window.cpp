@@ -232,14 +232,12 @@ void MainWindow::goOn(WorkInWindow work)
 // Those that plan something when they are opened plan it anew.
 void MainWindow::showPageAgain(int page, const QByteArray &kind)
 {
-    QWidget *same = m_pages->widget(page);
-    if (same == nullptr || same->metaObject()->className() != kind)
-        return;
-    if (qobject_cast<TransferPage *>(same) != nullptr)
+    const QWidget *same = m_pages->widget(page);
+    if (kind == TransferPage::staticMetaObject.className())
         m_actions.transfer->trigger();
-    else if (qobject_cast<ReplacePage *>(same) != nullptr)
+    else if (kind == ReplacePage::staticMetaObject.className())
         m_actions.replaceEncoder->trigger();
-    else
+    else if (same != nullptr && same->metaObject()->className() == kind)
         m_pages->setCurrentIndex(page);
 }
 

@@ -23,6 +23,7 @@
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/trace/trace_view.h"
+#include "widgets/transfer/transfer_page.h"
 #include "widgets/wizard/parameter_wizard.h"
 #include "widgets/wizard/values_page.h"
 
@@ -74,11 +75,13 @@ protected:
     MainWindow &window() { return *program->window(); }
     EncoderSession &encoder() { return *program->plant()->buses().encoder(test::fraba); }
     ParameterWizard &wizard() { return *window().findChild<ParameterWizard *>(); }
-    void becomeGerman()
+    void becomeGerman() { become("de"); }
+    void becomeEnglish() { become("en"); }
+    void become(const char *wanted)
     {
         const QPointer<MainWindow> before(program->window());
         for (QAction *language : window().actions().language->actions())
-            if (language->data() == QStringLiteral("de"))
+            if (language->data() == QLatin1String(wanted))
                 language->trigger();
         ASSERT_TRUE(QTest::qWaitFor([&] { return before.isNull(); }, patience));
         QCoreApplication::processEvents();
@@ -165,6 +168,21 @@ TEST_F(LanguageInMidWork, WhatIsBeingTypedInAFormOfALinkIsStillBeingTyped)
     ASSERT_TRUE(page()->isVisible());
     ASSERT_TRUE(host() != nullptr && host()->isVisible()) << "its link is chosen";
     EXPECT_EQ(host()->text(), QStringLiteral("gateway.h"));
+}
+
+// However many pages have been opened before.
+TEST_F(LanguageInMidWork, ThePageThatIsOpenIsStillOpen)
+{
+    window().actions().transfer->trigger();
+    window().actions().replaceEncoder->trigger();
+    window().findChild<RingActions *>()->connection->trigger();
+    becomeGerman();
+    EXPECT_TRUE(window().findChild<ConnectPage *>(QStringLiteral("ringConnection"))->isVisible());
+    window().actions().transfer->trigger();
+    becomeEnglish();
+    const auto *page = window().findChild<TransferPage *>();
+    ASSERT_NE(page, nullptr);
+    EXPECT_TRUE(page->isVisible());
 }
 
 TEST_F(LanguageInMidWork, ABusThatNoProjectNamesIsCalledInTheNewLanguage)

@@ -132,6 +132,20 @@ TEST_F(PagesTest, AFormOfALinkHasFieldsOnceItIsSeen)
     EXPECT_TRUE(form.findChild<QSpinBox *>()->isVisible());
 }
 
+TEST_F(PagesTest, APageForTransfersIsMadeWhenItIsFirstOpened)
+{
+    choose(fraba);
+    EXPECT_EQ(window().findChild<TransferPage *>(), nullptr);
+    EXPECT_EQ(window().findChild<ReplacePage *>(), nullptr);
+    actions().transfer->trigger();
+    EXPECT_EQ(page(), window().findChild<TransferPage *>());
+    EXPECT_EQ(window().findChild<ReplacePage *>(), nullptr);
+    actions().replaceEncoder->trigger();
+    EXPECT_EQ(page(), window().findChild<ReplacePage *>());
+    actions().transfer->trigger();
+    EXPECT_EQ(window().findChildren<TransferPage *>().size(), 1) << "once";
+}
+
 TEST_F(PagesTest, WithoutAPageTheKeysDoNothing)
 {
     QTest::keyClick(&window(), Qt::Key_W, Qt::ControlModifier);

@@ -5,7 +5,6 @@
 #include "bus/buses.h"
 #include "catalog/device_description.h"
 #include "vocabulary/refusal_text.h"
-#include "widgets/help/help_topic.h"
 #include "widgets/models/shown_encoder.h"
 #include "widgets/transfer/replace_page.h"
 #include "widgets/transfer/transfer_page.h"
@@ -33,15 +32,18 @@ TransferPages::TransferPages(const Buses &buses, const Catalog &catalog, Project
     , m_findBefore(std::move(findBefore))
     , m_actions(actions)
     , m_pages(pages)
-    , m_transfer(new TransferPage(buses, catalog, project, m_findBefore, &pages))
-    , m_replace(new ReplacePage(buses, catalog, project, positions, &pages))
+    , m_transfer(pages, "transfer.md",
+                 [this, &catalog, &project] {
+                     auto *page = new TransferPage(m_buses, catalog, project, m_findBefore, &m_pages);
+                     connect(page, &TransferPage::messaged, this, &TransferPages::told);
+                     return page;
+                 })
+    , m_replace(pages, "transfer.md#replace-an-encoder", [this, &catalog, &project, &positions] {
+        auto *page = new ReplacePage(m_buses, catalog, project, positions, &m_pages);
+        connect(page, &ReplacePage::messaged, this, &TransferPages::told);
+        return page;
+    })
 {
-    pages.addWidget(m_transfer);
-    pages.addWidget(m_replace);
-    setHelpTopic(*m_transfer, "transfer.md");
-    setHelpTopic(*m_replace, "transfer.md#replace-an-encoder");
-    connect(m_transfer, &TransferPage::messaged, this, &TransferPages::told);
-    connect(m_replace, &ReplacePage::messaged, this, &TransferPages::told);
     connect(actions.transfer, &QAction::triggered, this, &TransferPages::showTransfer);
     connect(actions.restoreValues, &QAction::triggered, this, &TransferPages::showRestore);
     connect(actions.replaceEncoder, &QAction::triggered, this, &TransferPages::showReplace);
@@ -92,18 +94,21 @@ void TransferPages::showActions()
 
 bool TransferPages::isBusy() const
 {
-    return m_transfer->isBusy() || m_replace->isBusy();
+    const TransferPage *transfer = m_transfer.ifMade();
+    const ReplacePage *replace = m_replace.ifMade();
+    return (transfer != nullptr && transfer->isBusy()) || (replace != nullptr && replace->isBusy());
 }
 
 void TransferPages::showTransfer()
 {
-    m_pages.setCurrentWidget(m_transfer);
-    m_transfer->setFocus();
+    TransferPage &page = m_transfer.page();
+    m_pages.setCurrentWidget(&page);
+    page.setFocus();
 }
 
 void TransferPages::showRestore()
 {
-    m_transfer->choose(TransferChoice::What::restore, m_number);
+    m_transfer.page().choose(TransferChoice::What::restore, m_number);
     showTransfer();
 }
 
@@ -111,8 +116,9 @@ void TransferPages::showReplace()
 {
     if (!m_number)
         return;
-    m_replace->replace(*m_number);
-    m_pages.setCurrentWidget(m_replace);
+    ReplacePage &page = m_replace.page();
+    page.replace(*m_number);
+    m_pages.setCurrentWidget(&page);
 }
 
 } // namespace codewheel

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/look/late_page.h"
 #include "transfer/values_before.h"
 #include "vocabulary/message.h"
 
 #include <QObject>
-
-class QStackedWidget;
 
 namespace codewheel {
 
@@ -48,8 +47,8 @@ private:
     FindValuesBefore m_findBefore;
     const WindowActions &m_actions;
     QStackedWidget &m_pages;
-    TransferPage *m_transfer;
-    ReplacePage *m_replace;
+    LatePage<TransferPage> m_transfer;
+    LatePage<ReplacePage> m_replace;
     std::optional<Place> m_number; // only if it is connected
     bool m_isOnlyPlanned = false;
 };

@@ -74,9 +74,14 @@ protected:
     }
     void untilDone()
     {
-        for (int i = 0; i < 300 && (page().isBusy() || replacePage().isBusy()); ++i)
+        const auto *page = window().findChild<TransferPage *>(); // null: not opened yet
+        const auto *replacing = window().findChild<ReplacePage *>();
+        const auto isBusy = [&] {
+            return (page != nullptr && page->isBusy()) || (replacing != nullptr && replacing->isBusy());
+        };
+        for (int i = 0; i < 300 && isBusy(); ++i)
             advance(33);
-        EXPECT_FALSE(page().isBusy() || replacePage().isBusy());
+        EXPECT_FALSE(isBusy());
     }
 };
 
@@ -142,8 +147,8 @@ TEST_F(TransferOnLine, AnEncoderIsReadInWatchAndWhatItHasIsStored)
     bus().setOperate(false);
     shown->line().session()->setOperate(false);
     advance(100);
-    page().choose(TransferChoice::What::store, std::nullopt);
     actions().transfer->trigger();
+    page().choose(TransferChoice::What::store, std::nullopt);
     auto *none = page().findChild<QPushButton *>(QStringLiteral("chooseNone"));
     QTest::mouseClick(none, Qt::LeftButton);
     auto *table = page().findChild<QAbstractItemView *>(QStringLiteral("transferTable"));
