@@ -200,11 +200,12 @@ WorkInWindow MainWindow::takeWork()
     WorkInWindow work;
     if (m_plant == nullptr)
         return work;
+    ParameterWizard *wizard = m_wizard->ifMade();
     work = {.row = chosen().row,
             .page = m_pages->currentIndex(),
             .kindOfPage = m_pages->currentWidget()->metaObject()->className(),
             .traces = m_trace->takeTraces(),
-            .wizard = m_wizard->takeUnderWay(),
+            .wizard = wizard != nullptr ? wizard->takeUnderWay() : ParameterWizard::UnderWay(),
             .wanted = m_parameters->typed(),
             .typed = typedTexts(*this)};
     for (const auto &[bus, views] : m_views)
@@ -219,7 +220,8 @@ void MainWindow::goOn(WorkInWindow work)
     if (work.row)
         m_structure->choose(*work.row);
     m_trace->goOn(std::move(work.traces));
-    m_wizard->goOn(work.wizard);
+    if (work.wizard.encoder)
+        m_wizard->page().goOn(work.wizard);
     for (const auto &[bus, its] : work.ofBuses)
         if (BusViews *views = viewsOf(bus))
             views->goOn(its);
@@ -237,6 +239,8 @@ void MainWindow::showPageAgain(int page, const QByteArray &kind)
         m_actions.transfer->trigger();
     else if (kind == ReplacePage::staticMetaObject.className())
         m_actions.replaceEncoder->trigger();
+    else if (kind == ParameterWizard::staticMetaObject.className())
+        m_pages->setCurrentWidget(&m_wizard->page());
     else if (same != nullptr && same->metaObject()->className() == kind)
         m_pages->setCurrentIndex(page);
 }
@@ -292,7 +296,8 @@ void MainWindow::showChosen()
     m_trace->setEncoder(connected, offline);
     m_sequence->setEncoder(connected, offline);
     m_status->setEncoder(connected);
-    m_wizard->setEncoder(connected);
+    if (ParameterWizard *wizard = m_wizard->ifMade())
+        wizard->setEncoder(connected);
     m_cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
     m_actions.showTrace(m_trace->hasRows());
@@ -352,10 +357,11 @@ bool MainWindow::hasJob() const
 
 void MainWindow::showWizard()
 {
-    if (m_wizard == nullptr)
+    if (!m_wizard)
         return;
-    m_pages->setCurrentWidget(m_wizard);
-    m_wizard->focusPage();
+    ParameterWizard &wizard = m_wizard->page();
+    m_pages->setCurrentWidget(&wizard);
+    wizard.focusPage();
 }
 
 void MainWindow::showMonitors()

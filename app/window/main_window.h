@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/files/dropped_files.h"
+#include "app/window/look/late_page.h"
 #include "app/window/look/panels.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
@@ -166,6 +167,7 @@ private:
     void showChosen();
     void showPageAgain(int page, const QByteArray &kind);
     void makePages();
+    ParameterWizard *makeWizard();
     void makeFinder();
     void connectProject();
     void tell(const Message &message);
@@ -213,8 +215,8 @@ private:
     StructureView *m_structure = nullptr;
     DeviceChoice *m_choice = nullptr;
     MonitorArea *m_monitors = nullptr;
-    ParameterWizard *m_wizard = nullptr;
     CamEditor *m_cams = nullptr;
+    std::optional<LatePage<ParameterWizard>> m_wizard;
     TrendPage *m_trend = nullptr;
     ParameterPanel *m_parameters = nullptr;
     DialPin *m_dial = nullptr;

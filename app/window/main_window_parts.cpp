@@ -53,8 +53,6 @@ void MainWindow::makePages()
     m_monitors = new MonitorArea(*m_buses, this);
     m_monitors->setStations([this](Place place) { return m_project.device(place).station; });
     connect(&m_project, &ProjectDocument::changed, m_monitors, &MonitorArea::showStations);
-    m_wizard = new ParameterWizard(*m_buses, *m_wanted, this);
-    m_wizard->setStations([this](Place place) { return m_project.device(place).station; });
     m_cams = new CamEditor(*m_buses, m_plant->catalog(), m_project, this);
     m_trend = new TrendPage(
         *m_buses, m_plant->histories(), [this](Place place) { return m_project.device(place).station; },
@@ -67,7 +65,6 @@ void MainWindow::makePages()
         return its == nullptr || !its->isOpen() || (its->isTraining() && its->kind() == kind);
     });
     const std::pair<QWidget *, const char *> pages[] = {{m_monitors, "monitors.md"},
-                                                        {m_wizard, "wizard.md"},
                                                         {m_cams, "cams.md"},
                                                         {m_trend, "trend.md"},
                                                         {m_editor, "project.md#the-structure-editor"},
@@ -76,6 +73,7 @@ void MainWindow::makePages()
         m_pages->addWidget(page);
         setHelpTopic(*page, topic);
     }
+    m_wizard.emplace(*m_pages, "wizard.md", [this] { return makeWizard(); });
     m_transfer = new TransferPages(*m_buses, m_plant->catalog(), m_project,
                                    valuesBeforeOf([this] { return m_plant->ledgers(); }),
                                    m_plant->positions(), m_actions, *m_pages, this);
@@ -83,6 +81,16 @@ void MainWindow::makePages()
     m_start = new Start({*m_plant, m_project, *m_files, m_settings, m_actions, *m_pages,
                          *static_cast<QVBoxLayout *>(centralWidget()->layout())},
                         this);
+}
+
+ParameterWizard *MainWindow::makeWizard()
+{
+    auto *wizard = new ParameterWizard(*m_buses, *m_wanted, m_pages);
+    wizard->setStations([this](Place place) { return m_project.device(place).station; });
+    wizard->setEncoder(m_choice->encoder().session());
+    connect(wizard, &ParameterWizard::encoderChosen, m_choice, &DeviceChoice::choose);
+    connect(wizard, &ParameterWizard::goesOn, m_parameters, &ParameterPanel::takeFollowing);
+    return wizard;
 }
 
 // What is found is connected as the bus of its kind that was chosen last.
@@ -341,8 +349,6 @@ void MainWindow::connectViews()
     connect(m_monitors, &MonitorArea::trendWanted, this, &MainWindow::showInTrend);
     connect(m_cams, &CamEditor::trendWanted, this, &MainWindow::showInTrend);
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
-    connect(m_wizard, &ParameterWizard::encoderChosen, m_choice, &DeviceChoice::choose);
-    connect(m_wizard, &ParameterWizard::goesOn, m_parameters, &ParameterPanel::takeFollowing);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(panel::parameters); });
     const auto openChosen = [this] {
         const auto place = m_choice->place();

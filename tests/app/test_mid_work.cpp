@@ -178,11 +178,17 @@ TEST_F(LanguageInMidWork, ThePageThatIsOpenIsStillOpen)
     window().findChild<RingActions *>()->connection->trigger();
     becomeGerman();
     EXPECT_TRUE(window().findChild<ConnectPage *>(QStringLiteral("ringConnection"))->isVisible());
+    EXPECT_EQ(window().findChild<ParameterWizard *>(), nullptr) << "it was not opened";
     window().actions().transfer->trigger();
     becomeEnglish();
     const auto *page = window().findChild<TransferPage *>();
     ASSERT_NE(page, nullptr);
     EXPECT_TRUE(page->isVisible());
+    window().actions().wizard->trigger();
+    becomeGerman();
+    ASSERT_NE(window().findChild<ParameterWizard *>(), nullptr);
+    EXPECT_TRUE(wizard().isVisible());
+    EXPECT_EQ(wizard().encoder(), &encoder());
 }
 
 TEST_F(LanguageInMidWork, ABusThatNoProjectNamesIsCalledInTheNewLanguage)

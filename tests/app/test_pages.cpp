@@ -146,6 +146,22 @@ TEST_F(PagesTest, APageForTransfersIsMadeWhenItIsFirstOpened)
     EXPECT_EQ(window().findChildren<TransferPage *>().size(), 1) << "once";
 }
 
+TEST_F(PagesTest, TheWizardIsMadeWhenItIsFirstOpenedForTheEncoderThatIsChosen)
+{
+    choose(fraba);
+    choose(baumer);
+    EXPECT_EQ(window().findChild<ParameterWizard *>(), nullptr);
+    actions().wizard->trigger();
+    const auto *wizard = window().findChild<ParameterWizard *>();
+    ASSERT_EQ(page(), wizard);
+    EXPECT_EQ(wizard->encoder()->place(), baumer);
+    EXPECT_TRUE(find<QWidget>("encoders").hasFocus());
+    actions().monitors->trigger();
+    choose(fraba);
+    EXPECT_EQ(wizard->encoder()->place(), fraba);
+    EXPECT_EQ(window().findChildren<ParameterWizard *>().size(), 1);
+}
+
 TEST_F(PagesTest, WithoutAPageTheKeysDoNothing)
 {
     QTest::keyClick(&window(), Qt::Key_W, Qt::ControlModifier);

@@ -151,6 +151,7 @@ TEST_F(EscLineInWindow, ThePanelsShowAnEncoderOfTheLine)
     advance(50);
     const auto *page = device->findChild<QTextBrowser *>(QStringLiteral("devicePage"));
     EXPECT_TRUE(page->toPlainText().contains(QStringLiteral("T/R+"))) << "its pins";
+    actions().wizard->trigger();
     EXPECT_EQ(window().findChild<ParameterWizard *>()->encoder(), &encoder(standing));
 }
 
@@ -605,6 +606,7 @@ TEST_F(EscLineInWindow, TheLineWorksWhileTheRingIsNotConnected)
     choose(standing);
     EXPECT_TRUE(actions().alarmStop->isEnabled());
     EXPECT_TRUE(actions().operate->isEnabled());
+    actions().wizard->trigger();
     EXPECT_EQ(window().findChild<ParameterWizard *>()->encoder(), &encoder(standing));
     ringActions().connectBus->trigger();
     advance(100);
