@@ -27,6 +27,8 @@ struct TrafficRow
     Word in = 0;
     bool isAnswered = true;             // false: its link was lost in this cycle
     QByteArray bytes{};                 // as on the wire, unless what passes is words
+    qsizetype head = 0;                 // so many of them are no data: the identifier of a frame on CAN
+    QString identifier{};               // which they say: "185", of 29 bits "0CFFE0E0"
     std::function<QString()> meaning{}; // in the current language
     bool isAutomatic = false; // asked automatically by the bus, or its answer, and nothing is wrong with it
     bool isTyped = false;     // or its answer
@@ -43,8 +45,10 @@ enum class TrafficColumn : std::uint8_t {
     in,
     text,
     meaning,
-    bytes,
+    bytes,  // the data
     remark, // the user's
+    identifier,
+    who, // has sent it, or is meant
 };
 
 // "sent", "answer", "echo", "garbage", "late"

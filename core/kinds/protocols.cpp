@@ -5,7 +5,10 @@
 #include "can/frame_meaning.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
+#include "kinds/canopen/bus/canopen_bus_messages.h"
+#include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/driver/canopen_protocol.h"
+#include "kinds/canopen/protocol/canopen_address.h"
 #include "kinds/canopen/protocol/canopen_explain.h"
 #include "kinds/canopen/protocol/canopen_messages.h"
 #include "kinds/canopen/protocol/canopen_profile.h"
@@ -54,7 +57,12 @@ std::span<const PlaceFormat> placeFormats()
         const auto address = addressTyped(text);
         return address ? std::optional(address->node()) : std::nullopt;
     };
-    static const std::array formats{PlaceFormat{firstRing, ofRing}, PlaceFormat{firstLine, ofLine}};
+    const auto ofCanBus = [](QStringView text) -> std::optional<NodeId> {
+        const auto address = CanopenAddress::read(text);
+        return address ? std::optional(address->place()) : std::nullopt;
+    };
+    static const std::array formats{PlaceFormat{firstRing, ofRing}, PlaceFormat{firstLine, ofLine},
+                                    PlaceFormat{firstCanBus, ofCanBus}};
     return formats;
 }
 
@@ -94,16 +102,16 @@ namespace {
 
 std::vector<const RefusalFamily *> &familiesOfRefusals()
 {
-    static std::vector<const RefusalFamily *> families{&commonRefusals, &canRefusals,     &escRefusals,
-                                                       &wordRefusals,   &gatewayRefusals, &ringRefusals,
-                                                       &canopenRefusals};
+    static std::vector<const RefusalFamily *> families{&commonRefusals,     &canRefusals, &canopenRefusals,
+                                                       &canopenBusRefusals, &escRefusals, &wordRefusals,
+                                                       &gatewayRefusals,    &ringRefusals};
     return families;
 }
 
 std::vector<const MessageFamily *> &familiesOfMessages()
 {
-    static std::vector<const MessageFamily *> families{&commonMessages, &escMessages, &offerMessages,
-                                                       &ringMessages, &canopenMessages};
+    static std::vector<const MessageFamily *> families{
+        &commonMessages, &escMessages, &offerMessages, &ringMessages, &canopenMessages, &canopenBusMessages};
     return families;
 }
 

@@ -2,6 +2,7 @@
 // Links that pass everything on, count what could change something at the far end, and can be lost or block.
 #pragma once
 
+#include "can/can_link.h"
 #include "serial/byte_link.h"
 #include "tests/support/passing_link.h"
 
@@ -145,6 +146,57 @@ private:
     }
 
     std::unique_ptr<ByteLink> m_link;
+    LinkWatch &m_watch;
+};
+
+// Counts writes by SDO, and commands of NMT.
+class WatchedCanBusLink final : public CanLink
+{
+public:
+    WatchedCanBusLink(std::unique_ptr<CanLink> link, LinkWatch &watch)
+        : m_link(std::move(link))
+        , m_watch(watch)
+    {}
+
+    Result<void> open(CanUse use) override
+    {
+        if (!m_watch.waitWhileBlocked())
+            return refuse(RefusalKind::stopped, RefusalId::cancelled);
+        return m_watch.isGone ? gone() : m_link->open(use);
+    }
+    void close() override { m_link->close(); }
+    Instant now() const override { return m_link->now(); }
+    void wait(Instant until) override { m_link->wait(until); }
+    Result<CanNews> receive(Instant until) override
+    {
+        return m_watch.isGone ? Result<CanNews>(gone()) : m_link->receive(until);
+    }
+    Result<bool> send(const CanFrame &frame) override
+    {
+        if (m_watch.isGone)
+            return gone();
+        const bool isRead = frame.id != 0 && (frame.bytes[0] & writes) != writes;
+        m_watch.changes += isRead ? 0 : 1;
+        return m_link->send(frame);
+    }
+    CanStatus status() const override { return m_link->status(); }
+    QString name() const override { return m_link->name(); }
+    bool isSimulated() const override { return m_link->isSimulated(); }
+    void interrupt() override
+    {
+        m_watch.interrupt();
+        m_link->interrupt();
+    }
+
+private:
+    static constexpr unsigned writes = 0x20; // 40h reads
+
+    tl::unexpected<Refusal> gone() const
+    {
+        return refuse(RefusalKind::link, RefusalId::portLost, {m_link->name()});
+    }
+
+    std::unique_ptr<CanLink> m_link;
     LinkWatch &m_watch;
 };
 

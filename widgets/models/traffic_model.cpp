@@ -38,6 +38,8 @@ constexpr ColumnShape columnShapes[] = {
     {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Meaning"), "meaning", false, false, true},
     {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Hex"), "bytes", false, true, true},
     {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Remark"), "remark", false, false, true},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Identifier"), "identifier", false, true, false},
+    {QT_TRANSLATE_NOOP("codewheel::TrafficModel", "Node"), "node", false, true, false},
 };
 
 const ColumnShape &shapeOf(TrafficColumn column)
@@ -278,7 +280,11 @@ QString TrafficModel::cellText(const ShownTraffic &row, TrafficColumn column,
     case TrafficColumn::meaning:
         return what.meaning ? what.meaning() : QString();
     case TrafficColumn::bytes:
-        return byteText(what.bytes);
+        return byteText(what.bytes.sliced(what.head));
+    case TrafficColumn::identifier:
+        return what.identifier;
+    case TrafficColumn::who:
+        return what.place ? what.place->toString() : QString();
     case TrafficColumn::remark:
         break;
     }

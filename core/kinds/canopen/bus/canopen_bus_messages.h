@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "vocabulary/message.h"
+
+namespace codewheel {
+
+// What is told only of a bus with CANopen. The comment beside each lists its arguments.
+enum class CanopenBusMessageId : std::uint8_t {
+    opened,           // link ("training": the simulated bus), rate
+    closed,           // link; so for the next one
+    back,             //
+    otherMasterHeard, // what was heard of it
+    nodeDoubled,      //
+    heartbeatLost,    //
+    heartbeatBack,    //
+    loadHigh,         // percent
+    nodesFound,       // nodes
+    nodesStopped,     // their numbers
+    allNodesStopped,  //
+    stopsNotSent,     //
+};
+extern const MessageFamily canopenBusMessages;
+constexpr const MessageFamily &familyOf(CanopenBusMessageId)
+{
+    return canopenBusMessages;
+}
+
+} // namespace codewheel

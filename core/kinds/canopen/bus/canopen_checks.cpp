@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/bus/canopen_checks.h"
+
+#include "bus/bus_outline.h"
+#include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/bus/canopen_faults.h"
+#include "kinds/canopen/bus/canopen_session.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+constexpr double muchLoad = 0.85;
+
+// The translation context of these texts.
+struct CanopenCheckText
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::CanopenChecks)
+};
+
+DataCheck remark(DataCheck check, const QString &remedy)
+{
+    check.outcome = DataCheck::Outcome::remark;
+    check.remedy = remedy;
+    return check;
+}
+
+DataCheck canLinkCheck(const CanopenSession &bus)
+{
+    DataCheck check = linkCheck(bus, sentence(CanopenCheckText::tr("%1, %2 kBit/s"),
+                                              {bus.linkName(), QLocale().toString(bus.rate() / 1'000)}));
+    if (bus.state() != BusState::lost || !bus.latest().whyLost)
+        return check;
+    check.remedy = refusalText(*bus.latest().whyLost);
+    check.why = bus.latest().whyLost;
+    return check;
+}
+
+// In Watch nobody may be asked, and everybody is heard.
+DataCheck askingCheck(const CanopenSession &bus)
+{
+    const QString what = CanopenCheckText::tr("Listening and asking");
+    const QString expected = CanopenCheckText::tr("runs");
+    const QString came = bus.outline().state().word;
+    if (!bus.isRunning())
+        return failedCheck(DataCheck::Id::running, what, expected, came,
+                           CanopenCheckText::tr("No node is asked: that was stopped. Start it."),
+                           DataCheck::Action::start);
+    const CanopenSnapshot &latest = bus.latest();
+    if (latest.isHeldBack())
+        return remark(
+            passedCheck(DataCheck::Id::running, what, expected, came),
+            refusalText(
+                {RefusalKind::busy, CanopenBusRefusalId::otherMaster, {latest.otherMaster.argument()}}));
+    return passedCheck(DataCheck::Id::running, what, expected, came);
+}
+
+struct NoFrames
+{
+    QString came;
+    QString remedy;
+};
+
+std::optional<NoFrames> whyNoFrames(const CanopenSession &bus)
+{
+    const CanopenSnapshot &latest = bus.latest();
+    const CanopenFigures &figures = latest.figures;
+    if (figures.notAcknowledged > 0)
+        return NoFrames{
+            CanopenCheckText::tr("nobody acknowledges what is sent"),
+            CanopenCheckText::tr("Nobody on the bus takes what is sent. Check the rate, the wires and both "
+                                 "terminators, and that a device is connected that does not only listen.")};
+    if (figures.received > 0)
+        return std::nullopt;
+    if (figures.errorFrames == 0)
+        return NoFrames{CanopenCheckText::tr("none"),
+                        CanopenCheckText::tr("Nothing is heard on the bus. Check the supply of the devices "
+                                             "and the wires. Nodes that wait to be asked are silent, too: in "
+                                             "Operate they are asked.")};
+    if (bus.isOperating())
+        return NoFrames{CanopenCheckText::tr("only errors"),
+                        CanopenCheckText::tr("Only disturbed frames are heard. The rate differs from that of "
+                                             "the bus, or wires or terminators are missing.")};
+    return NoFrames{CanopenCheckText::tr("only errors"),
+                    CanopenCheckText::tr("Only disturbed frames are heard. The rate differs from that of the "
+                                         "bus, or a single device is there: its frames are acknowledged by "
+                                         "nobody while they are only watched.")};
+}
+
+DataCheck framesCheck(const CanopenSession &bus)
+{
+    const QString what = CanopenCheckText::tr("Frames");
+    const QString expected = CanopenCheckText::tr("some");
+    const QString received = QLocale().toString(qulonglong{bus.latest().figures.received});
+    if (const auto why = whyNoFrames(bus))
+        return failedCheck(DataCheck::Id::bytes, what, expected, why->came, why->remedy,
+                           DataCheck::Action::connection);
+    const double load = bus.latest().figures.load;
+    DataCheck passed = passedCheck(DataCheck::Id::bytes, what, expected, received);
+    if (load < muchLoad)
+        return passed;
+    return remark(std::move(passed), sentence(CanopenCheckText::tr("The bus is %1 % full: what has a high "
+                                                                   "identifier may come late or not at all."),
+                                              {QLocale().toString(std::lround(load * 100))}));
+}
+
+DataCheck protocolCheck(const CanopenSession &bus)
+{
+    const QString what = CanopenCheckText::tr("Protocol");
+    const QString expected = QStringLiteral("CANopen");
+    const CanopenFigures &figures = bus.latest().figures;
+    if (figures.received > 0 && figures.extended == figures.received)
+        return failedCheck(DataCheck::Id::sense, what, expected, QStringLiteral("J1939"),
+                           CanopenCheckText::tr("All frames have 29 bits: what is there speaks J1939, not "
+                                                "CANopen. It is another variant of the device."));
+    return passedCheck(DataCheck::Id::sense, what, expected, expected);
+}
+
+QString heardNumbers(const CanopenSession &bus)
+{
+    QStringList numbers;
+    for (const CanopenSnapshot::Node &node : bus.latest().nodes)
+        numbers << QString::number(node.node);
+    return numbers.isEmpty() ? CanopenCheckText::tr("no node") : numbers.join(QStringLiteral(", "));
+}
+
+// Whether it is there at all, and alone with its number.
+DataCheck heardCheck(const CanopenSession &bus, int number)
+{
+    const QString what = CanopenCheckText::tr("Node on the bus");
+    const QString expected = CanopenCheckText::tr("heard");
+    const CanopenSnapshot::Node *node = bus.latest().heard(number);
+    if (node == nullptr)
+        return failedCheck(
+            DataCheck::Id::reached, what, expected,
+            sentence(CanopenCheckText::tr("heard: %1"), {heardNumbers(bus)}),
+            sentence(CanopenCheckText::tr("Node %1 was not heard. It may have another number or another "
+                                          "rate, be switched off, or be silent until it is asked."),
+                     {QString::number(number)}),
+            DataCheck::Action::search);
+    if (node->isDoubled)
+        return failedCheck(DataCheck::Id::reached, what, expected, CanopenCheckText::tr("twice"),
+                           canopenFaultOf(bus, bus.placeOf(CanopenAddress{number}.place()))->text);
+    if (node->heartbeat == canopen::Heartbeat::lost)
+        return failedCheck(DataCheck::Id::reached, what, expected,
+                           CanopenCheckText::tr("its heartbeat is lost"),
+                           canopenFaultOf(bus, bus.placeOf(CanopenAddress{number}.place()))->text);
+    return passedCheck(DataCheck::Id::reached, what, expected, expected);
+}
+
+QString stateText(const std::optional<canopen::NmtState> &state)
+{
+    return state ? canopen::NodeState{.state = *state}.text() : CanopenCheckText::tr("not known");
+}
+
+DataCheck nodeStateCheck(const CanopenSession &bus, int number)
+{
+    using canopen::NmtState;
+    const QString what = CanopenCheckText::tr("State of the node");
+    const QString expected = stateText(NmtState::operational);
+    const CanopenSnapshot::Node *node = bus.latest().heard(number);
+    const auto state = node != nullptr ? node->state : std::nullopt;
+    if (state == NmtState::stopped)
+        return failedCheck(DataCheck::Id::state, what, expected, stateText(state),
+                           CanopenCheckText::tr("The node is stopped: it sends no positions and answers "
+                                                "nothing. Start it (NMT), in Operate."));
+    if (state == NmtState::preOperational && !bus.isOperating())
+        return failedCheck(DataCheck::Id::state, what, expected, stateText(state),
+                           CanopenCheckText::tr("The node is pre-operational: it sends no positions by "
+                                                "itself. Start it (NMT), or switch to Operate, where it is "
+                                                "asked for them."),
+                           DataCheck::Action::operate);
+    return passedCheck(DataCheck::Id::state, what, expected, stateText(state));
+}
+
+DataCheck pdoCheck(const CanopenSession &bus, int number)
+{
+    const QString what = CanopenCheckText::tr("Positions by PDO");
+    const QString expected = CanopenCheckText::tr("they come");
+    const CanopenSnapshot &latest = bus.latest();
+    const CanopenSnapshot::Node *node = latest.heard(number);
+    DataCheck check = passedCheck(DataCheck::Id::answer, what, expected, CanopenCheckText::tr("none"));
+    if (node != nullptr && node->otherIdentifier != 0)
+        return remark(check,
+                      sentence(CanopenCheckText::tr("A PDO of the node has the identifier %1, which is "
+                                                    "not the predefined one."),
+                               {hexNumber(node->otherIdentifier, 3)}));
+    if (node != nullptr && node->sendsPdos)
+        return passedCheck(DataCheck::Id::answer, what, expected, expected);
+    if (bus.isOperating()) // they are asked for
+        return remark(check, CanopenCheckText::tr("The position is asked for (SDO)."));
+    return failedCheck(
+        DataCheck::Id::answer, what, expected, check.came,
+        latest.otherMaster.isHeard(OtherMaster::Sign::sync)
+            ? CanopenCheckText::tr("The PDOs of the node may be switched off, have another identifier, or be "
+                                   "sent only when the shaft turns. In Operate its settings are read.")
+            : CanopenCheckText::tr("The PDOs of the node may be switched off, wait for a SYNC, of which none "
+                                   "was heard, have another identifier, or be sent only when the shaft "
+                                   "turns. In Operate its settings are read."),
+        DataCheck::Action::operate);
+}
+
+DataCheck nodeAlarmCheck(const CanopenSession &bus, Place place)
+{
+    const QString what = CanopenCheckText::tr("Alarms and warnings");
+    const QString expected = CanopenCheckText::tr("none");
+    const auto fault = canopenFaultOf(bus, place);
+    if (!fault)
+        return passedCheck(DataCheck::Id::alarms, what, expected, expected);
+    DataCheck check = failedCheck(DataCheck::Id::alarms, what, expected, fault->shown.word, fault->text);
+    if (fault->shown.role != Role::fault)
+        check.outcome = DataCheck::Outcome::remark;
+    return check;
+}
+
+void addOfNode(DataChecks &checks, const CanopenSession &bus, NodeId node,
+               const std::vector<Participant> &planned)
+{
+    const int number = CanopenAddress::of(node).node;
+    const bool isAdded = bus.encoder(node) != nullptr;
+    if (isAdded) {
+        checks.push_back(heardCheck(bus, number));
+        checks.push_back(nodeStateCheck(bus, number));
+        checks.push_back(pdoCheck(bus, number));
+    }
+    checks.push_back(kindCheck(bus, node, planned));
+    if (!isAdded)
+        return;
+    checks.push_back(upToDateCheck(bus, node));
+    checks.push_back(nodeAlarmCheck(bus, bus.placeOf(node)));
+    checks.push_back(positionCheck(bus, node));
+}
+
+} // namespace
+
+DataChecks canopenChecks(const CanopenSession &bus, NodeId node, const std::vector<Participant> &planned)
+{
+    DataChecks checks{canLinkCheck(bus)};
+    if (!bus.isOpen())
+        return checks;
+    checks.push_back(askingCheck(bus));
+    checks.push_back(framesCheck(bus));
+    checks.push_back(protocolCheck(bus));
+    if (node.isEmpty())
+        checks.push_back(devicesCheck(bus));
+    else
+        addOfNode(checks, bus, node, planned);
+    checks.push_back(writingCheck(bus));
+    return asFarAsKnown(std::move(checks));
+}
+
+} // namespace codewheel

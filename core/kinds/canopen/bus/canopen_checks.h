@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/data_check.h"
+
+namespace codewheel {
+
+class CanopenSession;
+
+// Why there is no data of an encoder on the bus, or, without a node, of the bus itself: as far as listening
+// tells.
+DataChecks canopenChecks(const CanopenSession &bus, NodeId node, const std::vector<Participant> &planned);
+
+} // namespace codewheel

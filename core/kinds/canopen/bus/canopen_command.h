@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "jobs/job_command.h"
+#include "kinds/canopen/driver/node_driver.h"
+#include "kinds/canopen/protocol/lss_client.h"
+
+#include <memory>
+#include <variant>
+
+namespace codewheel {
+
+// What the window asks of the thread of a bus. A device is given by its index in the order in which they were
+// added.
+namespace canopen_command {
+using command::Cancel;
+using command::Proceed;
+using command::SetKnown;
+using command::StartJob;
+struct AddNode
+{
+    std::unique_ptr<canopen::NodeDriver> driver;
+};
+struct RemoveNode // its index stays unused
+{
+    std::size_t device;
+};
+struct SetRunning // the drivers are asked what they want to send; required for jobs
+{
+    bool on;
+};
+struct SetOperate
+{
+    bool on;
+};
+struct AlarmStop
+{};
+// The user agrees that frames are sent beside another master.
+struct SendBesideOthers
+{};
+struct TakeUnsureWatch
+{};
+// The user agrees that the next job stops this node for a moment.
+struct MayStopNode
+{
+    std::size_t device;
+};
+// By hand, each once, in its turn.
+struct Send
+{
+    CanFrame frame;
+};
+struct Transfer
+{
+    canopen::SdoRequest request;
+};
+struct Configure
+{
+    canopen::LssRequest request;
+};
+struct CancelConfigure
+{};
+struct Scan
+{};
+struct CancelScan
+{};
+} // namespace canopen_command
+using CanopenCommand =
+    std::variant<canopen_command::StartJob, canopen_command::Proceed, canopen_command::Cancel,
+                 canopen_command::SetKnown, canopen_command::AddNode, canopen_command::RemoveNode,
+                 canopen_command::SetRunning, canopen_command::SetOperate, canopen_command::AlarmStop,
+                 canopen_command::SendBesideOthers, canopen_command::TakeUnsureWatch,
+                 canopen_command::MayStopNode, canopen_command::Send, canopen_command::Transfer,
+                 canopen_command::Configure, canopen_command::CancelConfigure, canopen_command::Scan,
+                 canopen_command::CancelScan>;
+
+} // namespace codewheel

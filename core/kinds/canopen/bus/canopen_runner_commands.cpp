@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/bus/canopen_bus_messages.h"
+#include "kinds/canopen/bus/canopen_runner_private.h"
+#include "kinds/canopen/protocol/canopen_address.h"
+
+#include <QStringList>
+
+namespace codewheel {
+namespace {
+
+QString placeText(int node)
+{
+    return CanopenAddress{node}.place().toString();
+}
+
+} // namespace
+
+void CanopenRunner::Private::carryOutCommands()
+{
+    bool isOther = false;
+    while (auto next = mail.nextCommand()) {
+        std::visit([this](auto &c) { carryOut(c); }, *next);
+        isOther = true;
+    }
+    if (isOther)
+        publish();
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::StartJob &c)
+{
+    canopen::NodeDriver *its = driver(c.device);
+    if (its == nullptr)
+        return;
+    const QString place = placeText(its->node());
+    auto taken = mayStart(state, place);
+    if (taken && its->busy())
+        taken = refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
+    if (taken)
+        taken = its->begin(c.id, c.job, c.pace, link.now());
+    if (!taken)
+        tellEvent(Event(notTaken(c.id, taken.error(), its->reading().state)), c.device);
+    collect(c.device);
+    settle(its->node());
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::Proceed &c)
+{
+    if (driver(c.device) == nullptr)
+        return;
+    driver(c.device)->proceed();
+    settle(driver(c.device)->node());
+}
+
+// The job may have ended while the command was on its way.
+void CanopenRunner::Private::carryOut(canopen_command::Cancel &c)
+{
+    if (driver(c.device) == nullptr || !driver(c.device)->busy())
+        return;
+    driver(c.device)->cancel(c.how, link.now());
+    collect(c.device);
+    settle(driver(c.device)->node());
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::SetKnown &c)
+{
+    if (driver(c.device) != nullptr)
+        driver(c.device)->setKnown(c.known);
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::MayStopNode &c)
+{
+    if (driver(c.device) != nullptr)
+        driver(c.device)->mayStopNode();
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::AddNode &c)
+{
+    const int number = c.driver->node();
+    nodeAt(number).device = drivers.size();
+    drivers.push_back(std::move(c.driver));
+    settle(number);
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::RemoveNode &c)
+{
+    if (driver(c.device) == nullptr)
+        return;
+    if (driver(c.device)->busy())
+        driver(c.device)->stop({RefusalKind::stopped, RefusalId::busStopped, {}}, link.now());
+    collect(c.device);
+    Node &node = nodeAt(driver(c.device)->node());
+    node.device.reset();
+    if (node.request && std::holds_alternative<canopen::NmtRequest>(*node.request))
+        node.request.reset();
+    for (auto &[identifier, devices] : listeners)
+        devices.erase(c.device);
+    drivers[c.device].reset();
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::SetRunning &c)
+{
+    if (c.on == state.running)
+        return;
+    state.running = c.on;
+    if (!state.running)
+        stopJobs({RefusalKind::stopped, RefusalId::busStopped, {}});
+    settleAll();
+    tell({.id = c.on ? MessageId::busStarted : MessageId::busStopped});
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::SetOperate &c)
+{
+    if (c.on == state.operate || !state.connected)
+        return;
+    if (const auto busy = busyDevice()) {
+        tell({.severity = Severity::attention,
+              .refusal =
+                  Refusal{RefusalKind::busy, RefusalId::jobRunning, {placeText(driver(*busy)->node())}}});
+        return;
+    }
+    if (!c.on) {
+        dropTyped();
+        endScan(true);
+        leaveOff(canopen::SdoOutcome::Kind::notSent);
+    }
+    state.operate = c.on;
+    useAsWanted();
+    if (!state.connected)
+        return;
+    settleAll();
+    tell({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::AlarmStop & /*c*/)
+{
+    dropTyped();
+    endScan(true);
+    stopJobs({RefusalKind::stopped, RefusalId::alarmStop, {}});
+    for (const auto &node : nodes)
+        if (node && node->isTypedUnderWay) {
+            node->client.cancel(link.now());
+            ended(*node, {.kind = canopen::SdoOutcome::Kind::noAnswer});
+        }
+    canopen_command::CancelConfigure configuration;
+    carryOut(configuration);
+    if (waiting && waiting->by != Outgoing::By::alarmStop) { // refused, as nothing of it was sent
+        underWay.push_front(*std::exchange(waiting, std::nullopt));
+        fate(CanFate::refused);
+    }
+    for (const Outgoing &sent : underWay)
+        if (const auto command = canopen::NmtRequest::read(sent.frame.data()); command && sent.frame.id == 0)
+            noteCommand(*command, true);
+    if (started.empty())
+        return;
+    const bool isAll = started.contains(0);
+    QStringList numbers;
+    for (const int node : started)
+        numbers << QString::number(node);
+    stops = isAll ? std::set{0} : started;
+    state.stopsWait = true;
+    tell({.severity = Severity::attention,
+          .id = isAll ? CanopenBusMessageId::allNodesStopped : CanopenBusMessageId::nodesStopped,
+          .arguments = isAll ? std::vector<RefusalArgument>()
+                             : std::vector<RefusalArgument>{numbers.join(QStringLiteral(", "))}});
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::SendBesideOthers & /*c*/)
+{
+    state.besideOthers = true;
+    settleAll();
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::TakeUnsureWatch & /*c*/)
+{
+    link.takeUnsureWatch();
+    reopenAt = link.now();
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::Send &c)
+{
+    const auto allowed = maySend(state, {});
+    if (allowed)
+        typed.push_back(c.frame);
+    else
+        tellEvent(FrameSent{c.frame, CanFate::refused, allowed.error()});
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::Transfer &c)
+{
+    const int number = c.request.node;
+    if (const auto allowed = maySend(state, placeText(number)); !allowed) {
+        tellEvent(TransferEnded{.request = std::move(c.request), .refused = allowed.error()});
+        return;
+    }
+    nodeAt(number).typed.push_back(std::move(c.request));
+    settle(number);
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::Configure &c)
+{
+    const auto allowed = maySend(state, {});
+    if (allowed)
+        configurations.push_back(c.request);
+    else
+        tellEvent(Configured{.request = c.request, .refused = allowed.error()});
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::CancelConfigure & /*c*/)
+{
+    breakOffConfiguration();
+    while (!configurations.empty())
+        endConfiguration({.kind = canopen::LssOutcome::Kind::notSent});
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::Scan & /*c*/)
+{
+    auto allowed = maySend(state, {});
+    if (const auto busy = busyDevice(); allowed && busy)
+        allowed = refuse(RefusalKind::busy, RefusalId::jobRunning, {placeText(driver(*busy)->node())});
+    if (!allowed) {
+        tell({.severity = Severity::attention, .refusal = allowed.error()});
+        tellEvent(NodesScanned{.isDone = true, .isCancelled = true});
+        return;
+    }
+    scan.emplace(canopen::NodeScanTimes{.rate = rateNow()}, link.now());
+    state.scanning = true;
+    foundTold = 0;
+}
+
+void CanopenRunner::Private::carryOut(canopen_command::CancelScan & /*c*/)
+{
+    endScan(true);
+}
+
+void CanopenRunner::Private::settleAll()
+{
+    for (const auto &its : drivers)
+        if (its)
+            settle(its->node());
+}
+
+std::optional<std::size_t> CanopenRunner::Private::busyDevice() const
+{
+    for (std::size_t device = 0; device < drivers.size(); ++device)
+        if (driver(device) != nullptr && driver(device)->busy())
+            return device;
+    return std::nullopt;
+}
+
+void CanopenRunner::Private::stopJobs(const Refusal &why)
+{
+    for (std::size_t device = 0; device < drivers.size(); ++device) {
+        if (driver(device) == nullptr || !driver(device)->busy())
+            continue;
+        driver(device)->stop(why, link.now());
+        collect(device);
+        breakOff(driver(device)->node());
+    }
+}
+
+void CanopenRunner::Private::breakOff(int number)
+{
+    Node &node = nodeAt(number);
+    if (!node.request)
+        return;
+    std::erase_if(commands, [&](const Outgoing &command) { return command.node == number; });
+    if (waiting && waiting->by == Outgoing::By::transfer && waiting->node == number)
+        waiting.reset();
+    node.client.cancel(link.now());
+    node.client.takeOutcome();
+    answerDriver(node, {.kind = canopen::SdoOutcome::Kind::notSent});
+    settle(number);
+}
+
+void CanopenRunner::Private::dropTyped()
+{
+    for (const CanFrame &frame : std::exchange(typed, {}))
+        tellEvent(FrameSent{frame});
+    for (const auto &node : nodes)
+        while (node && node->typed.size() > (node->isTypedUnderWay ? 1U : 0U)) {
+            tellEvent(TransferEnded{node->typed.back()});
+            node->typed.pop_back();
+        }
+    while (configurations.size() > (isConfiguring ? 1U : 0U)) {
+        tellEvent(Configured{configurations.back()});
+        configurations.pop_back();
+    }
+}
+
+void CanopenRunner::Private::endScan(bool cancelled)
+{
+    if (!scan)
+        return;
+    const std::vector<canopen::FoundNode> found = scan->found();
+    tellEvent(NodesScanned{scan->progress(), found, true, cancelled});
+    tell({.id = CanopenBusMessageId::nodesFound, .arguments = {static_cast<std::int64_t>(found.size())}});
+    scan.reset();
+    state.scanning = false;
+    settleAll();
+    publish();
+}
+
+void CanopenRunner::Private::endConfiguration(const canopen::LssOutcome &outcome)
+{
+    tellEvent(Configured{configurations.front(), outcome, {}});
+    configurations.pop_front();
+    isConfiguring = false;
+    isPublishDue = true;
+}
+
+void CanopenRunner::Private::breakOffConfiguration()
+{
+    lss.cancel();
+    const auto outcome = lss.takeOutcome();
+    if (isConfiguring)
+        endConfiguration(outcome.value_or(canopen::LssOutcome()));
+}
+
+} // namespace codewheel

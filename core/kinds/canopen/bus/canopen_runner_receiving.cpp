@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes in: answers to their transfers, everything else to the drivers and to what watches the nodes.
+#include "can/can_refusals.h"
+#include "kinds/canopen/bus/canopen_bus_messages.h"
+#include "kinds/canopen/bus/canopen_runner_private.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace codewheel {
+namespace {
+
+using Service = canopen::CobId::Service;
+
+constexpr Instant untilQueueIsFreer = std::chrono::milliseconds(1);
+constexpr Instant betweenLooks = std::chrono::milliseconds(100); // at the state of the controller
+constexpr double highLoad = 0.85;
+constexpr double lowLoad = 0.75;
+constexpr std::uint32_t nobodyAcknowledged = 0x020; // linux/can/error.h
+
+} // namespace
+
+Instant CanopenRunner::Private::wakesAt(Instant until) const
+{
+    const Instant now = link.now();
+    Instant wakes = std::min(until, statusAt);
+    if (isQueueFull)
+        return std::min(until, now + untilQueueIsFreer);
+    const auto at = [&](std::optional<Instant> when) {
+        if (when)
+            wakes = std::min(wakes, *when);
+    };
+    if (!state.operate)
+        return std::max(wakes, now);
+    for (const auto &node : nodes)
+        if (node)
+            at(node->dueAt);
+    if (lss.isBusy())
+        at(lss.wakesAt());
+    if (scan)
+        at(scan->wakesAt());
+    return std::max(wakes, now);
+}
+
+void CanopenRunner::Private::receive(Instant until)
+{
+    auto news = link.receive(wakesAt(until));
+    if (!news) {
+        linkIsGone(news.error());
+        return;
+    }
+    const bool hasRefused = std::ranges::count(news->fates, CanFate::refused) > 0;
+    for (const CanFate each : news->fates)
+        fate(each);
+    for (const CanFrame &frame : news->frames)
+        take(frame);
+    if (hasRefused)
+        statusAt = link.now();
+    lookAtBus();
+}
+
+void CanopenRunner::Private::take(const CanFrame &frame)
+{
+    const Instant now = frame.time.value_or(link.now());
+    isPublishDue = true;
+    load.add(frame);
+    const auto cob = frame.isExtended || frame.isError ? std::nullopt : canopen::CobId::of(frame.id);
+    const bool isAnswer = cob && cob->service == Service::sdoAnswer;
+    const int number = cob ? cob->node : 0;
+    const Node *node = number != 0 ? nodes.at(static_cast<std::size_t>(number)).get() : nullptr;
+    const bool isPolled = isAnswer && node != nullptr && node->device && !node->isTypedUnderWay &&
+                          !driver(*node->device)->busy();
+    tellRow(frame, now,
+            {.isAutomatic =
+                 isPolled || (cob && (cob->service == Service::tpdo || cob->service == Service::sync))});
+    if (frame.isError) {
+        takeError(frame);
+        return;
+    }
+    ++figures.received;
+    figures.notAcknowledged = 0;
+    figures.extended += frame.isExtended ? 1 : 0;
+    takeOfOthers(frame);
+    if (number != 0) {
+        Node &its = nodeAt(number);
+        const int bootUps = its.watch.bootUps();
+        its.watch.take(frame, now);
+        if (its.watch.bootUps() != bootUps) {
+            started.erase(number);
+            its.isDoubledTold = false;
+        }
+        compareNode(number);
+        if (cob->service != Service::sdoRequest && cob->service != Service::rpdo && !frame.isRemote)
+            its.heardAt = now;
+        if (cob->service == Service::tpdo && !frame.isRemote)
+            its.sendsPdos = its.answers = true;
+    } else if (cob && cob->service == Service::nmt) {
+        for (const auto &each : nodes)
+            if (each)
+                each->watch.take(frame, now);
+    }
+    if (isAnswer)
+        takeAnswer(number, frame);
+    else if (cob && cob->service == Service::lssAnswer)
+        lss.take(frame, now);
+    else
+        showToDrivers(frame, number);
+}
+
+void CanopenRunner::Private::takeError(const CanFrame &frame)
+{
+    ++figures.errorFrames;
+    if ((frame.id & nobodyAcknowledged) != 0)
+        ++figures.notAcknowledged;
+    statusAt = link.now();
+}
+
+// One that nobody asked for belongs to another master, and is not taken.
+void CanopenRunner::Private::takeAnswer(int number, const CanFrame &frame)
+{
+    Node &node = nodeAt(number);
+    const std::uint64_t foreign = node.client.foreignAnswers();
+    const std::uint64_t late = node.client.lateAnswers();
+    node.client.take(frame, link.now());
+    figures.lateAnswers += node.client.lateAnswers() - late;
+    if (node.client.foreignAnswers() != foreign) {
+        if (node.typedFrames > 0)
+            --node.typedFrames;
+        else if (!scan || !scan->take(frame, link.now()))
+            ++figures.answersOfOthers;
+    }
+    settle(number);
+}
+
+void CanopenRunner::Private::takeOfOthers(const CanFrame &frame)
+{
+    if (state.otherMaster.take(frame)) {
+        tell({.severity = Severity::attention,
+              .id = CanopenBusMessageId::otherMasterHeard,
+              .arguments = {state.otherMaster.argument()}});
+        publish();
+    }
+    if (frame.id != 0 || frame.isExtended || frame.isRemote)
+        return;
+    if (const auto command = canopen::NmtRequest::read(frame.data()))
+        noteCommand(*command, false);
+}
+
+// To the one with this number, to those who send PDOs with this identifier, or, of no node, to all.
+void CanopenRunner::Private::showToDrivers(const CanFrame &frame, int number)
+{
+    std::optional<std::size_t> own;
+    if (number != 0)
+        own = nodeAt(number).device;
+    if (own)
+        showToDriver(*own, frame);
+    if (const auto others = listeners.find(frame.id); others != listeners.end()) {
+        for (const std::size_t device : others->second)
+            if (own != device)
+                showToDriver(device, frame);
+    } else if (number == 0 && !frame.isExtended) {
+        for (std::size_t device = 0; device < drivers.size(); ++device)
+            showToDriver(device, frame);
+    }
+}
+
+void CanopenRunner::Private::showToDriver(std::size_t device, const CanFrame &frame)
+{
+    if (driver(device) == nullptr)
+        return;
+    driver(device)->take(frame, frame.time.value_or(link.now()));
+    collect(device);
+    look(device);
+    settle(driver(device)->node());
+}
+
+void CanopenRunner::Private::compareNode(int number)
+{
+    Node &node = nodeAt(number);
+    const canopen::Heartbeat heartbeat = node.watch.heartbeat(link.now());
+    const canopen::Heartbeat before = std::exchange(node.heartbeat, heartbeat);
+    if (heartbeat != before) {
+        if (heartbeat == canopen::Heartbeat::lost)
+            tellOfNode(number, Severity::fault, CanopenBusMessageId::heartbeatLost);
+        else if (before == canopen::Heartbeat::lost)
+            tellOfNode(number, Severity::information, CanopenBusMessageId::heartbeatBack);
+        isPublishDue = true;
+    }
+    if (node.watch.isDoubled() && !std::exchange(node.isDoubledTold, true))
+        tellOfNode(number, Severity::fault, CanopenBusMessageId::nodeDoubled);
+}
+
+void CanopenRunner::Private::lookAtScan()
+{
+    if (!scan)
+        return;
+    if (scan->isDone()) {
+        endScan(false);
+        return;
+    }
+    std::vector<canopen::FoundNode> found = scan->found();
+    if (std::exchange(foundTold, found.size()) != found.size())
+        tellEvent(NodesScanned{scan->progress(), std::move(found)});
+}
+
+void CanopenRunner::Private::lookAtBus()
+{
+    const Instant now = link.now();
+    if (now < statusAt)
+        return;
+    statusAt = now + betweenLooks;
+    for (int number = 1; number <= canopen::lastNode; ++number)
+        if (nodes.at(static_cast<std::size_t>(number)))
+            compareNode(number);
+    const CanStatus before = std::exchange(status, link.status());
+    if (status.rate != before.rate)
+        load = CanLoad(rateNow());
+    figures.load = load.share(now);
+    const bool isFull = figures.load >= (isLoadTold ? lowLoad : highLoad);
+    if (isFull && !isLoadTold)
+        tell({.severity = Severity::attention,
+              .id = CanopenBusMessageId::loadHigh,
+              .arguments = {static_cast<std::int64_t>(std::lround(figures.load * 100))}});
+    isLoadTold = isFull;
+    isPublishDue = true;
+    if (status.state == CanState::busOff && before.state != CanState::busOff)
+        linkIsGone({RefusalKind::link, CanRefusalId::busOff, {linkArgument(link)}});
+}
+
+} // namespace codewheel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/bus/canopen_snapshot.h"
+
+#include "kinds/canopen/bus/canopen_bus_refusals.h"
+
+#include <algorithm>
+
+namespace codewheel {
+
+Result<void> maySend(const CanopenState &bus, const QString &place)
+{
+    if (!bus.connected)
+        return tl::unexpected(
+            bus.whyLost.value_or(Refusal{RefusalKind::link, CanopenBusRefusalId::closed, {}}));
+    if (!bus.operate)
+        return refuse(RefusalKind::busy, RefusalId::watchOnly,
+                      place.isEmpty() ? std::vector<RefusalArgument>() : std::vector<RefusalArgument>{place});
+    if (bus.isHeldBack())
+        return refuse(RefusalKind::busy, CanopenBusRefusalId::otherMaster, {bus.otherMaster.argument()});
+    if (bus.scanning)
+        return refuse(RefusalKind::busy, CanopenBusRefusalId::searching);
+    return {};
+}
+
+Result<void> mayStart(const CanopenState &bus, const QString &place)
+{
+    if (bus.connected && !bus.running)
+        return refuse(RefusalKind::busy, RefusalId::notRunning, {place});
+    return maySend(bus, place);
+}
+
+const CanopenSnapshot::Node *CanopenSnapshot::heard(int node) const
+{
+    const auto found = std::ranges::find(nodes, node, &Node::node);
+    return found == nodes.end() ? nullptr : &*found;
+}
+
+} // namespace codewheel

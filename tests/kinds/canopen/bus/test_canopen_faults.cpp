@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/bus_outline.h"
+#include "bus/data_check.h"
+#include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "tests/kinds/canopen/bus/canopen_plant.h"
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using canopen::NmtState;
+
+class CanopenBusFaults : public test::CanopenPlant
+{
+protected:
+    static bool isPreset(const CanFrame &frame)
+    {
+        return frame.id == 0x606 && frame.bytes[0] == 0x23 && frame.bytes[1] == 0x03;
+    }
+    std::optional<DataCheck> difference(NodeId node = {})
+    {
+        const DataChecks checks = bus->dataChecks(node, {});
+        const DataCheck *first = firstDifference(checks);
+        return first != nullptr ? std::optional(*first) : std::nullopt;
+    }
+};
+
+TEST_F(CanopenBusFaults, APresetWhoseAnswerNobodySeesIsInDoubt)
+{
+    operate();
+    link->goneAfter = isPreset;
+    const auto outcome = carryOut(six, SetPreset{.value = 1'000});
+    ASSERT_TRUE(outcome);
+    ASSERT_FALSE(outcome->result);
+    EXPECT_EQ(outcome->result.error().id, CanRefusalId::interfaceLost);
+    EXPECT_TRUE(outcome->inDoubt.position);
+    EXPECT_EQ(bus->state(), BusState::lost);
+    EXPECT_EQ(std::ranges::count_if(link->sent, isPreset), 1);
+    EXPECT_TRUE(isRefusalTold(CanRefusalId::interfaceLost));
+    EXPECT_TRUE(bus->encoder(six)->freshness().isOld());
+    ASSERT_FALSE(bus->outline().faults().empty());
+    EXPECT_EQ(bus->outline().faults().front().extent, Fault::Extent::standstill);
+}
+
+TEST_F(CanopenBusFaults, ALinkThatIsBackIsInWatchAndSendsNothing)
+{
+    operate();
+    link->isGone = true;
+    bus->advance(5s);
+    EXPECT_EQ(bus->state(), BusState::lost);
+    EXPECT_EQ(std::ranges::count_if(messages, [](const Message &each) { return each.refusal.has_value(); }),
+              1)
+        << "said once";
+    const auto sent = link->sent.size();
+    link->isGone = false;
+    bus->advance(3s);
+    EXPECT_EQ(bus->state(), BusState::open);
+    EXPECT_EQ(countOf(CanopenBusMessageId::back), 1);
+    EXPECT_FALSE(bus->isOperating());
+    EXPECT_EQ(link->uses.back(), CanUse::watch);
+    EXPECT_EQ(link->sent.size(), sent);
+    bus->setOperate(true);
+    bus->advance(2s);
+    EXPECT_TRUE(bus->encoder(five)->freshness().isLive());
+    const auto outcome = carryOut(five, ReadParameters{{Parameter::serialNumber}});
+    ASSERT_TRUE(outcome && outcome->result);
+}
+
+TEST_F(CanopenBusFaults, BusOffIsALostLink)
+{
+    operate();
+    plant->bus()->forceBusOff(*link->adapter());
+    bus->advance(200ms);
+    EXPECT_EQ(bus->state(), BusState::lost);
+    EXPECT_TRUE(isRefusalTold(CanRefusalId::busOff));
+    bus->advance(2s);
+    EXPECT_EQ(bus->state(), BusState::open);
+    EXPECT_FALSE(bus->isOperating());
+}
+
+TEST_F(CanopenBusFaults, AFullQueueIsWaitedFor)
+{
+    open(EncoderBus::Start::operating);
+    link->isFull = true;
+    bus->advance(3s);
+    EXPECT_TRUE(link->sent.empty());
+    EXPECT_NE(bus->encoder(five)->latest().state, EncoderState::silent) << "it was not asked";
+    link->isFull = false;
+    bus->advance(2s);
+    EXPECT_TRUE(bus->encoder(five)->latest().position);
+}
+
+TEST_F(CanopenBusFaults, WatchingThatIsNotSureIsAskedFor)
+{
+    link->isUnsure = true;
+    const auto opened = bus->open({}, EncoderBus::Start::watching, EncoderBus::Drive::byHand);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().id, CanRefusalId::watchNotSure);
+    EXPECT_EQ(bus->state(), BusState::closed);
+    bus->takeUnsureWatch();
+    EXPECT_TRUE(bus->open({}, EncoderBus::Start::watching, EncoderBus::Drive::byHand));
+}
+
+TEST_F(CanopenBusFaults, WatchingThatIsNotSureAfterOperateIsAskedForToo)
+{
+    operate();
+    link->isUnsure = true;
+    std::optional<Refusal> unsure;
+    QObject::connect(bus.get(), &CanopenSession::watchNotSure, bus.get(),
+                     [&](const Refusal &why) { unsure = why; });
+    bus->setOperate(false);
+    bus->advance(3s);
+    EXPECT_TRUE(unsure);
+    EXPECT_EQ(bus->state(), BusState::lost) << "nothing is acknowledged unasked";
+    bus->takeUnsureWatch();
+    bus->advance(100ms);
+    EXPECT_EQ(bus->state(), BusState::open);
+}
+
+TEST_F(CanopenBusFaults, AnAlarmStopStopsTheNodesThatWereStartedFromHere)
+{
+    operate();
+    bus->send(test::canFrame(0, {1, 6}));
+    bus->advance(500ms);
+    say(test::canFrame(0, {1, 7}));
+    bus->advance(100ms);
+    ASSERT_EQ(stateOf(1), NmtState::operational);
+    ASSERT_EQ(stateOf(2), NmtState::operational);
+    std::optional<Outcome> outcome;
+    QObject::connect(bus->encoder(six), &EncoderSession::finished, bus.get(),
+                     [&](const Outcome &ended) { outcome = ended; });
+    bus->sendBesideOthers();
+    bus->advance(10ms);
+    ASSERT_TRUE(bus->encoder(six)->start(SetPreset{.value = 1}, Pace::byHand));
+    bus->advance(100ms);
+    bus->alarmStop();
+    bus->advance(50ms);
+    EXPECT_EQ(stateOf(1), NmtState::stopped);
+    EXPECT_EQ(stateOf(2), NmtState::operational) << "another one has started it";
+    EXPECT_EQ(stateOf(0), NmtState::preOperational);
+    ASSERT_TRUE(outcome && !outcome->result);
+    EXPECT_EQ(outcome->result.error().id, RefusalId::alarmStop);
+    EXPECT_EQ(countOf(CanopenBusMessageId::nodesStopped), 1);
+    EXPECT_FALSE(bus->waitsForZeros());
+    bus->alarmStop();
+    bus->advance(50ms);
+    EXPECT_EQ(countOf(CanopenBusMessageId::nodesStopped), 1) << "none is running";
+}
+
+TEST_F(CanopenBusFaults, AnAlarmStopInWatchIsSentAndItStaysInWatch)
+{
+    operate();
+    bus->send(test::canFrame(0, {1, 6}));
+    bus->advance(100ms);
+    bus->setOperate(false);
+    bus->advance(100ms);
+    bus->alarmStop();
+    bus->advance(50ms);
+    EXPECT_EQ(stateOf(1), NmtState::stopped);
+    EXPECT_FALSE(bus->isOperating());
+    EXPECT_EQ(link->uses.back(), CanUse::watch);
+}
+
+TEST_F(CanopenBusFaults, AnAlarmStopBehindAFullQueueWaits)
+{
+    operate();
+    bus->send(test::canFrame(0, {1, 6}));
+    bus->advance(100ms);
+    link->isFull = true;
+    bus->alarmStop();
+    bus->advance(50ms);
+    EXPECT_TRUE(bus->waitsForZeros());
+    link->isFull = false;
+    bus->advance(50ms);
+    EXPECT_FALSE(bus->waitsForZeros());
+    EXPECT_EQ(stateOf(1), NmtState::stopped);
+}
+
+TEST_F(CanopenBusFaults, AnAlarmStopBeforeClosingIsSent)
+{
+    operate();
+    bus->send(test::canFrame(0, {1, 6}));
+    bus->advance(100ms);
+    bus->alarmStop();
+    bus->close();
+    EXPECT_EQ(stateOf(1), NmtState::stopped);
+}
+
+TEST_F(CanopenBusFaults, TwoNodesWithOneNumberAreNoticed)
+{
+    talker->answersAs = 6;
+    operate(5s);
+    EXPECT_EQ(countOf(CanopenBusMessageId::nodeDoubled), 1);
+    ASSERT_NE(bus->latest().heard(6), nullptr);
+    EXPECT_TRUE(bus->latest().heard(6)->isDoubled);
+    const auto faults = bus->outline().faults();
+    EXPECT_EQ(std::ranges::count(faults, six.node, &Fault::node), 1);
+    const auto check = difference(six.node);
+    ASSERT_TRUE(check);
+    EXPECT_EQ(check->id, DataCheck::Id::reached);
+    plant->bus()->locked([&] {
+        talker->answersAs = 0;
+        talker->frames.clear();
+    });
+    bus->advance(3s);
+    EXPECT_FALSE(bus->latest().heard(6)->isDoubled);
+}
+
+TEST_F(CanopenBusFaults, AnotherMasterIsNamedAndNothingIsSentUnasked)
+{
+    open(EncoderBus::Start::watching);
+    say(test::canFrame(0x080, {}));
+    bus->advance(100ms);
+    EXPECT_EQ(countOf(CanopenBusMessageId::otherMasterHeard), 1);
+    bus->setOperate(true);
+    bus->advance(2s);
+    EXPECT_TRUE(bus->isOperating());
+    EXPECT_TRUE(link->sent.empty());
+    EXPECT_FALSE(carryOut(five, ReadParameters{{Parameter::serialNumber}}));
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->id, CanopenBusRefusalId::otherMaster);
+    bus->sendBesideOthers();
+    bus->advance(2s);
+    EXPECT_FALSE(link->sent.empty());
+    const auto outcome = carryOut(five, ReadParameters{{Parameter::serialNumber}});
+    EXPECT_TRUE(outcome && outcome->result);
+}
+
+TEST_F(CanopenBusFaults, AnswersToAnotherMasterAreHisAndNotTaken)
+{
+    open(EncoderBus::Start::watching);
+    bus->advance(200ms);
+    for (int i = 0; i < 3; ++i)
+        say(test::canFrame(0x605, {0x40, 0x04, 0x60, 0, 0, 0, 0, 0}));
+    bus->advance(200ms);
+    EXPECT_EQ(bus->latest().figures.answersOfOthers, 3U);
+    EXPECT_TRUE(bus->latest().otherMaster.isHeard(OtherMaster::Sign::requests));
+    EXPECT_FALSE(bus->encoder(five)->latest().position);
+}
+
+TEST_F(CanopenBusFaults, ALostHeartbeatIsSaid)
+{
+    operate(3s);
+    plant->withEncoder(1, [](canopen::SimulatedNode &node) { node.setOn(false); });
+    bus->advance(6s);
+    EXPECT_EQ(countOf(CanopenBusMessageId::heartbeatLost), 1);
+    plant->withEncoder(1, [](canopen::SimulatedNode &node) { node.setOn(true); });
+    bus->advance(6s);
+    EXPECT_EQ(bus->encoder(six)->latest().state, EncoderState::waiting) << "pre-operational";
+}
+
+TEST_F(CanopenBusFaults, WhyThereIsNoDataSaysWhatWasHeard)
+{
+    open(EncoderBus::Start::watching);
+    bus->advance(1500ms);
+    const auto pre = difference(six.node);
+    ASSERT_TRUE(pre);
+    EXPECT_EQ(pre->id, DataCheck::Id::state);
+    EXPECT_EQ(pre->came, QStringLiteral("pre-operational"));
+    ASSERT_TRUE(bus->add(9, QStringLiteral("canopen-406-multi-turn")));
+    bus->advance(10ms);
+    const auto missing = difference(NodeId("can:9"));
+    ASSERT_TRUE(missing);
+    EXPECT_EQ(missing->id, DataCheck::Id::reached);
+    EXPECT_EQ(missing->came, QStringLiteral("heard: 5, 6, 7"));
+    say(canopen::NmtRequest{canopen::NmtCommand::stop, 6}.frame());
+    bus->advance(1500ms);
+    const auto stopped = difference(six.node);
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(stopped->came, QStringLiteral("stopped"));
+}
+
+TEST_F(CanopenBusFaults, NobodyThereIsSaid)
+{
+    connectTo({});
+    plant->bus()->remove(*talker);
+    open(EncoderBus::Start::watching);
+    bus->advance(1s);
+    EXPECT_EQ(difference()->came, QStringLiteral("none"));
+    bus->setOperate(true);
+    bus->advance(1s);
+    EXPECT_EQ(difference()->came, QStringLiteral("nobody acknowledges what is sent"));
+}
+
+TEST_F(CanopenBusFaults, J1939IsSaid)
+{
+    connectTo({});
+    open(EncoderBus::Start::watching);
+    CanFrame frame = test::canFrame(0x0CFF'E0E0, {1, 2, 3, 4, 5, 6, 7, 8});
+    frame.isExtended = true;
+    say(frame);
+    bus->advance(10ms);
+    EXPECT_EQ(difference()->came, QStringLiteral("only errors")) << "nobody acknowledges it";
+    bus->setOperate(true);
+    bus->advance(100ms);
+    EXPECT_EQ(bus->latest().figures.extended, 1U);
+    EXPECT_EQ(difference()->came, QStringLiteral("J1939"));
+}
+
+} // namespace
+} // namespace codewheel
