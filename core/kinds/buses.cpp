@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/buses.h"
 
+#include "kinds/canopen/plan/canopen_plan.h"
 #include "kinds/esc/finder/esc_spoken_protocol.h"
 #include "kinds/esc/line/esc_line_rows.h"
 #include "kinds/esc/plan/esc_line_plan.h"
@@ -15,6 +16,7 @@ std::vector<std::unique_ptr<const BusKind>> builtInBusKinds()
     std::vector<std::unique_ptr<const BusKind>> kinds;
     kinds.push_back(makeRingKind());
     kinds.push_back(makeLineKind());
+    kinds.push_back(makeCanopenKind());
     return kinds;
 }
 

@@ -113,7 +113,7 @@ TEST_F(AddedKind, IsOfferedWithTheOthers)
     ASSERT_TRUE(busKindKeys().contains(QStringLiteral("lamps")));
     EXPECT_EQ(busKind(u"lamps")->title(), QStringLiteral("Lamps in a row"));
     EXPECT_EQ(freeNumber(project(), *busKind(u"lamps")), BusId{8});
-    EXPECT_EQ(freeNumber({}, *busKind(u"lamps")), BusId{3}) << "1 and 2 are those of the training";
+    EXPECT_EQ(freeNumber({}, *busKind(u"lamps")), BusId{4}) << "1 to 3 are those of the training";
 }
 
 TEST_F(AddedKind, SaysItselfWhatIsWrong)

@@ -23,8 +23,9 @@
 namespace codewheel {
 namespace {
 
-constexpr BusId third{3};
-constexpr BusId fourthBus{4};
+// Behind those of the training.
+constexpr BusId firstFree{4};
+constexpr BusId secondFree{5};
 
 void plan(Project &project, BusId bus, const char16_t *kind, std::size_t devices = 0)
 {
@@ -108,7 +109,7 @@ TEST_F(BusListTest, ShowsNameKindAndDevices)
 {
     Project project;
     plan(project, firstRing, u"interbus", 3);
-    plan(project, fourthBus, u"esc");
+    plan(project, secondFree, u"esc");
     document.setProject(project, {});
     EXPECT_EQ(names(), QStringList({QStringLiteral("Ring"), QStringLiteral("Line")}));
     EXPECT_EQ(cell(0, BusModel::kind), QStringLiteral("INTERBUS ring"));
@@ -133,8 +134,8 @@ TEST_F(BusListTest, AddedBusesGetTheNumbersThatAreFree)
     addLine();
     ASSERT_EQ(document.project().buses.size(), 4U);
     EXPECT_EQ(document.project().buses[1].kind, QStringLiteral("esc")) << "that of the training line";
-    EXPECT_EQ(findBus(document.project(), third)->kind, QStringLiteral("interbus"));
-    EXPECT_EQ(findBus(document.project(), fourthBus)->kind, QStringLiteral("esc"));
+    EXPECT_EQ(findBus(document.project(), firstFree)->kind, QStringLiteral("interbus"));
+    EXPECT_EQ(findBus(document.project(), secondFree)->kind, QStringLiteral("esc"));
     EXPECT_EQ(names(), QStringList({QStringLiteral("Ring"), QStringLiteral("Line"), QStringLiteral("Ring 2"),
                                     QStringLiteral("Line 2")}));
     EXPECT_EQ(table().currentIndex().row(), 3) << "the new one is chosen";
@@ -148,19 +149,19 @@ TEST_F(BusListTest, ARingTakesTheNumberOfTheTrainingRingWhereThatIsFree)
 {
     Project project;
     project.buses.clear();
-    plan(project, fourthBus, u"esc");
+    plan(project, secondFree, u"esc");
     document.setProject(project, {});
     addRing();
     EXPECT_EQ(document.project().buses.front().id, firstRing);
     addRing();
-    EXPECT_EQ(document.project().buses.back().id, BusId{5}) << "never that of the training line";
+    EXPECT_EQ(document.project().buses.back().id, BusId{6}) << "never that of the training line";
 }
 
 TEST_F(BusListTest, ANumberThatIsConnectedAsAnotherBusIsLeftOut)
 {
-    page.buses().setIsFree([](BusId bus, const QString &) { return bus != third; });
+    page.buses().setIsFree([](BusId bus, const QString &) { return bus != firstFree; });
     addRing();
-    EXPECT_EQ(document.project().buses.back().id, fourthBus);
+    EXPECT_EQ(document.project().buses.back().id, secondFree);
 }
 
 TEST_F(BusListTest, BehindTheLargestNumberThatAFileCanHaveAFreeOneIsFound)
@@ -169,7 +170,7 @@ TEST_F(BusListTest, BehindTheLargestNumberThatAFileCanHaveAFreeOneIsFound)
     plan(project, BusId{std::numeric_limits<int>::max()}, u"interbus");
     document.setProject(project, {});
     addRing();
-    EXPECT_NE(findBus(document.project(), third), nullptr);
+    EXPECT_NE(findBus(document.project(), firstFree), nullptr);
 }
 
 TEST_F(BusListTest, RenamingIsOneStepOfUndo)
@@ -262,7 +263,7 @@ TEST_F(BusListTest, ABusWithoutDevicesGoesAtOnce)
 TEST_F(BusListTest, WhereDevicesGoWithItItIsAsked)
 {
     Project project;
-    plan(project, third, u"interbus", 2);
+    plan(project, firstFree, u"interbus", 2);
     project.buses.back().name = QStringLiteral("Hoist & <b>crab</b>");
     document.setProject(project, {});
     choose(1);
@@ -281,7 +282,7 @@ TEST_F(BusListTest, WhereDevicesGoWithItItIsAsked)
 TEST_F(BusListTest, AQuestionAboutSomethingElseThanBeforeIsNone)
 {
     Project project;
-    plan(project, third, u"interbus", 2);
+    plan(project, firstFree, u"interbus", 2);
     document.setProject(project, {});
     choose(1);
     QTest::keyClick(&table(), Qt::Key_Delete);
@@ -290,7 +291,7 @@ TEST_F(BusListTest, AQuestionAboutSomethingElseThanBeforeIsNone)
     titled.title = QStringLiteral("Crane");
     document.edit(titled, {});
     EXPECT_TRUE(message().isVisible());
-    plan(titled, third, u"interbus", 3);
+    plan(titled, firstFree, u"interbus", 3);
     document.edit(titled, {});
     EXPECT_FALSE(message().isVisible());
 }
