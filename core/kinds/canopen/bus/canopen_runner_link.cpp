@@ -21,7 +21,10 @@ bool isAboutWatching(const Refusal &why)
 
 bool CanopenRunner::Private::reopen(CanUse wanted)
 {
-    const auto opened = link.open(wanted);
+    auto opened = link.open(wanted);
+    // A command that was posted before interrupts it once.
+    if (!opened && opened.error().kind == RefusalKind::stopped)
+        opened = link.open(wanted);
     if (!opened) {
         linkIsGone(opened.error());
         return false;

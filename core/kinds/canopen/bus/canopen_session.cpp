@@ -429,8 +429,11 @@ void CanopenSession::accountFor(const std::optional<TypedWrite> &write)
 
 void CanopenSession::tellEnd(const std::optional<TypedWrite> &write, bool mayBeDone)
 {
-    if (write)
-        Q_EMIT typedWriteEnded(*write, mayBeDone);
+    if (!write)
+        return;
+    if (Private::Encoder *its = d->find(write->place.node); mayBeDone && its != nullptr)
+        its->session->take(Event(KnowledgeChanged{.eepromWrites = 1}), now());
+    Q_EMIT typedWriteEnded(*write, mayBeDone);
 }
 
 } // namespace codewheel
