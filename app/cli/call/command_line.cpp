@@ -175,11 +175,18 @@ void noteForeignBuses(const Call &call, const Project *project)
                          {call.arguments.value("--link").value_or(QString())}));
 }
 
-int runOnLinks(const Subcommand &command, const Arguments &arguments, const Project *project,
-               const std::vector<MakeLink> &make, const Terminal &terminal)
+// The devices that a call knows.
+struct KnownCatalog
 {
     Catalog catalog = Catalog::builtIn();
-    for (const Catalog::Fault &fault : addUserDevices(catalog, userDeviceFolder()))
+    std::vector<Catalog::Fault> faults = addUserDevices(catalog, userDeviceFolder());
+};
+
+int runOnLinks(const Subcommand &command, const Arguments &arguments, const Project *project,
+               const KnownCatalog &known, const std::vector<MakeLink> &make, const Terminal &terminal)
+{
+    const Catalog &catalog = known.catalog;
+    for (const Catalog::Fault &fault : known.faults)
         terminal.complain(
             refusalText({RefusalKind::badInput, RefusalId::deviceFileBroken, {fault.place(), fault.reason}}));
     const bool opens = needsBus(command, arguments);
@@ -308,6 +315,7 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
         return printed(versionAnswer(), *arguments, name, terminal);
     if (asksForHelp(*arguments))
         return printed({helpOf(*command), helpJsonOf(*command)}, *arguments, name, terminal);
+    const KnownCatalog known; // before the project: it names parameters of its devices
     const auto project = projectOf(*command, *arguments);
     if (!project)
         return fail(project.error(), name, words, terminal);
@@ -317,7 +325,7 @@ int runCommandLine(const QStringList &words, const Terminal &terminal)
         return fail(links.error(), name, words, terminal);
     if (const auto checked = checkCount(*command, *arguments); !checked)
         return fail(checked.error(), name, words, terminal);
-    return runOnLinks(*command, *arguments, its, *links, terminal);
+    return runOnLinks(*command, *arguments, its, known, *links, terminal);
 }
 
 } // namespace codewheel
