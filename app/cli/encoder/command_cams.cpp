@@ -154,6 +154,13 @@ struct CamCall
                        sentence(CommandLine::tr("Read the cam programs of %1?"), {encoder.place().shown()}),
                        CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to read them."));
     }
+    // What scales the position, as far as the encoder has it.
+    std::vector<Parameter> scaleParameters() const
+    {
+        std::vector<Parameter> parameters{Parameter::steps, Parameter::revolutions};
+        std::erase_if(parameters, [this](Parameter one) { return encoder.device().find(one) == nullptr; });
+        return parameters;
+    }
     // Costs EEPROM writes if a program was changed before. Empty: the answer says why.
     std::optional<std::vector<CamProgram>> readPrograms(const std::vector<unsigned> &programs)
     {
@@ -167,7 +174,7 @@ struct CamCall
             answer.complaint = allowed.error();
             return std::nullopt;
         }
-        Outcome read = carryOut({encoder, ReadParameters{{Parameter::steps, Parameter::revolutions}}});
+        Outcome read = carryOut({encoder, ReadParameters{scaleParameters()}});
         if (read.result)
             read = carryOut(*allowed);
         if (!read.result)

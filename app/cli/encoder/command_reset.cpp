@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/encoder_bus.h"
+#include "cli/bus/bus_access.h"
 #include "cli/bus/places.h"
 #include "cli/call/json.h"
 #include "cli/call/texts.h"
@@ -27,18 +29,27 @@ constexpr std::array resetOptions{
     traceOption,
 };
 
+// Other kinds of bus have no words.
+bool hasWords(const Call &call, const EncoderSession &encoder)
+{
+    return call.busOf(encoder.place()).bus().channel(encoder.place()) != nullptr;
+}
+
 // What is lost, and what it costs.
-QString warningText(const EncoderSession &encoder)
+QString warningText(const EncoderSession &encoder, bool byWords)
 {
     QStringList lost;
     for (const ParameterDescription &parameter : encoder.device().parameters)
         if (parameter.canBeWritten)
             lost << parameterKey(parameter.parameter);
     QString text =
-        sentence(CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run)."),
+        sentence(byWords ? CommandLine::tr("%1, %2, will be reset to factory settings (0E000000, then run).")
+                         : CommandLine::tr("%1, %2, will be reset to factory settings."),
                  {encoder.place().shown(), encoder.device().fullName()}) +
         u'\n' + sentence(CommandLine::tr("This is lost: %1."), {lost.join(QStringLiteral(", "))}) + u'\n';
-    if (encoder.can().cams)
+    if (encoder.can().cams && !byWords)
+        text += CommandLine::tr("All cam programs are lost, too.") + u'\n';
+    else if (encoder.can().cams)
         text += CommandLine::tr("All cam programs are lost, too, and the encoder is in position mode "
                                 "afterwards.") +
                 u'\n';
@@ -103,7 +114,7 @@ void carryOutReset(const Call &call, const AllowedJob &reset, Answer &answer)
     addDoubt(answer.json, encoder, job.outcome.inDoubt);
     if (!job.outcome.result) {
         answer.text += eepromWritesLine(job.outcome) + doubtLines(encoder, job.outcome.inDoubt) +
-                       whatWasSent(steps, job);
+                       (hasWords(call, encoder) ? whatWasSent(steps, job) : QString());
         answer.complaint = complaintAboutEnd(call, encoder, job.outcome);
         if (job.outcome.resetWaits)
             answer.complaint->text += u' ' + messageText({.id = MessageId::resetWaitsForRun});
@@ -131,7 +142,7 @@ Checked<Answer> runReset(const Call &call, EncoderSession &encoder)
         return tl::unexpected(
             complaintAbout({RefusalKind::notSupported, RefusalId::resetNotSupported, {device.fullName()}}));
     if (!call.arguments.has("--json"))
-        call.terminal.print(warningText(encoder));
+        call.terminal.print(warningText(encoder, hasWords(call, encoder)));
     Answer answer;
     const auto allowed = eepromConsent(call, encoder, ResetToDefault{}, AsksAnyway::yes);
     if (!allowed) {
