@@ -22,7 +22,7 @@ namespace {
 
 constexpr int usualPort = 1'502; // the standard's 502 is for administrators
 constexpr int lastPort = 65'535;
-constexpr int betweenLooks = 20; // ms
+constexpr int waitForNews = 20; // ms
 
 constexpr Option portOption{
     "--port", "PORT",
@@ -98,7 +98,7 @@ void watchClients(const Call &call, OfferedRings &rings, ServedClients &clients,
 {
     pollfd waited{stop.descriptor(), POLLIN, 0};
     while (!stop.came() && call.terminal.canPrint() && !hasEnded()) {
-        ::poll(&waited, 1, betweenLooks);
+        ::poll(&waited, 1, waitForNews);
         rings.pump();
         for (const ClientNews &news : clients.takeNews())
             if (!call.arguments.has("--json"))
