@@ -55,7 +55,7 @@ KnownDevices::KnownDevices(const QString &link, const QString &projectFile)
 void KnownDevices::addTraining(const QString &link)
 {
     for (const LinkKind *kind : linkKinds())
-        if (link == training || hasScheme(*kind, link))
+        if (link == training ? static_cast<bool>(kind->training(nullptr)) : hasScheme(*kind, link))
             std::ranges::copy(kind->trainingDevices(m_catalog), std::back_inserter(m_devices));
 }
 

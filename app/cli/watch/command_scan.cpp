@@ -21,7 +21,8 @@
 namespace codewheel {
 namespace {
 
-constexpr const char *scanExamples[] = {"scan", "scan --json", "scan --link esc:training --all-rates"};
+constexpr const char *scanExamples[] = {"scan", "scan --json", "scan --link esc:training --all-rates",
+                                        "scan --link canopen:training --ask"};
 
 constexpr std::array scanOptions{
     Option{"--save", "FILE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "save what was found as a project")},
@@ -185,7 +186,8 @@ Checked<Answer> runScan(const Call &call)
 
 const Subcommand scanCommand{
     .name = "scan",
-    .usage = "[--save FILE] [--yes] [--all-rates] [--master] [--first ADDRESS] [--last ADDRESS]",
+    .usage = "[--save FILE] [--yes] [--all-rates] [--master] [--first ADDRESS] [--last ADDRESS] "
+             "[--ask] [--listen SECONDS]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "list the participants of the bus, and look for encoders on a serial line"),
     .details =
@@ -197,6 +199,8 @@ const Subcommand scanCommand{
                           "On a serial line each address is asked for its serial number, and who "
                           "answers for device code and\nversion. Nothing is written. Ctrl+C ends it, and "
                           "lists what was found until then.\n\n"
+                          "On a CAN bus it listens to what nodes tell, and sends nothing; with --ask each "
+                          "node is asked what it\nis.\n\n"
                           "--save makes a project of it. With --project as well, what that project "
                           "knows of devices\nthat are still there is taken along."),
     .examples = scanExamples,

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/kinds/canopen/canopen_access.h"
+
+#include "can/can_refusals.h"
+#include "can/simulator/simulated_can_link.h"
+#include "catalog/catalog.h"
+#include "cli/bus/present_ports.h"
+#include "cli/call/subcommand.h"
+#include "cli/call/texts.h"
+#include "cli/kinds/canopen/device_on_node.h"
+#include "doctor/can_hindrances.h"
+#include "doctor/port_hindrances.h"
+#include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
+#include "kinds/canopen/simulator/simulated_canopen_plant.h"
+#include "links/port_access.h"
+#include "links/serial_port_link.h"
+#include "links/slcan_link.h"
+#include "links/socket_can_link.h"
+#include "project/bus_plans.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+
+#include <QCanBusDevice>
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Instant listeningBeforeSending = 200ms; // for another master
+constexpr Instant longestContactWithNode = 20s;   // silence is noticed long before
+constexpr Instant longestIdentityOfNode = 1s;
+constexpr Instant longestListening = 3s; // to a node that tells of itself once a second
+constexpr Instant longestLookAtNode = 1s;
+constexpr Instant longestTransfer = 60s; // in segments
+constexpr Instant longestAlone = 500ms;  // a frame needs some of them at most
+
+// What is watched is not asked.
+bool onlyListens(const Call &call)
+{
+    return std::string_view(call.command.name) == "monitor";
+}
+
+std::unique_ptr<CanLink> realLink(const CanLinkArgument &at, const SlcanLink *&adapter)
+{
+    if (!at.isSerial)
+        return std::make_unique<SocketCanLink>(at.where);
+    auto link = std::make_unique<SlcanLink>(std::make_unique<SerialPortLink>(at.where), at.rate, at.baudRate);
+    adapter = link.get();
+    return link;
+}
+
+Complaint aboutSilentNode(CanopenAddress address, bool wasAsked)
+{
+    return {ExitCode::refused,
+            QStringLiteral("nodeSilent"),
+            sentence(wasAsked
+                         ? CommandLine::tr("Node %1 does not answer. Check its number, its supply and "
+                                           "the rate of the bus; a node that was stopped answers nothing "
+                                           "until it is started. codewheel-cli scan --ask looks for "
+                                           "nodes.")
+                         : CommandLine::tr("Nothing is heard of node %1. It may be waiting to be started "
+                                           "(codewheel-cli nmt start), or tell nothing by itself: "
+                                           "codewheel-cli scan --ask asks it."),
+                     {address.shown()}),
+            {address.place().toString()}};
+}
+
+} // namespace
+
+CanopenAccess::CanopenAccess(std::unique_ptr<CanLink> link, const CanopenLink &settings,
+                             const Catalog &catalog, BusId id)
+    : CanopenAccess(settings, std::make_unique<CanopenSession>(std::move(link), catalog,
+                                                               QDateTime::currentDateTime(), nullptr, id))
+{}
+
+CanopenAccess::CanopenAccess(const CanopenLink &settings, std::unique_ptr<CanopenSession> session)
+    : BusAccess(*session, QString::fromLatin1(canopenKind))
+    , m_link(settings)
+    , m_session(std::move(session))
+{
+    QObject::connect(m_session.get(), &CanopenSession::passed, m_session.get(),
+                     [this](const CanopenRow &row) {
+                         const auto cob = row.frame.isExtended || row.frame.isRemote || row.frame.isError
+                                              ? std::nullopt
+                                              : canopen::CobId::of(row.frame.id);
+                         if (cob && cob->service == canopen::CobId::Service::tpdo && cob->number == 1)
+                             m_firstPdos[cob->node] = row.frame;
+                     });
+}
+
+std::unique_ptr<CanopenAccess> CanopenAccess::to(const CanopenLink &link, const Catalog &catalog, BusId id)
+{
+    if (link.isSimulated())
+        return std::make_unique<CanopenAccess>(
+            std::make_unique<SimulatedCanLink>(canopen::SimulatedCanopenPlant().bus(), link.settings.rate),
+            link, catalog, id);
+    const SlcanLink *adapter = nullptr;
+    auto access = std::make_unique<CanopenAccess>(realLink(link.at, adapter), link, catalog, id);
+    access->m_adapter = adapter;
+    return access;
+}
+
+Hindrances CanopenAccess::hindrances() const
+{
+    if (m_link.isSimulated())
+        return {};
+    if (m_link.at.isSerial)
+        return portHindrances(portPath(m_link.at.where), Computer());
+    Hindrances its = canHindrances(Computer());
+    std::erase_if(its, [this](const Hindrance &one) { return one.about != m_link.at.where; });
+    return its;
+}
+
+Checked<void> CanopenAccess::open()
+{
+    if (m_session->isOpen())
+        return {};
+    if (m_link.whyNot)
+        return tl::unexpected(*m_link.whyNot);
+    if (m_link.takesUnsureWatch)
+        m_session->takeUnsureWatch();
+    return open(CanopenSession::Start::watching);
+}
+
+Checked<void> CanopenAccess::open(CanopenSession::Start start)
+{
+    const auto opened = m_session->open(m_link.settings, start, CanopenSession::Drive::byHand);
+    if (opened)
+        return {};
+    m_notOpened = opened.error();
+    return tl::unexpected(aboutOpening(opened.error()));
+}
+
+// The master that is at work shows itself only by its frames. An adapter that cannot listen only acknowledges
+// them meanwhile, as it would in Operate.
+Checked<void> CanopenAccess::openToSend(const Call &call)
+{
+    if (m_session->isOperating())
+        return {};
+    auto opened = open();
+    if (!opened && m_notOpened && m_notOpened->id == CanRefusalId::watchNotSure)
+        opened = open(CanopenSession::Start::operating);
+    if (!opened)
+        return opened;
+    advance(listeningBeforeSending);
+    if (m_link.sendsBesideOthers)
+        m_session->sendBesideOthers();
+    m_session->setOperate(true);
+    if (!advance(lookInterval()))
+        return tl::unexpected(linkLost());
+    if (m_session->latest().isHeldBack())
+        return tl::unexpected(complaint({RefusalKind::busy,
+                                         CanopenBusRefusalId::otherMaster,
+                                         {m_session->latest().otherMaster.argument()}}));
+    if (!m_session->isOperating())
+        return tl::unexpected(linkLost());
+    if (!m_link.isSimulated())
+        call.terminal.complain(
+            sentence(CommandLine::tr("%1: in Operate, frames are sent."), {m_session->linkName()}));
+    if (const auto remark = m_adapter != nullptr ? m_adapter->remark() : std::nullopt)
+        call.terminal.complain(refusalText(*remark));
+    return {};
+}
+
+bool CanopenAccess::startThread()
+{
+    if (m_session->isSimulated())
+        return false;
+    m_session->startThread();
+    return true;
+}
+
+std::optional<NodeId> CanopenAccess::placeTyped(const QString &text) const
+{
+    const auto address = CanopenAddress::read(text);
+    return address ? std::optional(address->place()) : std::nullopt;
+}
+
+bool CanopenAccess::mayHave(NodeId node) const
+{
+    return !m_planned || std::ranges::count(*m_planned, node) > 0 || m_session->encoder(node) != nullptr;
+}
+
+bool CanopenAccess::isMeant(const QString &typed) const
+{
+    return typed.startsWith(
+        QLatin1String(CanopenAddress::prefix.data(), qsizetype{CanopenAddress::prefix.size()}));
+}
+
+Complaint CanopenAccess::notAPlace(const QString &typed) const
+{
+    return complaintAbout({RefusalKind::badInput, CanopenBusRefusalId::nodeNumberWrong, {typed}});
+}
+
+QString CanopenAccess::somePlaces() const
+{
+    return CommandLine::tr("the numbers of nodes, as can:5");
+}
+
+void CanopenAccess::useProject(const Call &, const Project &project)
+{
+    std::vector<NodeId> planned;
+    for (const ProjectDevice &device : devicesOn(project, bus().id()))
+        planned.push_back(device.place().node);
+    if (!planned.empty())
+        m_planned = std::move(planned);
+}
+
+Checked<EncoderSession *> CanopenAccess::encoder(const Call &call, NodeId node, bool)
+{
+    const CanopenAddress address = CanopenAddress::of(node);
+    const bool listens = onlyListens(call);
+    if (const auto opened = listens ? open() : openToSend(call); !opened)
+        return tl::unexpected(opened.error());
+    if (m_session->encoder(node) == nullptr) {
+        const auto device = deviceAt(call, address);
+        if (!device)
+            return tl::unexpected(device.error());
+        if (const auto added = m_session->add(address.node, *device); !added)
+            return tl::unexpected(complaintAbout(added.error()));
+    }
+    EncoderSession *encoder = m_session->encoder(node);
+    if (listens)
+        return heard(encoder);
+    if (m_link.mayStopNodes)
+        QObject::connect(encoder, &EncoderSession::finished, m_session.get(),
+                         [this, place = encoder->place()] { m_session->mayStopNode(place); });
+    if (m_link.mayStopNodes)
+        m_session->mayStopNode(encoder->place());
+    return inContact(encoder);
+}
+
+// Where nobody has named it, the node itself tells what it is.
+Checked<QString> CanopenAccess::deviceAt(const Call &call, CanopenAddress address)
+{
+    auto device = deviceOnNode(call, bus().placeOf(address.place()));
+    if (!device || !device->isEmpty())
+        return device;
+    if (onlyListens(call))
+        return usualDeviceOnNode();
+    constexpr canopen::SdoObject deviceType{0x1000, 0};
+    const auto told = transfer({.node = address.node, .object = deviceType});
+    if (!told)
+        return tl::unexpected(told.error());
+    if (told->kind == canopen::SdoOutcome::Kind::noAnswer)
+        return tl::unexpected(aboutSilentNode(address, true));
+    const QString its = told->kind == canopen::SdoOutcome::Kind::read
+                            ? deviceOfType(canopen::numberOf(told->value))
+                            : QString();
+    return its.isEmpty() ? usualDeviceOnNode() : its;
+}
+
+Checked<void> CanopenAccess::contact(const Call &call, const ProjectDevice &planned)
+{
+    const auto there = encoder(call, planned.place().node, false);
+    return there || (isConnected() && there.error().key == QStringLiteral("nodeSilent"))
+               ? Checked<void>()
+               : tl::unexpected(there.error());
+}
+
+Checked<EncoderSession *> CanopenAccess::heard(EncoderSession *encoder)
+{
+    const CanopenAddress address = CanopenAddress::of(encoder->place().node);
+    const auto isHeard = [&] { return m_session->latest().heard(address.node) != nullptr; };
+    if (waitUntil(isHeard, longestListening))
+        return encoder;
+    return tl::unexpected(isConnected() ? aboutSilentNode(address, false) : linkLost());
+}
+
+// If it already shows its position, no time passes.
+Checked<EncoderSession *> CanopenAccess::inContact(EncoderSession *encoder)
+{
+    const auto state = [encoder] { return encoder->latest().state; };
+    const auto isSilent = [&] { return state() == EncoderState::silent; };
+    waitUntil([&] { return encoder->latest().position || isSilent(); }, longestContactWithNode);
+    if (!isConnected() || isAlone())
+        return tl::unexpected(whyNothingCame());
+    if (isSilent() || state() == EncoderState::notSeen)
+        return tl::unexpected(aboutSilentNode(CanopenAddress::of(encoder->place().node), true));
+    waitUntil([&] { return encoder->known(Parameter::serialNumber).has_value(); }, longestIdentityOfNode);
+    if (!isConnected())
+        return tl::unexpected(linkLost());
+    return encoder;
+}
+
+// It has been switched to Operate when the encoder was first asked.
+void CanopenAccess::prepare(const Job &)
+{
+    m_session->setOperate(true);
+    advance(lookInterval());
+}
+
+void CanopenAccess::lookAgain(const EncoderSession &encoder)
+{
+    const Instant jobEnd = m_session->latest().at;
+    waitUntil([&] { return encoder.latest().at > jobEnd || encoder.latest().state == EncoderState::silent; },
+              longestLookAtNode);
+}
+
+bool CanopenAccess::waitUntil(const std::function<bool()> &isDone, Instant atMost)
+{
+    for (Instant waited{}; !isDone() && waited < atMost; waited += lookInterval())
+        if (!advance(lookInterval()) || (waited >= longestAlone && isAlone()))
+            return false;
+    return isDone();
+}
+
+// A controller sends a frame again and again until it is acknowledged.
+bool CanopenAccess::isAlone() const
+{
+    constexpr std::uint64_t notByChance = 16;
+    return m_session->latest().figures.notAcknowledged >= notByChance;
+}
+
+Complaint CanopenAccess::whyNothingCame() const
+{
+    if (!isConnected() || !isAlone())
+        return linkLost();
+    return {
+        ExitCode::refused, QStringLiteral("nobodyAcknowledges"),
+        CommandLine::tr("Nobody on the bus acknowledges what is sent: no node is there or has supply, the "
+                        "rate is another one, or the wiring is interrupted.")};
+}
+
+Checked<canopen::SdoOutcome> CanopenAccess::transfer(const canopen::SdoRequest &request)
+{
+    std::optional<TransferEnded> ended;
+    QObject scope;
+    QObject::connect(m_session.get(), &CanopenSession::transferEnded, &scope, [&](const TransferEnded &one) {
+        if (one.request == request)
+            ended = one;
+    });
+    m_session->transfer(request);
+    if (!waitUntil([&] { return ended.has_value(); }, longestTransfer))
+        return tl::unexpected(whyNothingCame());
+    if (ended->refused)
+        return tl::unexpected(complaint(*ended->refused));
+    return ended->outcome;
+}
+
+Checked<canopen::LssOutcome> CanopenAccess::configure(const canopen::LssRequest &request)
+{
+    std::optional<Configured> ended;
+    QObject scope;
+    QObject::connect(m_session.get(), &CanopenSession::configured, &scope,
+                     [&](const Configured &one) { ended = one; });
+    m_session->configure(request);
+    if (!waitUntil([&] { return ended.has_value(); }, longestTransfer))
+        return tl::unexpected(whyNothingCame());
+    if (ended->refused)
+        return tl::unexpected(complaint(*ended->refused));
+    return ended->outcome;
+}
+
+Checked<CanFate> CanopenAccess::send(const CanFrame &frame)
+{
+    std::optional<FrameSent> ended;
+    QObject scope;
+    QObject::connect(m_session.get(), &CanopenSession::frameSent, &scope,
+                     [&](const FrameSent &one) { ended = one; });
+    m_session->send(frame);
+    if (!waitUntil([&] { return ended.has_value(); }, longestContactWithNode))
+        return tl::unexpected(whyNothingCame());
+    if (ended->refused)
+        return tl::unexpected(complaint(*ended->refused));
+    return ended->fate;
+}
+
+QString CanopenAccess::linkKey() const
+{
+    return m_link.isSimulated() ? QStringLiteral("training") : m_session->linkName();
+}
+
+Refusal CanopenAccess::whatIsLost() const
+{
+    const Refusal closed{RefusalKind::link, CanopenBusRefusalId::closed, {}};
+    return m_session->latest().whyLost.value_or(m_notOpened.value_or(closed));
+}
+
+Complaint CanopenAccess::aboutOpening(const Refusal &why) const
+{
+    Complaint told = complaint(why);
+    if (why.id == RefusalId::portNotFound)
+        told.text += u' ' + presentPortsText();
+    return told;
+}
+
+// What the user can agree to stands behind the link.
+QString CanopenAccess::howToAgree(const Refusal &why) const
+{
+    const auto behindLink = [](const char *key) {
+        return sentence(CommandLine::tr("To agree, write %1=yes behind the link."),
+                        {QString::fromLatin1(key)});
+    };
+    if (why.id == CanRefusalId::watchNotSure)
+        return behindLink(unsureWatchKey);
+    if (why.id == CanopenBusRefusalId::otherMaster)
+        return behindLink(besideMasterKey);
+    return why.id == CanopenRefusalId::nodeWouldStop ? behindLink(mayStopKey) : QString();
+}
+
+Complaint CanopenAccess::complaint(const Refusal &why) const
+{
+    Complaint told = complaintAbout(why);
+    if (const QString how = howToAgree(why); !how.isEmpty())
+        told.text += u' ' + how;
+    const Complaint lost = m_session->isOpen() && !isConnected() ? linkLost() : told;
+    if (lost.key != told.key)
+        told.text = lost.text + u' ' + told.text;
+    return told;
+}
+
+} // namespace codewheel

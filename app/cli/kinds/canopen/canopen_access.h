@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/bus/bus_access.h"
+#include "cli/kinds/canopen/canopen_link.h"
+#include "kinds/canopen/bus/canopen_session.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace codewheel {
+
+class SlcanLink;
+
+// What answered or was heard on the bus.
+struct NodeOnBus
+{
+    CanopenSnapshot::Node heard{};
+    std::optional<canopen::FoundNode> asked{}; // empty: it was not asked, or did not answer
+};
+
+// A CAN bus of a call. It is opened, in Watch, when it is first needed, and switched to Operate, which is
+// said, for what sends. The simulated bus has virtual time.
+class CanopenAccess final : public BusAccess
+{
+public:
+    // The catalog must outlive it.
+    CanopenAccess(std::unique_ptr<CanLink> link, const CanopenLink &settings, const Catalog &catalog,
+                  BusId id = firstCanBus);
+
+    // To what is named, or to a new simulated bus.
+    static std::unique_ptr<CanopenAccess> to(const CanopenLink &link, const Catalog &catalog, BusId id);
+
+    CanopenSession &session() const { return *m_session; }
+    const CanopenLink &link() const { return m_link; }
+    Checked<void> open() override;
+    // The same, in Operate: nothing keeps frames from being sent.
+    Checked<void> openToSend(const Call &call);
+    Hindrances hindrances() const override;
+
+    std::optional<Complaint> whyNot(const Subcommand &command) const override;
+    std::optional<NodeId> placeTyped(const QString &text) const override;
+    bool mayHave(NodeId node) const override;
+    bool knowsItsPlaces() const override { return false; }
+    bool isMeant(const QString &typed) const override;
+    Complaint notAPlace(const QString &typed) const override;
+    QString somePlaces() const override;
+    // The node as the device that --device or the project names, or else as its device type says. For a
+    // command that only listens: as soon as it is heard. For others: it has answered, and shows its position.
+    Checked<EncoderSession *> encoder(const Call &call, NodeId node, bool namesIt) override;
+    Checked<void> contact(const Call &call, const ProjectDevice &planned) override;
+    Checked<void> lookFor(const Call &call, const ProjectDevice &planned) override
+    {
+        return contact(call, planned);
+    }
+    void useProject(const Call &call, const Project &project) override;
+
+    bool startThread() override;
+    Complaint complaint(const Refusal &why) const override;
+    void prepare(const Job &job) override;
+    void lookAgain(const EncoderSession &encoder) override;
+    std::unique_ptr<JobTrace> trace(const std::vector<const EncoderSession *> &encoders) override;
+    QStringList remarks(const Reading &reading) const override;
+    QJsonObject remarksJson(const Reading &reading) const override;
+    void addFigures(const Call &call, const EncoderSession &encoder, Answer &answer) const override;
+    Checked<void> checkScan(const Call &call) const override;
+    Checked<Answer> scan(const Call &call) override;
+    bool hasFoundNobody() const override { return m_found.empty(); }
+    void keepFound(const Call &call, Project &project) const override;
+    Refusal whatIsLost() const override;
+
+    // The link for programs; "training" for the simulated bus.
+    QString linkKey() const;
+    // By hand, in Operate, each to its end.
+    Checked<canopen::SdoOutcome> transfer(const canopen::SdoRequest &request);
+    Checked<canopen::LssOutcome> configure(const canopen::LssRequest &request);
+    Checked<CanFate> send(const CanFrame &frame);
+    // Nobody acknowledges what is sent, so it never ends.
+    bool isAlone() const;
+    // Why what was waited for did not come.
+    Complaint whyNothingCame() const;
+    // False: the link is gone, nobody acknowledges, or it did not become so.
+    bool waitUntil(const std::function<bool()> &isDone, Instant atMost);
+
+private:
+    CanopenAccess(const CanopenLink &settings, std::unique_ptr<CanopenSession> session);
+    Checked<void> open(CanopenSession::Start start);
+    Complaint aboutOpening(const Refusal &why) const;
+    QString howToAgree(const Refusal &why) const;
+    Checked<QString> deviceAt(const Call &call, CanopenAddress address);
+    Checked<EncoderSession *> heard(EncoderSession *encoder);
+    Checked<EncoderSession *> inContact(EncoderSession *encoder);
+    int showing(const Reading &reading) const; // the node; 0: none of this bus
+
+    CanopenLink m_link;
+    std::unique_ptr<CanopenSession> m_session;
+    std::optional<std::vector<NodeId>> m_planned; // of the project of the call
+    std::vector<NodeOnBus> m_found;               // by the search
+    std::map<int, CanFrame> m_firstPdos;          // by node, each the newest
+    const SlcanLink *m_adapter = nullptr;         // of the session; null: it uses none
+    std::optional<Refusal> m_notOpened;           // the reason
+};
+
+} // namespace codewheel

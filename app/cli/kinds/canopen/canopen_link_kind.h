@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/kinds/link_kind.h"
+
+namespace codewheel {
+
+extern const Subcommand odCommand;
+extern const Subcommand nmtCommand;
+extern const Subcommand lssCommand;
+
+std::unique_ptr<const LinkKind> canopenLinkKind();
+
+} // namespace codewheel

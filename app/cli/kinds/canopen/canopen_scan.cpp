@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/kinds/canopen/canopen_scan.h"
+
+#include "cli/call/json.h"
+#include "cli/call/keys.h"
+#include "cli/call/stop_signals.h"
+#include "cli/call/text_table.h"
+#include "cli/call/texts.h"
+#include "cli/kinds/canopen/canopen_access.h"
+#include "cli/kinds/canopen/device_on_node.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
+
+#include <algorithm>
+#include <map>
+
+namespace codewheel {
+namespace {
+
+constexpr int usualListening = 3; // s; heartbeats come once a second
+constexpr int longestListeningAsked = 3'600;
+constexpr Instant canLookInterval = std::chrono::milliseconds(20);
+
+constexpr NamedValue<canopen::NmtState> nmtStateKeys[] = {
+    {"bootUp", canopen::NmtState::bootUp},
+    {"stopped", canopen::NmtState::stopped},
+    {"operational", canopen::NmtState::operational},
+    {"preOperational", canopen::NmtState::preOperational},
+};
+constexpr NamedValue<canopen::Heartbeat> heartbeatKeys[] = {
+    {"notHeard", canopen::Heartbeat::notHeard},
+    {"present", canopen::Heartbeat::present},
+    {"late", canopen::Heartbeat::late},
+    {"lost", canopen::Heartbeat::lost},
+};
+
+// False: it was cancelled, or the link is gone.
+bool listen(CanopenAccess &bus, StopSignals &stop, Instant duration)
+{
+    for (Instant passed{}; passed < duration; passed += canLookInterval)
+        if (!bus.advance(canLookInterval) || stop.came())
+            return false;
+    return true;
+}
+
+// As far as they came; empty: not done.
+std::optional<NodesScanned> ask(const Call &call, CanopenAccess &bus, StopSignals &stop)
+{
+    std::optional<NodesScanned> result;
+    QObject scope;
+    QObject::connect(&bus.session(), &CanopenSession::scanned, &scope, [&](const NodesScanned &some) {
+        result = some;
+        if (!call.arguments.has("--json") && !some.isDone)
+            call.terminal.showProgress(
+                sentence(CommandLine::tr("Nodes asked: %1 of 127. Found: %2."),
+                         {QString::number(some.asked), QString::number(some.found.size())}));
+    });
+    bus.session().scan();
+    while ((!result || !result->isDone) && bus.advance(canLookInterval))
+        if (stop.came() || bus.isAlone())
+            bus.session().cancelScan();
+    call.terminal.showProgress({});
+    return result;
+}
+
+std::vector<NodeOnBus> together(const CanopenSnapshot &heard, const std::vector<canopen::FoundNode> &asked)
+{
+    std::map<int, NodeOnBus> nodes;
+    for (const CanopenSnapshot::Node &one : heard.nodes)
+        nodes[one.node].heard = one;
+    for (const canopen::FoundNode &one : asked) {
+        nodes[one.node].asked = one;
+        nodes[one.node].heard.node = one.node;
+    }
+    std::vector<NodeOnBus> all;
+    for (auto &[number, node] : nodes)
+        all.push_back(std::move(node));
+    return all;
+}
+
+QString typeText(const NodeOnBus &node)
+{
+    if (!node.asked || !node.asked->deviceType)
+        return {};
+    const QString device = deviceOfType(*node.asked->deviceType);
+    return device.isEmpty() ? hexNumber(*node.asked->deviceType, 8) : device;
+}
+
+QString wordText(const NodeOnBus &node, std::size_t word)
+{
+    const auto number = node.asked ? node.asked->identity.at(word) : std::nullopt;
+    return number ? hexNumber(*number) : QString();
+}
+
+QString tableOf(const std::vector<NodeOnBus> &nodes, bool wasAsked)
+{
+    TextTable table;
+    QStringList head{CommandLine::tr("place"), CommandLine::tr("state"), QStringLiteral("PDO")};
+    if (wasAsked)
+        head << CommandLine::tr("device") << CommandLine::tr("vendor") << CommandLine::tr("product")
+             << CommandLine::tr("revision") << CommandLine::tr("serial number");
+    table.add(head << CommandLine::tr("errors"));
+    for (const NodeOnBus &node : nodes) {
+        QStringList cells{CanopenAddress{node.heard.node}.place().toString(),
+                          orDash(stateText(node.heard.state)),
+                          node.heard.sendsPdos ? CommandLine::tr("sends") : orDash({})};
+        if (wasAsked) {
+            cells << orDash(typeText(node));
+            for (std::size_t word = 0; word + 1 < canopen::NodeIdentity::size; ++word)
+                cells << orDash(wordText(node, word));
+            const auto serial = node.asked ? node.asked->identity.back() : std::nullopt;
+            cells << orDash(serial ? serialNumberText(*serial) : QString());
+        }
+        table.add(cells << orDash(nodeErrorsText(node.heard)));
+    }
+    return table.toString();
+}
+
+QJsonObject nodeJson(const NodeOnBus &node)
+{
+    QJsonObject json{
+        {QStringLiteral("place"), CanopenAddress{node.heard.node}.place().toString()},
+        {QStringLiteral("node"), node.heard.node},
+        {QStringLiteral("state"), stateJson(node.heard.state)},
+        {QStringLiteral("heartbeat"), keyOf(heartbeatKeys, node.heard.heartbeat)},
+        {QStringLiteral("sendsPdos"), node.heard.sendsPdos},
+        {QStringLiteral("doubled"), node.heard.isDoubled},
+        {QStringLiteral("error"), node.heard.error ? QJsonValue(node.heard.error->code) : QJsonValue()},
+        {QStringLiteral("answers"), node.asked.has_value()},
+        {QStringLiteral("deviceType"),
+         node.asked && node.asked->deviceType ? QJsonValue(qint64{*node.asked->deviceType}) : QJsonValue()},
+    };
+    constexpr std::array keys{"vendor", "product", "revision", "serialNumber"};
+    for (std::size_t word = 0; word < keys.size(); ++word) {
+        const auto number = node.asked ? node.asked->identity.at(word) : std::nullopt;
+        json.insert(QString::fromLatin1(keys.at(word)), number ? QJsonValue(qint64{*number}) : QJsonValue());
+    }
+    return json;
+}
+
+QString aboutNobody(bool wasAsked)
+{
+    return wasAsked ? CommandLine::tr("No node answers. Check the rate of the bus, its terminators, wiring "
+                                      "and supply; a node that was stopped does not answer.")
+                    : CommandLine::tr("No node is heard. One that has not been started may tell nothing by "
+                                      "itself: codewheel-cli scan --ask asks each.");
+}
+
+Answer answerOf(const CanopenAccess &bus, const std::vector<NodeOnBus> &nodes, bool wasAsked)
+{
+    const CanopenSnapshot &now = bus.session().latest();
+    QJsonArray json;
+    for (const NodeOnBus &node : nodes)
+        json.append(nodeJson(node));
+    Answer answer;
+    answer.json = {{QStringLiteral("nodes"), json},
+                   {QStringLiteral("load"), now.figures.load},
+                   {QStringLiteral("otherMaster"), now.otherMaster.isHeard()},
+                   {QStringLiteral("errorFrames"), static_cast<qint64>(now.figures.errorFrames)},
+                   {QStringLiteral("link"), bus.linkKey()}};
+    answer.text = nodes.empty() ? aboutNobody(wasAsked) + u'\n' : tableOf(nodes, wasAsked);
+    if (now.otherMaster.isHeard())
+        answer.text += sentence(CommandLine::tr("Another master is at work (heard: %1)."),
+                                {OtherMaster::textOf(now.otherMaster.argument())}) +
+                       u'\n';
+    if (now.figures.errorFrames > 0)
+        answer.text += sentence(CommandLine::tr("Error frames: %1. The rate may be wrong, or the wiring."),
+                                {QString::number(now.figures.errorFrames)}) +
+                       u'\n';
+    return answer;
+}
+
+} // namespace
+
+Checked<int> secondsToListen(const Call &call)
+{
+    return call.arguments.number("--listen", usualListening, 1, longestListeningAsked);
+}
+
+Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
+{
+    const auto seconds = secondsToListen(call);
+    if (!seconds)
+        return tl::unexpected(seconds.error());
+    const bool asks = call.arguments.has("--ask");
+    if (const auto opened = asks ? bus.openToSend(call) : bus.open(); !opened)
+        return tl::unexpected(opened.error());
+    StopSignals stop;
+    bool isWhole = listen(bus, stop, std::chrono::seconds(*seconds));
+    std::vector<canopen::FoundNode> asked;
+    if (isWhole && asks) {
+        const auto result = ask(call, bus, stop);
+        isWhole = result && result->isDone && !result->isCancelled;
+        asked = result ? result->found : asked;
+    }
+    if (!bus.isConnected() || bus.isAlone())
+        return tl::unexpected(bus.whyNothingCame());
+    ScannedCan scanned{.nodes = together(bus.session().latest(), asked)};
+    scanned.answer = answerOf(bus, scanned.nodes, asks);
+    if (!isWhole)
+        scanned.answer.complaint =
+            Complaint{ExitCode::refused, QStringLiteral("scanCancelled"),
+                      CommandLine::tr("The search was cancelled: what was found until then is listed.")};
+    return scanned;
+}
+
+QString nodeErrorsText(const CanopenSnapshot::Node &node)
+{
+    QStringList texts;
+    if (node.isDoubled)
+        texts << CommandLine::tr("two nodes have this number");
+    if (node.heartbeat == canopen::Heartbeat::lost)
+        texts << CommandLine::tr("no heartbeat any more");
+    if (node.error)
+        texts << node.error->text();
+    return texts.join(QStringLiteral("; "));
+}
+
+QString stateText(std::optional<canopen::NmtState> state)
+{
+    return state ? canopen::NodeState{.state = *state}.text() : QString();
+}
+
+QJsonValue stateJson(std::optional<canopen::NmtState> state)
+{
+    return state ? QJsonValue(keyOf(nmtStateKeys, *state)) : QJsonValue();
+}
+
+} // namespace codewheel

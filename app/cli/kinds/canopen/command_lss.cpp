@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus/places.h"
+#include "cli/call/json.h"
+#include "cli/call/text_table.h"
+#include "cli/call/texts.h"
+#include "cli/encoder/consent.h"
+#include "cli/encoder/eeprom_consent.h"
+#include "cli/kinds/canopen/canopen_link_kind.h"
+#include "cli/kinds/canopen/object_argument.h"
+#include "vocabulary/hex.h"
+#include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+using canopen::LssOutcome;
+using canopen::LssRequest;
+using canopen::NodeIdentity;
+
+constexpr const char *lssExamples[] = {"lss scan --link canopen:training", "lss node 9 --yes",
+                                       "lss rate 250000 --of can:5", "lss store --alone"};
+
+constexpr std::array lssOptions{
+    Option{"--of", "PLACE",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "the node there, selected by its identity; else a device without a number")},
+    Option{"--alone", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine", "whoever is there: the device is alone on the bus")},
+    busOption,
+    beyondLimitOption,
+    ledgerOption,
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "send it without asking")},
+};
+
+// The places in table 0 of CiA 305; 5 is reserved.
+constexpr std::array<std::pair<int, int>, 8> lssRates{{{1'000'000, 0},
+                                                       {800'000, 1},
+                                                       {500'000, 2},
+                                                       {250'000, 3},
+                                                       {125'000, 4},
+                                                       {50'000, 6},
+                                                       {20'000, 7},
+                                                       {10'000, 8}}};
+
+Complaint lssComplaint(const char *key, const QString &text)
+{
+    return {ExitCode::refused, QString::fromLatin1(key), text};
+}
+
+Complaint aboutNoLssDevice(const Call &call)
+{
+    if (call.arguments.has("--of"))
+        return lssComplaint("lssNotSelected",
+                            CommandLine::tr("The node does not take part in LSS. Some makes do so only while "
+                                            "they are stopped (codewheel-cli nmt stop), others not at all."));
+    if (call.arguments.has("--alone"))
+        return lssComplaint("lssNoAnswer",
+                            CommandLine::tr("No device answers by LSS, or several at once. Some makes do so "
+                                            "only while they are stopped (codewheel-cli nmt stop), others "
+                                            "not at all."));
+    return lssComplaint("lssNobodyWithoutNumber",
+                        CommandLine::tr("No device without a number answers. One that has a number is named "
+                                        "with --of PLACE, or, alone on the bus, taken with --alone."));
+}
+
+Complaint aboutLssOutcome(const LssOutcome &outcome)
+{
+    switch (outcome.kind) {
+    case LssOutcome::Kind::refused:
+        return lssComplaint("lssRefused",
+                            sentence(CommandLine::tr("The device refused it (code %1, of the maker %2)."),
+                                     {QString::number(outcome.code), QString::number(outcome.codeOfMaker)}));
+    case LssOutcome::Kind::notSent:
+        return lssComplaint("lssNotSent", CommandLine::tr("It could not be sent, so nothing was changed. "
+                                                          "Check the CAN bus, then start again."));
+    default:
+        return lssComplaint("lssNotKnown",
+                            CommandLine::tr("The device did not answer: whether it has done it "
+                                            "is not known. Look for it with codewheel-cli "
+                                            "scan --ask."));
+    }
+}
+
+QString identityText(const NodeIdentity &identity)
+{
+    return sentence(CommandLine::tr("vendor %1, product %2, revision %3, serial number %4"),
+                    {hexNumber(identity.vendor()), hexNumber(identity.product()),
+                     hexNumber(identity.revision()), serialNumberText(identity.serial())});
+}
+
+QJsonObject identityJson(const NodeIdentity &identity)
+{
+    return {{QStringLiteral("vendor"), qint64{identity.vendor()}},
+            {QStringLiteral("product"), qint64{identity.product()}},
+            {QStringLiteral("revision"), qint64{identity.revision()}},
+            {QStringLiteral("serialNumber"), qint64{identity.serial()}}};
+}
+
+// One device by LSS; it is left when this ends.
+class SelectedDevice
+{
+public:
+    SelectedDevice(const Call &call, CanopenAccess &bus)
+        : m_call(call)
+        , m_bus(bus)
+    {}
+    ~SelectedDevice() { static_cast<void>(leave()); }
+    SelectedDevice(const SelectedDevice &) = delete;
+    SelectedDevice &operator=(const SelectedDevice &) = delete;
+
+    // As the call says; its identity is read from it then.
+    Checked<void> select();
+    // A device without a number takes part with its new one from then on.
+    Checked<void> leave();
+    Checked<LssOutcome> ask(const LssRequest &request) { return m_bus.configure(request); }
+
+    const NodeIdentity &identity() const { return m_identity; }
+    std::optional<int> node() const { return m_node; } // empty: it has none
+    std::optional<Place> place() const { return m_place; }
+    QString text() const;
+    QJsonObject json() const;
+
+private:
+    Checked<LssOutcome> selectNode(const QString &typed);
+    Checked<NodeIdentity> identityAt(const NodeMeant &where);
+
+    const Call &m_call;
+    CanopenAccess &m_bus;
+    bool m_isSelected = false;
+    NodeIdentity m_identity{};
+    std::optional<int> m_node{};
+    std::optional<Place> m_place{}; // given
+};
+
+Checked<void> SelectedDevice::select()
+{
+    const auto of = m_call.arguments.value("--of");
+    m_isSelected = true;
+    const auto found = of ? selectNode(*of)
+                          : ask({.kind = m_call.arguments.has("--alone") ? LssRequest::Kind::configureAll
+                                                                         : LssRequest::Kind::fastScan});
+    if (!found)
+        return tl::unexpected(found.error());
+    if (found->kind == LssOutcome::Kind::notSent)
+        return tl::unexpected(aboutLssOutcome(*found));
+    if (found->kind != LssOutcome::Kind::done)
+        return tl::unexpected(aboutNoLssDevice(m_call));
+    const auto identity = ask({.kind = LssRequest::Kind::inquireIdentity});
+    if (!identity)
+        return tl::unexpected(identity.error());
+    if (identity->kind != LssOutcome::Kind::done)
+        return tl::unexpected(aboutNoLssDevice(m_call));
+    m_identity = identity->identity;
+    const bool isScanned = !of && !m_call.arguments.has("--alone");
+    if (isScanned && found->identity != m_identity)
+        return tl::unexpected(lssComplaint("lssIdentityDiffers",
+                                           CommandLine::tr("The device that was found and the one that "
+                                                           "answers are not the same. Nothing was written: "
+                                                           "have one device alone on the bus.")));
+    const auto node = ask({.kind = LssRequest::Kind::inquireNode});
+    if (!node)
+        return tl::unexpected(node.error());
+    if (node->kind == LssOutcome::Kind::done)
+        m_node = node->node;
+    return {};
+}
+
+// By its identity, as the node itself tells it.
+Checked<LssOutcome> SelectedDevice::selectNode(const QString &typed)
+{
+    const auto where = nodeMeant(m_call, typed);
+    if (!where)
+        return tl::unexpected(where.error());
+    m_place = where->place;
+    return identityAt(*where).and_then([this](const NodeIdentity &identity) {
+        return ask({.kind = LssRequest::Kind::select, .identity = identity});
+    });
+}
+
+Checked<NodeIdentity> SelectedDevice::identityAt(const NodeMeant &where)
+{
+    constexpr std::uint16_t identityObject = 0x1018;
+    NodeIdentity identity;
+    for (std::uint8_t sub = 1; sub <= NodeIdentity::size; ++sub) {
+        const auto told = m_bus.transfer({.node = where.node(), .object = {identityObject, sub}});
+        if (!told)
+            return tl::unexpected(told.error());
+        if (told->kind != canopen::SdoOutcome::Kind::read)
+            return tl::unexpected(
+                lssComplaint("identityNotRead",
+                             sentence(CommandLine::tr("Node %1 does not tell its whole identity (1018h), "
+                                                      "without which it cannot be selected."),
+                                      {CanopenAddress{where.node()}.shown()})));
+        identity.words.at(sub - 1U) = canopen::numberOf(told->value);
+    }
+    return identity;
+}
+
+Checked<void> SelectedDevice::leave()
+{
+    if (!std::exchange(m_isSelected, false) || !m_bus.isConnected())
+        return {};
+    return ask({.kind = LssRequest::Kind::operateAll}).map([](const LssOutcome &) {});
+}
+
+QString SelectedDevice::text() const
+{
+    return sentence(m_node ? CommandLine::tr("Node %2: %1")
+                           : CommandLine::tr("A device without a number: %1"),
+                    {identityText(m_identity), m_node ? CanopenAddress{*m_node}.shown() : QString()}) +
+           u'\n';
+}
+
+QJsonObject SelectedDevice::json() const
+{
+    QJsonObject json = identityJson(m_identity);
+    json.insert(QStringLiteral("node"), m_node ? QJsonValue(*m_node) : QJsonValue());
+    return json;
+}
+
+QString aboutMore(const Call &call)
+{
+    return call.arguments.has("--alone")
+               ? CommandLine::tr("Whether other devices took part as well is not known.")
+               : CommandLine::tr("Whether there are more without a number is seen when this one has one.");
+}
+
+// What is to be written, asked for after the device was shown.
+Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssRequest &request,
+                           const QString &question)
+{
+    SelectedDevice device(call, bus);
+    if (const auto selected = device.select(); !selected)
+        return tl::unexpected(selected.error());
+    if (!call.arguments.has("--json"))
+        call.terminal.print(device.text());
+    if (call.arguments.has("--alone"))
+        call.terminal.complain(aboutMore(call));
+    if (const auto agreed = consent(
+            call, question, CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes."));
+        !agreed)
+        return tl::unexpected(agreed.error());
+    const bool stores = request.kind == LssRequest::Kind::store;
+    const EncoderSession *encoder =
+        stores && device.place() ? bus.bus().encoder(device.place()->node) : nullptr;
+    if (encoder != nullptr)
+        if (const auto may = eepromConsent(call, *encoder, 1, AsksAnyway::yes); !may)
+            return tl::unexpected(may.error());
+    const auto outcome = device.ask(request);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    Answer answer{.json = {{QStringLiteral("device"), device.json()}}};
+    addBus(answer.json, bus);
+    if (outcome->kind != LssOutcome::Kind::done)
+        answer.complaint = aboutLssOutcome(*outcome);
+    else if (stores)
+        answer.text = CommandLine::tr("The device says that it has stored number and rate. Some makes say so "
+                                      "and do not: it is sure when they are there after its supply was "
+                                      "switched off and on.") +
+                      u'\n';
+    const bool hadNone = !device.node();
+    if (const auto left = device.leave(); !left && !answer.complaint)
+        answer.complaint = left.error();
+    if (answer.complaint || stores)
+        return answer;
+    if (request.kind == LssRequest::Kind::setRate)
+        answer.text = CommandLine::tr("The device has taken the rate. It is in force once it was stored "
+                                      "(codewheel-cli lss store) and its supply switched off and on.") +
+                      u'\n';
+    else if (!hadNone)
+        answer.text = CommandLine::tr("The device has taken the number. It is in force after a reset "
+                                      "(codewheel-cli nmt reset), and lost without supply until it is "
+                                      "stored (codewheel-cli lss store).") +
+                      u'\n';
+    return answer;
+}
+
+// Whether a device that had no number reports with its new one.
+void tellNewNode(CanopenAccess &bus, int node, Answer &answer)
+{
+    constexpr Instant longestBootOfNew = std::chrono::seconds(2);
+    const bool isThere =
+        bus.waitUntil([&] { return bus.session().latest().heard(node) != nullptr; }, longestBootOfNew);
+    answer.json.insert(QStringLiteral("isThere"), isThere);
+    if (isThere)
+        answer.text += sentence(CommandLine::tr("Node %1 has reported. Its number is lost without supply "
+                                                "until it is stored: codewheel-cli lss store --of %2."),
+                                {CanopenAddress{node}.shown(), CanopenAddress{node}.place().toString()}) +
+                       u'\n';
+    else if (!answer.complaint)
+        answer.complaint = lssComplaint(
+            "lssNotBack", sentence(CommandLine::tr("The device has taken the number, but node %1 has not "
+                                                   "reported. Look for it with codewheel-cli scan --ask."),
+                                   {CanopenAddress{node}.shown()}));
+}
+
+Checked<Answer> lssNode(const Call &call, CanopenAccess &bus)
+{
+    const QString typed = call.arguments.rest.value(1);
+    const auto number = parseNumber(typed);
+    if (!number || *number < 1 || *number > canopen::lastNode)
+        return tl::unexpected(bus.notAPlace(typed));
+    const int node = static_cast<int>(*number);
+    const auto there = bus.transfer({.node = node, .object = {0x1000, 0}});
+    if (!there)
+        return tl::unexpected(there.error());
+    if (there->kind != canopen::SdoOutcome::Kind::noAnswer || bus.session().latest().heard(node) != nullptr)
+        return badInput(QStringLiteral("nodeNumberTaken"),
+                        CommandLine::tr("Another device has the number %1 already. Choose another number."),
+                        {CanopenAddress{node}.shown()});
+    auto answer =
+        writeByLss(call, bus, {.kind = LssRequest::Kind::setNode, .number = node},
+                   sentence(CommandLine::tr("Give it the number %1?"), {CanopenAddress{node}.shown()}));
+    if (answer && !answer->complaint && answer->json[u"device"][u"node"].isNull())
+        tellNewNode(bus, node, *answer);
+    return answer;
+}
+
+Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
+{
+    const auto rate = parseNumber(call.arguments.rest.value(1));
+    const auto row = std::ranges::find(lssRates, rate.value_or(0), &std::pair<int, int>::first);
+    if (row == lssRates.end())
+        return badInput(QStringLiteral("lssRateWrong"),
+                        CommandLine::tr("\"%1\" is not a rate of CiA 305. Give one of these, in Bd: %2."),
+                        {call.arguments.rest.value(1), listed(lssRates, [](const std::pair<int, int> &one) {
+                             return QString::number(one.first);
+                         })});
+    return writeByLss(call, bus, {.kind = LssRequest::Kind::setRate, .number = row->second},
+                      sentence(CommandLine::tr("Give it the rate %1 Bd?"), {QString::number(row->first)}));
+}
+
+Checked<Answer> lssStore(const Call &call, CanopenAccess &bus)
+{
+    if (!call.arguments.has("--of"))
+        return writeByLss(call, bus, {.kind = LssRequest::Kind::store},
+                          CommandLine::tr("Store its number and rate? It writes to its EEPROM."));
+    // Whose EEPROM it is.
+    return nodeMeant(call, *call.arguments.value("--of"))
+        .and_then([&](const NodeMeant &where) { return bus.encoder(call, where.place.node, false); })
+        .and_then([&](const EncoderSession *) {
+            return writeByLss(call, bus, {.kind = LssRequest::Kind::store},
+                              CommandLine::tr("Store its number and rate? It writes to its EEPROM."));
+        });
+}
+
+// `scan`: that without a number. `show`: the one that the call names.
+Checked<Answer> lssShow(const Call &call, CanopenAccess &bus)
+{
+    const bool scans = call.arguments.rest.front() == QStringLiteral("scan");
+    if (scans && (call.arguments.has("--of") || call.arguments.has("--alone")))
+        return badInput(QStringLiteral("lssScanOfAll"),
+                        CommandLine::tr("scan looks for devices without a number. Leave --of and --alone "
+                                        "out, or write show."));
+    SelectedDevice device(call, bus);
+    if (const auto selected = device.select(); !selected)
+        return tl::unexpected(selected.error());
+    Answer answer{device.text(), {{QStringLiteral("device"), device.json()}}};
+    addBus(answer.json, bus);
+    if (!call.arguments.has("--of"))
+        answer.text += aboutMore(call) + u'\n';
+    return answer;
+}
+
+struct LssAction
+{
+    const char *name;
+    int arguments;
+    Checked<Answer> (*run)(const Call &call, CanopenAccess &bus);
+};
+constexpr std::array lssActions{LssAction{"show", 0, lssShow}, LssAction{"scan", 0, lssShow},
+                                LssAction{"node", 1, lssNode}, LssAction{"rate", 1, lssRate},
+                                LssAction{"store", 0, lssStore}};
+
+Checked<Answer> runLss(const Call &call)
+{
+    const QStringList &words = call.arguments.rest;
+    const auto action = std::ranges::find(lssActions, words[0],
+                                          [](const LssAction &one) { return QString::fromLatin1(one.name); });
+    if (action == lssActions.end())
+        return badInput(
+            QStringLiteral("lssActionWrong"), CommandLine::tr("\"%1\" is not possible. Write one of: %2."),
+            {words[0],
+             listed(lssActions, [](const LssAction &one) { return QString::fromLatin1(one.name); })});
+    if (words.size() - 1 != action->arguments)
+        return badInput(QStringLiteral("lssArgumentsWrong"),
+                        action->arguments == 0 ? CommandLine::tr("%1 stands alone.")
+                                               : CommandLine::tr("Give one number behind %1."),
+                        {words[0]});
+    if (call.arguments.has("--of") && call.arguments.has("--alone"))
+        return badInput(QStringLiteral("lssOfAndAlone"),
+                        CommandLine::tr("--of and --alone exclude each other. Leave one of them out."));
+    const auto bus = canBusMeant(call);
+    if (!bus)
+        return tl::unexpected(bus.error());
+    if (const auto opened = (*bus)->openToSend(call); !opened)
+        return tl::unexpected(opened.error());
+    return action->run(call, **bus);
+}
+
+} // namespace
+
+const Subcommand lssCommand{
+    .name = "lss",
+    .usage = "show|scan|node|rate|store [NUMBER] [--of PLACE | --alone] [--bus BUS] [--yes]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                 "give a device on CANopen its node number and rate by LSS"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Of a device without a number, which is looked for (some seconds); with --of PLACE of the node "
+        "there;\n"
+        "with --alone of whoever is there, where one device is alone on the bus. scan and show tell its\n"
+        "identity and number; node 9 gives it a number, rate 250000 a rate in Bd, and store keeps both.\n"
+        "\n"
+        "Before anything is written its identity is read from it and shown, and it is asked for; where "
+        "nobody\n"
+        "can be asked, --yes is needed. A number that another node has is refused. Storing writes to the\n"
+        "EEPROM."),
+    .examples = lssExamples,
+    .options = lssOptions,
+    .minimumArguments = 1,
+    .maximumArguments = 2,
+    .needsBus = true,
+    .textIsAccount = true,
+    .run = runLss,
+};
+
+} // namespace codewheel

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bus/places.h"
+#include "cli/call/json.h"
+#include "cli/call/keys.h"
+#include "cli/call/texts.h"
+#include "cli/encoder/consent.h"
+#include "cli/kinds/canopen/canopen_link_kind.h"
+#include "cli/kinds/canopen/canopen_scan.h"
+#include "cli/kinds/canopen/object_argument.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
+#include "vocabulary/sentence.h"
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+using canopen::NmtCommand;
+using canopen::NmtState;
+
+constexpr const char *nmtExamples[] = {"nmt start can:5 --link canopen:training", "nmt stop --yes",
+                                       "nmt reset can:5 --json"};
+
+constexpr std::array nmtOptions{
+    busOption,
+    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "send it without asking")},
+};
+
+constexpr Instant longestWaitForState = 1'500ms; // a heartbeat comes once a second
+constexpr std::chrono::seconds longestBoot{3};
+
+struct CommandRow
+{
+    const char *key;
+    NmtCommand command;
+    NmtState leadsTo;
+    const char *question;      // for one node
+    const char *questionToAll; // for all
+};
+constexpr std::array commandRows{
+    CommandRow{"start", NmtCommand::start, NmtState::operational,
+               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Start node %1?"),
+               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Start all nodes?")},
+    CommandRow{"stop", NmtCommand::stop, NmtState::stopped,
+               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Stop node %1? It answers nothing then."),
+               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Stop all nodes? They answer nothing then.")},
+    CommandRow{
+        "pre-operational", NmtCommand::preOperational, NmtState::preOperational,
+        QT_TRANSLATE_NOOP("codewheel::CommandLine", "Set node %1 to pre-operational? It sends no PDOs then."),
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Set all nodes to pre-operational? They send no PDOs then.")},
+    CommandRow{
+        "reset", NmtCommand::resetNode, NmtState::preOperational,
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Reset node %1? What is not stored is lost, and it has to be started again."),
+        QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                          "Reset all nodes? What is not stored is lost, and they have to be started "
+                          "again.")},
+};
+
+const CommandRow *rowOf(const QString &typed)
+{
+    const auto row = std::ranges::find(commandRows, typed,
+                                       [](const CommandRow &one) { return QString::fromLatin1(one.key); });
+    return row == commandRows.end() ? nullptr : &*row;
+}
+
+// What a node tells of itself, before and after.
+struct Watched
+{
+    int bootUps = 0;
+    std::optional<NmtState> state{};
+};
+
+Watched watched(const CanopenAccess &bus, int node)
+{
+    const auto *heard = bus.session().latest().heard(node);
+    return heard != nullptr ? Watched{heard->bootUps, heard->state} : Watched();
+}
+
+Complaint aboutState(int node, std::optional<NmtState> state)
+{
+    return {ExitCode::refused,
+            QStringLiteral("nmtNotTaken"),
+            sentence(CommandLine::tr("Node %1 has not done it: it is %2."),
+                     {CanopenAddress{node}.shown(), stateText(state)}),
+            {std::int64_t{node}}};
+}
+
+// What is known of the node afterwards. The command itself is answered by nobody.
+void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched &before, Answer &answer)
+{
+    const bool resets = row.command == NmtCommand::resetNode;
+    const auto isDone = [&] {
+        const Watched now = watched(bus, node);
+        return resets ? now.bootUps > before.bootUps : now.state == row.leadsTo;
+    };
+    const bool isSeen = bus.waitUntil(isDone, resets ? Instant(longestBoot) : longestWaitForState);
+    const std::optional<NmtState> state = watched(bus, node).state;
+    answer.json.insert(QStringLiteral("state"), stateJson(state));
+    if (!bus.isConnected()) {
+        answer.complaint = bus.linkLost();
+    } else if (resets && !isSeen) {
+        answer.complaint = bus.complaint({RefusalKind::device,
+                                          CanopenRefusalId::notBackAfterReset,
+                                          {std::int64_t{node}, std::int64_t{longestBoot.count()}}});
+    } else if (resets) {
+        answer.text += sentence(CommandLine::tr("Node %1 is back."), {CanopenAddress{node}.shown()}) + u'\n';
+    } else if (isSeen) {
+        answer.text +=
+            sentence(CommandLine::tr("Node %1 is %2."), {CanopenAddress{node}.shown(), stateText(state)}) +
+            u'\n';
+    } else if (state) {
+        answer.complaint = aboutState(node, state);
+    } else {
+        answer.text += sentence(CommandLine::tr("Sent. Node %1 does not tell its state."),
+                                {CanopenAddress{node}.shown()}) +
+                       u'\n';
+    }
+}
+
+Complaint aboutSending(CanFate fate)
+{
+    return fate == CanFate::refused
+               ? Complaint{ExitCode::refused, QStringLiteral("nmtNotSent"),
+                           CommandLine::tr("The command could not be sent. Check the CAN bus, then send it "
+                                           "again.")}
+               : Complaint{ExitCode::refused, QStringLiteral("nmtNotKnown"),
+                           CommandLine::tr("Whether the command has gone out is not known: the adapter does "
+                                           "not tell.")};
+}
+
+Checked<Answer> command(const Call &call, CanopenAccess &bus, const CommandRow &row, int node)
+{
+    if (const auto opened = bus.openToSend(call); !opened)
+        return tl::unexpected(opened.error());
+    const QString question = node == 0
+                                 ? CommandLine::tr(row.questionToAll)
+                                 : sentence(CommandLine::tr(row.question), {CanopenAddress{node}.shown()});
+    if (const auto agreed =
+            consent(call, question, CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes."));
+        !agreed)
+        return tl::unexpected(agreed.error());
+    const Watched before = watched(bus, node);
+    const auto fate = bus.send(canopen::NmtRequest{row.command, node}.frame());
+    if (!fate)
+        return tl::unexpected(fate.error());
+    Answer answer{
+        .json = {{QStringLiteral("nmt"), QString::fromLatin1(row.key)}, {QStringLiteral("node"), node}}};
+    addBus(answer.json, bus);
+    if (*fate == CanFate::refused)
+        answer.complaint = aboutSending(*fate);
+    else if (node != 0)
+        tellNode(bus, row, node, before, answer);
+    else
+        answer.text += CommandLine::tr("Sent to all nodes.") + u'\n';
+    const bool isSeen = node != 0 && watched(bus, node).state == row.leadsTo;
+    if (*fate == CanFate::notKnown && !isSeen && !answer.complaint)
+        answer.complaint = aboutSending(*fate);
+    return answer;
+}
+
+Checked<Answer> runNmt(const Call &call)
+{
+    const QStringList &words = call.arguments.rest;
+    const CommandRow *row = rowOf(words[0]);
+    if (row == nullptr)
+        return badInput(
+            QStringLiteral("nmtCommandWrong"), CommandLine::tr("\"%1\" is not possible. Write one of: %2."),
+            {words[0],
+             listed(commandRows, [](const CommandRow &one) { return QString::fromLatin1(one.key); })});
+    if (words.size() < 2)
+        return canBusMeant(call).and_then([&](CanopenAccess *bus) { return command(call, *bus, *row, 0); });
+    return nodeMeant(call, words[1]).and_then([&](const NodeMeant &where) {
+        return command(call, *where.bus, *row, where.node()).map([&](Answer answer) {
+            addPlace(answer.json, call, where.place);
+            return answer;
+        });
+    });
+}
+
+} // namespace
+
+const Subcommand nmtCommand{
+    .name = "nmt",
+    .usage = "start|stop|pre-operational|reset [PLACE] [--bus BUS] [--yes]",
+    .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "start, stop or reset nodes on CANopen"),
+    .details = QT_TRANSLATE_NOOP(
+        "codewheel::CommandLine",
+        "Sends the command to the node at PLACE, or to all nodes. A node that is started sends its PDOs; "
+        "one\n"
+        "that is stopped answers nothing. It is asked for first; where nobody can be asked, --yes is "
+        "needed.\n"
+        "\n"
+        "Nodes do not answer it. What the node tells afterwards by its heartbeat or boot-up is shown: exit\n"
+        "code 1 if it is in another state, or does not report after a reset."),
+    .examples = nmtExamples,
+    .options = nmtOptions,
+    .minimumArguments = 1,
+    .maximumArguments = 2,
+    .needsBus = true,
+    .textIsAccount = true,
+    .run = runNmt,
+};
+
+} // namespace codewheel

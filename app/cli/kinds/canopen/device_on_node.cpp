@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/kinds/canopen/device_on_node.h"
+
+#include "catalog/catalog.h"
+#include "catalog/label_key.h"
+#include "cli/encoder/parameter_arguments.h"
+#include "kinds/canopen/protocol/canopen_profile.h"
+
+#include <algorithm>
+
+namespace codewheel {
+namespace {
+
+const QString singleTurnOnNode = QStringLiteral("canopen-406-single-turn");
+const QString multiTurnOnNode = QStringLiteral("canopen-406-multi-turn");
+const QString linearOnNode = QStringLiteral("canopen-406-linear");
+
+bool isForNodes(const DeviceDescription *device)
+{
+    return device != nullptr && device->profile == profile::cia406;
+}
+
+} // namespace
+
+QString usualDeviceOnNode()
+{
+    return multiTurnOnNode;
+}
+
+// The forms from 6 to 9 are linear, 1 is single-turn.
+QString deviceOfType(std::uint32_t deviceType)
+{
+    constexpr std::uint32_t profileOfEncoders = 406;
+    constexpr unsigned formShift = 16;
+    if ((deviceType & 0xFFFF) != profileOfEncoders)
+        return {};
+    const std::uint32_t form = deviceType >> formShift;
+    if (form == 1)
+        return singleTurnOnNode;
+    return form >= 6 && form <= 9 ? linearOnNode : multiTurnOnNode;
+}
+
+Checked<QString> deviceOnNode(const Call &call, Place place)
+{
+    const auto typed = call.arguments.value("--device");
+    if (!typed) {
+        const ProjectDevice *planned = call.project != nullptr ? findDevice(*call.project, place) : nullptr;
+        const bool isUsable =
+            planned != nullptr && isForNodes(call.catalog.find(planned->participant.deviceKey));
+        return isUsable ? planned->participant.deviceKey : QString();
+    }
+    if (isForNodes(call.catalog.find(*typed)))
+        return *typed;
+    if (call.catalog.find(*typed) == nullptr)
+        return tl::unexpected(deviceNamed(call.catalog, *typed).error());
+    return tl::unexpected(
+        complaintAbout({RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), *typed}}));
+}
+
+} // namespace codewheel

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Over a serial CAN adapter and an encoder that know nothing of this program.
+#include "tests/cli/cli_run.h"
+
+#include <QProcess>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class CanNodePeer
+{
+public:
+    explicit CanNodePeer(const QString &options = {})
+    {
+        m_process.start(QStringLiteral(CODEWHEEL_PYTHON),
+                        QStringList{QStringLiteral(CODEWHEEL_CANOPEN_PEER)} +
+                            options.split(u' ', Qt::SkipEmptyParts));
+        m_port = readLine();
+    }
+    ~CanNodePeer()
+    {
+        m_process.closeWriteChannel();
+        EXPECT_TRUE(m_process.waitForFinished(patience));
+        EXPECT_EQ(m_process.readAllStandardError(), "");
+    }
+    CanNodePeer(const CanNodePeer &) = delete;
+    CanNodePeer &operator=(const CanNodePeer &) = delete;
+
+    CliRun runLine(const QString &line, const QString &settings = {})
+    {
+        return codewheel::runLine(line +
+                                  QStringLiteral(" --link slcan:%1,rate=250000%2").arg(m_port, settings));
+    }
+    std::vector<std::string> order(const QString &text)
+    {
+        m_process.write(text.toLatin1() + '\n');
+        std::vector<std::string> lines;
+        for (QString line = readLine(); line != QStringLiteral("ok") && !line.isNull(); line = readLine())
+            lines.push_back(line.toStdString());
+        return lines;
+    }
+
+private:
+    QString readLine()
+    {
+        while (!m_process.canReadLine())
+            if (!m_process.waitForReadyRead(patience)) {
+                ADD_FAILURE() << m_process.readAllStandardError().toStdString();
+                return {};
+            }
+        return QString::fromLatin1(m_process.readLine()).trimmed();
+    }
+
+    QProcess m_process;
+    QString m_port;
+};
+
+TEST(CliCanProgram, ListeningSendsNothing)
+{
+    CanNodePeer peer(QStringLiteral("--running"));
+    const CliRun scan = peer.runLine(QStringLiteral("scan --listen 1"));
+    EXPECT_EQ(scan.exit, 0);
+    EXPECT_THAT(scan.out, HasSubstr("can:5  operational  sends  -"));
+    const CliRun monitor = peer.runLine(QStringLiteral("monitor can:5 --for 1"));
+    EXPECT_THAT(monitor.out, HasSubstr("position 5000"));
+    EXPECT_EQ(scan.err + monitor.err, "");
+    EXPECT_THAT(peer.order(QStringLiteral("heard")), IsEmpty());
+    EXPECT_THAT(peer.order(QStringLiteral("state")), ElementsAre("closed S5")); // never open to send
+}
+
+TEST(CliCanProgram, WhatSendsSaysSo)
+{
+    CanNodePeer peer;
+    const CliRun run = peer.runLine(QStringLiteral("read can:5 serial-number"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_EQ(run.out, "serial-number  = 4711 (1267h)\n");
+    EXPECT_THAT(run.err, HasSubstr("in Operate, frames are sent"));
+    EXPECT_EQ(peer.runLine(QStringLiteral("od can:5 read 1008")).out, "1008h:0 1008 = \"Peer encoder\"\n");
+}
+
+TEST(CliCanProgram, ObjectsAreWrittenOnceAndNodesStarted)
+{
+    CanNodePeer peer;
+    EXPECT_EQ(peer.runLine(QStringLiteral("od can:5 write 6001=4096 --yes")).exit, 0);
+    EXPECT_EQ(peer.runLine(QStringLiteral("od can:5 write 1010:1=save --yes")).exit, 0);
+    EXPECT_THAT(peer.order(QStringLiteral("objects")), ElementsAre("6001:0=00100000", "1010:1=73617665"));
+    EXPECT_THAT(peer.runLine(QStringLiteral("nmt start can:5 --yes")).out, HasSubstr("is operational."));
+    EXPECT_THAT(peer.runLine(QStringLiteral("nmt reset can:5 --yes")).out, HasSubstr("is back."));
+    EXPECT_EQ(errorKey(peer.runLine(QStringLiteral("lss node 5 --yes --json"))), "nodeNumberTaken");
+}
+
+TEST(CliCanProgram, BesideAnotherMasterNothingIsSentUnlessThatWasAgreedTo)
+{
+    CanNodePeer peer(QStringLiteral("--master"));
+    const CliRun refused = peer.runLine(QStringLiteral("od can:5 read 1008 --json"));
+    EXPECT_EQ(refused.exit, 1);
+    EXPECT_EQ(errorKey(refused), "canopenOtherMaster");
+    EXPECT_THAT(refused.err, HasSubstr("beside-master=yes"));
+    EXPECT_THAT(peer.order(QStringLiteral("heard")), IsEmpty());
+    EXPECT_EQ(peer.runLine(QStringLiteral("od can:5 read 1008"), QStringLiteral(",beside-master=yes")).exit,
+              0);
+}
+
+TEST(CliCanProgram, AnAdapterThatCannotListenOnlyIsOpenedOnlyIfThatWasAgreedTo)
+{
+    CanNodePeer peer(QStringLiteral("--no-listening"));
+    const CliRun refused = peer.runLine(QStringLiteral("scan --listen 1 --json"));
+    EXPECT_EQ(refused.exit, 1);
+    EXPECT_EQ(errorKey(refused), "canWatchNotSure");
+    EXPECT_THAT(refused.err, HasSubstr("unsure-watch=yes"));
+    EXPECT_EQ(peer.runLine(QStringLiteral("scan --listen 1"), QStringLiteral(",unsure-watch=yes")).exit, 0);
+    EXPECT_EQ(peer.runLine(QStringLiteral("od can:5 read 1008")).exit, 0); // it acknowledges anyway
+}
+
+} // namespace
+} // namespace codewheel
