@@ -638,7 +638,8 @@ TEST_F(CliProjectLinks, EachSchemeLeadsToTheBusesOfItsKindInTheProject)
     EXPECT_EQ(refused("interbus:project,foo=1").key, QStringLiteral("linkWithoutSettings"));
     EXPECT_EQ(refused("esc:project,foo=1").key, QStringLiteral("unknownLineSetting"));
     EXPECT_THAT(refused("interbus:com1").text.toStdString(),
-                HasSubstr("interbus:project, esc:project, those of one kind alone"));
+                HasSubstr("interbus:project, esc:project, can:project, slcan:project, canopen:project, those "
+                          "of one kind alone"));
     project.buses = {planned(firstRing, "interbus", "Crane")};
     EXPECT_EQ(refused("esc:project").text,
               QStringLiteral("The project has no buses for the link \"esc:project\"."));

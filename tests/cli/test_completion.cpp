@@ -52,7 +52,7 @@ TEST(Completion, OptionsAreThoseOfTheCommandWhichAreNotYetGiven)
 {
     EXPECT_THAT(completed(QStringLiteral("write 1.0 --dr")), ElementsAre("--dry-run"));
     EXPECT_THAT(completed(QStringLiteral("write 1.0 --dry-run --dr")), IsEmpty());
-    EXPECT_THAT(completed(QStringLiteral("scan --a")), ElementsAre("--all-rates"));
+    EXPECT_THAT(completed(QStringLiteral("scan --a")), ElementsAre("--all-rates", "--ask"));
     EXPECT_THAT(completed(QStringLiteral("serve esc --corr")), ElementsAre("--corrupted"));
     EXPECT_THAT(completed(QStringLiteral("--v")), ElementsAre("--version"));
 }
@@ -94,7 +94,8 @@ TEST(Completion, DevicesLinksAndFixedWords)
     EXPECT_THAT(completed(QStringLiteral("devices kuebler")),
                 ElementsAre("kuebler-esc-rs422", "kuebler-esc-rs485"));
     EXPECT_THAT(completed(QStringLiteral("scan --link ")),
-                ElementsAre("training", "project", "interbus:", "modbus-tcp:", "modbus-rtu:", "esc:"));
+                ElementsAre("training", "project",
+                            "interbus:", "modbus-tcp:", "modbus-rtu:", "esc:", "can:", "slcan:", "canopen:"));
     EXPECT_THAT(
         completed(QStringLiteral("scan --link=esc:")),
         AllOf(IsSupersetOf({"--link=esc:training", "--link=esc:project"}), Each(StartsWith("--link=esc:"))));
