@@ -2920,6 +2920,54 @@
         <source>%1 has another sign than the movement of the position: the description may have the wrong type for it.</source>
         <translation>%1 hat ein anderes Vorzeichen als die Bewegung der Position: Vielleicht hat die Beschreibung dafür den falschen Typ.</translation>
     </message>
+    <message>
+        <source>The CAN bus %1 is open at %2 Bd.</source>
+        <translation>Der CAN-Bus %1 ist mit %2 Bd geöffnet.</translation>
+    </message>
+    <message>
+        <source>The CAN bus %1 was closed.</source>
+        <translation>Der CAN-Bus %1 wurde geschlossen.</translation>
+    </message>
+    <message>
+        <source>The CAN bus %1 is open again, and only watched.</source>
+        <translation>Der CAN-Bus %1 ist wieder offen und wird nur beobachtet.</translation>
+    </message>
+    <message>
+        <source>Another master is at work on this bus. Heard: %1.</source>
+        <translation>An diesem Bus arbeitet ein anderer Master. Gehört: %1.</translation>
+    </message>
+    <message>
+        <source>Two devices have this node number: more answers or heartbeats come than one sends. Give one of them another number.</source>
+        <translation>Zwei Geräte haben diese Knotennummer: Es kommen mehr Antworten oder Heartbeats, als eines sendet. Geben Sie einem davon eine andere Nummer.</translation>
+    </message>
+    <message>
+        <source>The heartbeat of this node does not come any more.</source>
+        <translation>Der Heartbeat dieses Knotens bleibt aus.</translation>
+    </message>
+    <message>
+        <source>The heartbeat of this node comes again.</source>
+        <translation>Der Heartbeat dieses Knotens kommt wieder.</translation>
+    </message>
+    <message>
+        <source>The bus is %1 % full: frames of low priority may come late or not at all.</source>
+        <translation>Der Bus ist zu %1 % ausgelastet: Telegramme mit niedriger Priorität kommen vielleicht spät oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>Nodes found on the CAN bus: %1.</source>
+        <translation>Am CAN-Bus gefundene Knoten: %1.</translation>
+    </message>
+    <message>
+        <source>ALARM STOP: the nodes that were started from here were stopped: %1.</source>
+        <translation>ALARM-STOPP: Die von hier gestarteten Knoten wurden gestoppt: %1.</translation>
+    </message>
+    <message>
+        <source>ALARM STOP: all nodes were stopped.</source>
+        <translation>ALARM-STOPP: Alle Knoten wurden gestoppt.</translation>
+    </message>
+    <message>
+        <source>The command that stops the nodes could not be sent. It is sent once the bus is there again. Stop the machine by its own means.</source>
+        <translation>Der Befehl, der die Knoten stoppt, konnte nicht gesendet werden. Er wird gesendet, sobald der Bus wieder da ist. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
+    </message>
 </context>
 <context>
     <name>Mode</name>
@@ -4194,6 +4242,22 @@
     <message>
         <source>CiA 301 has no reason with this number.</source>
         <translation>In CiA 301 gibt es zu dieser Nummer keinen Grund.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a node on CANopen. Nodes are numbered from 1 to 127.</source>
+        <translation>„%1“ ist kein CANopen-Knoten. Knoten haben Nummern von 1 bis 127.</translation>
+    </message>
+    <message>
+        <source>Another master is at work on this bus (heard: %1), and what is sent may disturb it. Nothing was sent: agree to that first.</source>
+        <translation>An diesem Bus arbeitet ein anderer Master (gehört: %1), und was gesendet wird, kann ihn stören. Es wurde nichts gesendet: Stimmen Sie dem zuerst zu.</translation>
+    </message>
+    <message>
+        <source>The bus is being searched for nodes. Wait for the end of it, or cancel it.</source>
+        <translation>Der Bus wird gerade nach Knoten abgesucht. Warten Sie das Ende ab, oder brechen Sie die Suche ab.</translation>
+    </message>
+    <message>
+        <source>The CAN bus is not open. Connect it first.</source>
+        <translation>Der CAN-Bus ist nicht offen. Verbinden Sie ihn zuerst.</translation>
     </message>
 </context>
 <context>
@@ -6069,6 +6133,301 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CanopenChecks</name>
+    <message>
+        <source>%1, %2 kBit/s</source>
+        <translation>%1, %2 kBit/s</translation>
+    </message>
+    <message>
+        <source>Listening and asking</source>
+        <translation>Mithören und Abfragen</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>No node is asked: that was stopped. Start it.</source>
+        <translation>Kein Knoten wird abgefragt: Das wurde gestoppt. Starten Sie es.</translation>
+    </message>
+    <message>
+        <source>nobody acknowledges what is sent</source>
+        <translation>niemand quittiert, was gesendet wird</translation>
+    </message>
+    <message>
+        <source>Nobody on the bus takes what is sent. Check the rate, the wires and both terminators, and that a device is connected that does not only listen.</source>
+        <translation>Niemand am Bus nimmt an, was gesendet wird. Prüfen Sie Baudrate, Leitungen und beide Abschlusswiderstände und ob ein Gerät angeschlossen ist, das nicht nur mithört.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Nothing is heard on the bus. Check the supply of the devices and the wires. Nodes that wait to be asked are silent, too: in Operate they are asked.</source>
+        <translation>Am Bus ist nichts zu hören. Prüfen Sie die Versorgung der Geräte und die Leitungen. Auch Knoten, die auf eine Frage warten, schweigen: In der Betriebsart Bedienen werden sie gefragt.</translation>
+    </message>
+    <message>
+        <source>only errors</source>
+        <translation>nur Fehler</translation>
+    </message>
+    <message>
+        <source>Only disturbed frames are heard. The rate differs from that of the bus, or wires or terminators are missing.</source>
+        <translation>Es sind nur gestörte Telegramme zu hören. Die Baudrate weicht von der des Busses ab, oder Leitungen oder Abschlusswiderstände fehlen.</translation>
+    </message>
+    <message>
+        <source>Only disturbed frames are heard. The rate differs from that of the bus, or a single device is there: its frames are acknowledged by nobody while they are only watched.</source>
+        <translation>Es sind nur gestörte Telegramme zu hören. Die Baudrate weicht von der des Busses ab, oder es ist nur ein einziges Gerät da: Seine Telegramme quittiert niemand, solange nur beobachtet wird.</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Telegramme</translation>
+    </message>
+    <message>
+        <source>some</source>
+        <translation>einige</translation>
+    </message>
+    <message>
+        <source>The bus is %1 % full: what has a high identifier may come late or not at all.</source>
+        <translation>Der Bus ist zu %1 % ausgelastet: Was einen hohen Identifier hat, kommt vielleicht spät oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>All frames have 29 bits: what is there speaks J1939, not CANopen. It is another variant of the device.</source>
+        <translation>Alle Telegramme haben 29 Bit: Was da ist, spricht J1939, nicht CANopen. Es ist eine andere Variante des Geräts.</translation>
+    </message>
+    <message>
+        <source>no node</source>
+        <translation>kein Knoten</translation>
+    </message>
+    <message>
+        <source>Node on the bus</source>
+        <translation>Knoten am Bus</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>gehört</translation>
+    </message>
+    <message>
+        <source>heard: %1</source>
+        <translation>gehört: %1</translation>
+    </message>
+    <message>
+        <source>Node %1 was not heard. It may have another number or another rate, be switched off, or be silent until it is asked.</source>
+        <translation>Knoten %1 war nicht zu hören. Er hat vielleicht eine andere Nummer oder eine andere Baudrate, ist ausgeschaltet oder schweigt, bis er gefragt wird.</translation>
+    </message>
+    <message>
+        <source>twice</source>
+        <translation>doppelt</translation>
+    </message>
+    <message>
+        <source>its heartbeat is lost</source>
+        <translation>sein Heartbeat bleibt aus</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>State of the node</source>
+        <translation>Zustand des Knotens</translation>
+    </message>
+    <message>
+        <source>The node is stopped: it sends no positions and answers nothing. Start it (NMT), in Operate.</source>
+        <translation>Der Knoten ist gestoppt: Er sendet keine Positionen und antwortet auf nichts. Starten Sie ihn (NMT), in Bedienen.</translation>
+    </message>
+    <message>
+        <source>The node is pre-operational: it sends no positions by itself. Start it (NMT), or switch to Operate, where it is asked for them.</source>
+        <translation>Der Knoten ist pre-operational: Er sendet von sich aus keine Positionen. Starten Sie ihn (NMT), oder schalten Sie auf Bedienen, wo er danach gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Positions by PDO</source>
+        <translation>Positionen per PDO</translation>
+    </message>
+    <message>
+        <source>they come</source>
+        <translation>sie kommen</translation>
+    </message>
+    <message>
+        <source>A PDO of the node has the identifier %1, which is not the predefined one.</source>
+        <translation>Ein PDO des Knotens hat den Identifier %1, der nicht der vordefinierte ist.</translation>
+    </message>
+    <message>
+        <source>The position is asked for (SDO).</source>
+        <translation>Die Position wird abgefragt (SDO).</translation>
+    </message>
+    <message>
+        <source>The PDOs of the node may be switched off, have another identifier, or be sent only when the shaft turns. In Operate its settings are read.</source>
+        <translation>Die PDOs des Knotens sind vielleicht ausgeschaltet, haben einen anderen Identifier oder werden nur gesendet, wenn sich die Welle dreht. In der Betriebsart Bedienen werden seine Einstellungen gelesen.</translation>
+    </message>
+    <message>
+        <source>The PDOs of the node may be switched off, wait for a SYNC, of which none was heard, have another identifier, or be sent only when the shaft turns. In Operate its settings are read.</source>
+        <translation>Die PDOs des Knotens sind vielleicht ausgeschaltet, warten auf ein SYNC, von dem keines zu hören war, haben einen anderen Identifier oder werden nur gesendet, wenn sich die Welle dreht. In der Betriebsart Bedienen werden seine Einstellungen gelesen.</translation>
+    </message>
+    <message>
+        <source>Alarms and warnings</source>
+        <translation>Alarme und Warnungen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenFaults</name>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>doubled</source>
+        <translation>doppelt</translation>
+    </message>
+    <message>
+        <source>Two devices have the number of %1. Connect one of them alone, and give it another number.</source>
+        <translation>Zwei Geräte haben die Nummer von %1. Schließen Sie eines davon allein an, und geben Sie ihm eine andere Nummer.</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>ausgefallen</translation>
+    </message>
+    <message>
+        <source>The heartbeat of %1 does not come any more. Check its supply and the wires to it.</source>
+        <translation>Der Heartbeat von %1 bleibt aus. Prüfen Sie seine Versorgung und die Leitungen zu ihm.</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>%1 reports an error: %2.</source>
+        <translation>%1 meldet einen Fehler: %2.</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>%1 reports an alarm: %2. Switch it off and on; if the alarm comes back, replace the encoder.</source>
+        <translation>%1 meldet einen Alarm: %2. Schalten Sie ihn aus und ein; kommt der Alarm wieder, tauschen Sie den Geber.</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>%1 warns: %2. See to it before it becomes an alarm.</source>
+        <translation>%1 warnt: %2. Kümmern Sie sich darum, bevor ein Alarm daraus wird.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenKind</name>
+    <message>
+        <source>CAN bus (CANopen)</source>
+        <translation>CAN-Bus (CANopen)</translation>
+    </message>
+    <message>
+        <source>%1, %2 kBit/s</source>
+        <translation>%1, %2 kBit/s</translation>
+    </message>
+    <message>
+        <source>training bus (simulated)</source>
+        <translation>Trainingsbus (simuliert)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenOutline</name>
+    <message>
+        <source>CAN bus</source>
+        <translation>CAN-Bus</translation>
+    </message>
+    <message>
+        <source>CAN bus (%1)</source>
+        <translation>CAN-Bus (%1)</translation>
+    </message>
+    <message>
+        <source>%1  %2
+Node %3
+State: %4</source>
+        <translation>%1  %2
+Knoten %3
+Zustand: %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 kBit/s
+State: %3
+Load: %4 %
+Frames: %5, errors: %6</source>
+        <translation>%1, %2 kBit/s
+Zustand: %3
+Auslastung: %4 %
+Telegramme: %5, Fehler: %6</translation>
+    </message>
+    <message>
+        <source>jobs end, nothing that waits is sent, and the nodes that were started from here are stopped</source>
+        <translation>Aufträge enden, nichts Wartendes wird gesendet, und die von hier gestarteten Knoten werden gestoppt</translation>
+    </message>
+    <message>
+        <source>offline</source>
+        <translation>offline</translation>
+    </message>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>Suche läuft</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abgetrennt</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <comment>it is running</comment>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <comment>a node</comment>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>pre-operational</source>
+        <translation>pre-operational</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>in Ordnung</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenPlanRules</name>
+    <message>
+        <source>Node %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CanopenRules</name>
     <message>
         <source>An object is written as index and, unless 0, subindex: &quot;6001&quot;, &quot;1018:4&quot;.</source>
@@ -7356,26 +7715,6 @@ es verlassen wird.</translation>
     <message>
         <source>list the participants of the bus, and look for encoders on a serial line</source>
         <translation>die Teilnehmer des Busses auflisten und Geber an einer seriellen Leitung suchen</translation>
-    </message>
-    <message>
-        <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each), and tells how the master stands.
-The ID code tells the profile but not the make: that is named where the plan of the bus tells it.
-Sends nothing on the bus.
-
-On a serial line each address is asked for its serial number, and who answers for device code and
-version. Nothing is written. Ctrl+C ends it, and lists what was found until then.
-
---save makes a project of it. With --project as well, what that project knows of devices
-that are still there is taken along.</source>
-        <translation>Listet die Teilnehmer des Busses in Ringreihenfolge auf, mit ID-Codes und Worten (je 16 Bit), und sagt, in
-welchem Zustand der Master ist. Der ID-Code nennt das Profil, nicht den Hersteller: Dieser steht da, wenn
-der Busplan ihn nennt. Sendet nichts auf dem Bus.
-
-An einer seriellen Leitung wird jede Adresse nach ihrer Seriennummer gefragt, und wer antwortet, nach
-Gerätecode und Version. Nichts wird geschrieben. Strg+C beendet es und listet auf, was bis dahin gefunden ist.
-
---save macht daraus ein Projekt. Zusammen mit --project wird übernommen, was jenes Projekt von Geräten
-weiß, die noch da sind.</translation>
     </message>
     <message>
         <source>send what writes without asking</source>
@@ -9198,6 +9537,484 @@ Braucht keinen Bus und sendet nichts.</translation>
     <message>
         <source>The log has no times, and a log of candump needs them. Nothing was saved.</source>
         <translation>Der Mitschnitt hat keine Zeiten, und ein Mitschnitt von candump braucht sie. Nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1, %2, will be reset to factory settings.</source>
+        <translation>%1, %2, wird auf Werkseinstellungen zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>All cam programs are lost, too.</source>
+        <translation>Auch alle Nockenprogramme gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Node %1 does not answer. Check its number, its supply and the rate of the bus; a node that was stopped answers nothing until it is started. codewheel-cli scan --ask looks for nodes.</source>
+        <translation>Knoten %1 antwortet nicht. Prüfen Sie seine Nummer, seine Versorgung und die Rate des Busses; ein angehaltener Knoten antwortet nicht, bis er gestartet wird. codewheel-cli scan --ask sucht nach Knoten.</translation>
+    </message>
+    <message>
+        <source>Nothing is heard of node %1. It may be waiting to be started (codewheel-cli nmt start), or tell nothing by itself: codewheel-cli scan --ask asks it.</source>
+        <translation>Von Knoten %1 ist nichts zu hören. Vielleicht wartet er darauf, gestartet zu werden (codewheel-cli nmt start), oder sagt von selbst nichts: codewheel-cli scan --ask fragt ihn.</translation>
+    </message>
+    <message>
+        <source>%1: in Operate, frames are sent.</source>
+        <translation>%1: auf Bedienen, Telegramme werden gesendet.</translation>
+    </message>
+    <message>
+        <source>the numbers of nodes, as can:5</source>
+        <translation>die Nummern von Knoten, etwa can:5</translation>
+    </message>
+    <message>
+        <source>Nobody on the bus acknowledges what is sent: no node is there or has supply, the rate is another one, or the wiring is interrupted.</source>
+        <translation>Niemand am Bus bestätigt, was gesendet wird: Kein Knoten ist da oder versorgt, die Rate ist eine andere, oder die Verdrahtung ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>To agree, write %1=yes behind the link.</source>
+        <translation>Um zuzustimmen, schreiben Sie %1=yes hinter die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Encoders on CANopen have no words of process data. Read and write objects with codewheel-cli od.</source>
+        <translation>Geber an CANopen haben keine Prozessdatenworte. Objekte lesen und schreiben Sie mit codewheel-cli od.</translation>
+    </message>
+    <message>
+        <source>Encoders on CANopen have no velocity mode.</source>
+        <translation>Geber an CANopen haben keinen Geschwindigkeitsbetrieb.</translation>
+    </message>
+    <message>
+        <source>A CAN bus has no master to set.</source>
+        <translation>Ein CAN-Bus hat keinen Master, der sich einstellen lässt.</translation>
+    </message>
+    <message>
+        <source>PDO1 %1, which is position %2 if it is mapped as CiA 406 has it</source>
+        <translation>PDO1 %1, das ist Position %2, falls es belegt ist, wie CiA 406 es vorsieht</translation>
+    </message>
+    <message>
+        <source>Frames received: %1. Sent: %2. Error frames: %3. Load: %4 %.</source>
+        <translation>Telegramme empfangen: %1. Gesendet: %2. Fehlertelegramme: %3. Last: %4 %.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be &quot;%2&quot;: write %1=yes, or leave it out.</source>
+        <translation>%1 kann nicht &quot;%2&quot; sein: Schreiben Sie %1=yes, oder lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>The simulated CAN bus has no setting &quot;%1&quot;. Its settings are: %2.</source>
+        <translation>Der simulierte CAN-Bus hat keine Einstellung &quot;%1&quot;. Seine Einstellungen sind: %2.</translation>
+    </message>
+    <message>
+        <source>The link that the project has for &quot;%1&quot; cannot be used. Name it, as --link can:can0.</source>
+        <translation>Die Verbindung, die das Projekt für &quot;%1&quot; hat, ist nicht brauchbar. Nennen Sie eine, etwa --link can:can0.</translation>
+    </message>
+    <message>
+        <source>can:INTERFACE, a CAN bus with CANopen, as can:can0; slcan:PORT, the same through a serial adapter, as slcan:ttyACM0,rate=250000; canopen:training, the simulated CAN bus</source>
+        <translation>can:INTERFACE, ein CAN-Bus mit CANopen, etwa can:can0; slcan:PORT, dasselbe über einen seriellen Adapter, etwa slcan:ttyACM0,rate=250000; canopen:training, der simulierte CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Nodes asked: %1 of 127. Found: %2.</source>
+        <translation>Knoten gefragt: %1 von 127. Gefunden: %2.</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>vendor</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>product</source>
+        <translation>Produkt</translation>
+    </message>
+    <message>
+        <source>revision</source>
+        <translation>Revision</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>sends</source>
+        <translation>sendet</translation>
+    </message>
+    <message>
+        <source>No node answers. Check the rate of the bus, its terminators, wiring and supply; a node that was stopped does not answer.</source>
+        <translation>Kein Knoten antwortet. Prüfen Sie die Rate des Busses, Abschlusswiderstände, Verdrahtung und Versorgung; ein angehaltener Knoten antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>No node is heard. One that has not been started may tell nothing by itself: codewheel-cli scan --ask asks each.</source>
+        <translation>Kein Knoten ist zu hören. Einer, der nicht gestartet wurde, sagt womöglich von selbst nichts: codewheel-cli scan --ask fragt jeden.</translation>
+    </message>
+    <message>
+        <source>Another master is at work (heard: %1).</source>
+        <translation>Ein anderer Master ist am Werk (gehört: %1).</translation>
+    </message>
+    <message>
+        <source>Error frames: %1. The rate may be wrong, or the wiring.</source>
+        <translation>Fehlertelegramme: %1. Die Rate kann falsch sein oder die Verdrahtung.</translation>
+    </message>
+    <message>
+        <source>two nodes have this number</source>
+        <translation>zwei Knoten haben diese Nummer</translation>
+    </message>
+    <message>
+        <source>no heartbeat any more</source>
+        <translation>kein Heartbeat mehr</translation>
+    </message>
+    <message>
+        <source>CAN bus: also ask each of the nodes 1 to 127 what it is; sends on the bus</source>
+        <translation>CAN-Bus: auch jeden der Knoten 1 bis 127 fragen, was er ist; sendet auf dem Bus</translation>
+    </message>
+    <message>
+        <source>CAN bus: listen so long (3)</source>
+        <translation>CAN-Bus: so lange mithören (3)</translation>
+    </message>
+    <message>
+        <source>identifier</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+    <message>
+        <source>received</source>
+        <translation>empfangen</translation>
+    </message>
+    <message>
+        <source>the node there, selected by its identity; else a device without a number</source>
+        <translation>den Knoten dort, durch seine Identität ausgewählt; sonst ein Gerät ohne Nummer</translation>
+    </message>
+    <message>
+        <source>whoever is there: the device is alone on the bus</source>
+        <translation>wer immer da ist: Das Gerät ist allein am Bus</translation>
+    </message>
+    <message>
+        <source>send it without asking</source>
+        <translation>ohne Frage senden</translation>
+    </message>
+    <message>
+        <source>The node does not take part in LSS. Some makes do so only while they are stopped (codewheel-cli nmt stop), others not at all.</source>
+        <translation>Der Knoten nimmt an LSS nicht teil. Manche Fabrikate tun es nur angehalten (codewheel-cli nmt stop), andere gar nicht.</translation>
+    </message>
+    <message>
+        <source>No device answers by LSS, or several at once. Some makes do so only while they are stopped (codewheel-cli nmt stop), others not at all.</source>
+        <translation>Kein Gerät antwortet über LSS, oder mehrere zugleich. Manche Fabrikate tun es nur angehalten (codewheel-cli nmt stop), andere gar nicht.</translation>
+    </message>
+    <message>
+        <source>No device without a number answers. One that has a number is named with --of PLACE, or, alone on the bus, taken with --alone.</source>
+        <translation>Kein Gerät ohne Nummer antwortet. Eines, das eine hat, nennt --of PLACE; ist es allein am Bus, nimmt es --alone.</translation>
+    </message>
+    <message>
+        <source>The device refused it (code %1, of the maker %2).</source>
+        <translation>Das Gerät hat es abgelehnt (Code %1, des Herstellers %2).</translation>
+    </message>
+    <message>
+        <source>It could not be sent, so nothing was changed. Check the CAN bus, then start again.</source>
+        <translation>Es konnte nicht gesendet werden, also wurde nichts geändert. Prüfen Sie den CAN-Bus und beginnen Sie neu.</translation>
+    </message>
+    <message>
+        <source>The device did not answer: whether it has done it is not known. Look for it with codewheel-cli scan --ask.</source>
+        <translation>Das Gerät hat nicht geantwortet: Ob es das getan hat, ist nicht bekannt. Suchen Sie es mit codewheel-cli scan --ask.</translation>
+    </message>
+    <message>
+        <source>vendor %1, product %2, revision %3, serial number %4</source>
+        <translation>Hersteller %1, Produkt %2, Revision %3, Seriennummer %4</translation>
+    </message>
+    <message>
+        <source>The device that was found and the one that answers are not the same. Nothing was written: have one device alone on the bus.</source>
+        <translation>Das gefundene Gerät und das, das antwortet, sind nicht dasselbe. Nichts wurde geschrieben: Lassen Sie ein Gerät allein am Bus.</translation>
+    </message>
+    <message>
+        <source>Node %1 does not tell its whole identity (1018h), without which it cannot be selected.</source>
+        <translation>Knoten %1 sagt seine Identität (1018h) nicht ganz; ohne sie kann er nicht ausgewählt werden.</translation>
+    </message>
+    <message>
+        <source>Node %2: %1</source>
+        <translation>Knoten %2: %1</translation>
+    </message>
+    <message>
+        <source>A device without a number: %1</source>
+        <translation>Ein Gerät ohne Nummer: %1</translation>
+    </message>
+    <message>
+        <source>Whether other devices took part as well is not known.</source>
+        <translation>Ob auch andere Geräte teilnahmen, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Whether there are more without a number is seen when this one has one.</source>
+        <translation>Ob es weitere ohne Nummer gibt, zeigt sich, wenn dieses eine hat.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: there is nobody to ask. Add --yes.</source>
+        <translation>Nichts geschrieben: Es ist niemand da, der gefragt werden kann. Geben Sie --yes an.</translation>
+    </message>
+    <message>
+        <source>The device says that it has stored number and rate. Some makes say so and do not: it is sure when they are there after its supply was switched off and on.</source>
+        <translation>Das Gerät sagt, dass es Nummer und Rate gespeichert hat. Manche Fabrikate sagen es und tun es nicht: Sicher ist es, wenn sie nach dem Aus- und Einschalten seiner Versorgung noch da sind.</translation>
+    </message>
+    <message>
+        <source>The device has taken the rate. It is in force once it was stored (codewheel-cli lss store) and its supply switched off and on.</source>
+        <translation>Das Gerät hat die Rate angenommen. Sie gilt, sobald sie gespeichert (codewheel-cli lss store) und seine Versorgung aus- und eingeschaltet wurde.</translation>
+    </message>
+    <message>
+        <source>The device has taken the number. It is in force after a reset (codewheel-cli nmt reset), and lost without supply until it is stored (codewheel-cli lss store).</source>
+        <translation>Das Gerät hat die Nummer angenommen. Sie gilt nach einem Reset (codewheel-cli nmt reset) und geht ohne Versorgung verloren, bis sie gespeichert ist (codewheel-cli lss store).</translation>
+    </message>
+    <message>
+        <source>Node %1 has reported. Its number is lost without supply until it is stored: codewheel-cli lss store --of %2.</source>
+        <translation>Knoten %1 hat sich gemeldet. Seine Nummer geht ohne Versorgung verloren, bis sie gespeichert ist: codewheel-cli lss store --of %2.</translation>
+    </message>
+    <message>
+        <source>The device has taken the number, but node %1 has not reported. Look for it with codewheel-cli scan --ask.</source>
+        <translation>Das Gerät hat die Nummer angenommen, aber Knoten %1 hat sich nicht gemeldet. Suchen Sie es mit codewheel-cli scan --ask.</translation>
+    </message>
+    <message>
+        <source>Another device has the number %1 already. Choose another number.</source>
+        <translation>Ein anderes Gerät hat die Nummer %1 schon. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Give it the number %1?</source>
+        <translation>Ihm die Nummer %1 geben?</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a rate of CiA 305. Give one of these, in Bd: %2.</source>
+        <translation>&quot;%1&quot; ist keine Rate von CiA 305. Geben Sie eine von diesen an, in Bd: %2.</translation>
+    </message>
+    <message>
+        <source>Give it the rate %1 Bd?</source>
+        <translation>Ihm die Rate %1 Bd geben?</translation>
+    </message>
+    <message>
+        <source>Store its number and rate? It writes to its EEPROM.</source>
+        <translation>Seine Nummer und Rate speichern? Es schreibt in sein EEPROM.</translation>
+    </message>
+    <message>
+        <source>scan looks for devices without a number. Leave --of and --alone out, or write show.</source>
+        <translation>scan sucht Geräte ohne Nummer. Lassen Sie --of und --alone weg, oder schreiben Sie show.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not possible. Write one of: %2.</source>
+        <translation>&quot;%1&quot; ist nicht möglich. Schreiben Sie eines von: %2.</translation>
+    </message>
+    <message>
+        <source>%1 stands alone.</source>
+        <translation>%1 steht allein.</translation>
+    </message>
+    <message>
+        <source>Give one number behind %1.</source>
+        <translation>Geben Sie hinter %1 eine Zahl an.</translation>
+    </message>
+    <message>
+        <source>--of and --alone exclude each other. Leave one of them out.</source>
+        <translation>--of und --alone schließen sich aus. Lassen Sie eines davon weg.</translation>
+    </message>
+    <message>
+        <source>give a device on CANopen its node number and rate by LSS</source>
+        <translation>einem Gerät an CANopen über LSS Knotennummer und Rate geben</translation>
+    </message>
+    <message>
+        <source>Of a device without a number, which is looked for (some seconds); with --of PLACE of the node there;
+with --alone of whoever is there, where one device is alone on the bus. scan and show tell its
+identity and number; node 9 gives it a number, rate 250000 a rate in Bd, and store keeps both.
+
+Before anything is written its identity is read from it and shown, and it is asked for; where nobody
+can be asked, --yes is needed. A number that another node has is refused. Storing writes to the
+EEPROM.</source>
+        <translation>Für ein Gerät ohne Nummer, das gesucht wird (einige Sekunden); mit --of PLACE für den Knoten dort; mit
+--alone für den, der da ist, wo ein Gerät allein am Bus ist. scan und show sagen Identität und Nummer;
+node 9 gibt ihm eine Nummer, rate 250000 eine Rate in Bd, und store behält beide.
+
+Bevor etwas geschrieben wird, wird seine Identität aus ihm gelesen und gezeigt, und es wird gefragt; ist
+niemand zu fragen, braucht es --yes. Eine Nummer, die ein anderer Knoten hat, wird abgelehnt. Speichern
+schreibt in das EEPROM.</translation>
+    </message>
+    <message>
+        <source>Start node %1?</source>
+        <translation>Knoten %1 starten?</translation>
+    </message>
+    <message>
+        <source>Start all nodes?</source>
+        <translation>Alle Knoten starten?</translation>
+    </message>
+    <message>
+        <source>Stop node %1? It answers nothing then.</source>
+        <translation>Knoten %1 anhalten? Er antwortet dann nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Stop all nodes? They answer nothing then.</source>
+        <translation>Alle Knoten anhalten? Sie antworten dann nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Set node %1 to pre-operational? It sends no PDOs then.</source>
+        <translation>Knoten %1 in pre-operational setzen? Er sendet dann keine PDOs.</translation>
+    </message>
+    <message>
+        <source>Set all nodes to pre-operational? They send no PDOs then.</source>
+        <translation>Alle Knoten in pre-operational setzen? Sie senden dann keine PDOs.</translation>
+    </message>
+    <message>
+        <source>Reset node %1? What is not stored is lost, and it has to be started again.</source>
+        <translation>Knoten %1 zurücksetzen? Was nicht gespeichert ist, geht verloren, und er muss neu gestartet werden.</translation>
+    </message>
+    <message>
+        <source>Reset all nodes? What is not stored is lost, and they have to be started again.</source>
+        <translation>Alle Knoten zurücksetzen? Was nicht gespeichert ist, geht verloren, und sie müssen neu gestartet werden.</translation>
+    </message>
+    <message>
+        <source>Node %1 has not done it: it is %2.</source>
+        <translation>Knoten %1 hat es nicht getan: Er ist %2.</translation>
+    </message>
+    <message>
+        <source>Node %1 is back.</source>
+        <translation>Knoten %1 ist wieder da.</translation>
+    </message>
+    <message>
+        <source>Node %1 is %2.</source>
+        <translation>Knoten %1 ist %2.</translation>
+    </message>
+    <message>
+        <source>Sent. Node %1 does not tell its state.</source>
+        <translation>Gesendet. Knoten %1 sagt seinen Zustand nicht.</translation>
+    </message>
+    <message>
+        <source>The command could not be sent. Check the CAN bus, then send it again.</source>
+        <translation>Der Befehl konnte nicht gesendet werden. Prüfen Sie den CAN-Bus und senden Sie ihn erneut.</translation>
+    </message>
+    <message>
+        <source>Whether the command has gone out is not known: the adapter does not tell.</source>
+        <translation>Ob der Befehl hinausging, ist nicht bekannt: Der Adapter sagt es nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent: there is nobody to ask. Add --yes.</source>
+        <translation>Nichts gesendet: Es ist niemand da, der gefragt werden kann. Geben Sie --yes an.</translation>
+    </message>
+    <message>
+        <source>Sent to all nodes.</source>
+        <translation>An alle Knoten gesendet.</translation>
+    </message>
+    <message>
+        <source>start, stop or reset nodes on CANopen</source>
+        <translation>Knoten an CANopen starten, anhalten oder zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Sends the command to the node at PLACE, or to all nodes. A node that is started sends its PDOs; one
+that is stopped answers nothing. It is asked for first; where nobody can be asked, --yes is needed.
+
+Nodes do not answer it. What the node tells afterwards by its heartbeat or boot-up is shown: exit
+code 1 if it is in another state, or does not report after a reset.</source>
+        <translation>Sendet den Befehl an den Knoten an PLACE oder an alle Knoten. Ein gestarteter Knoten sendet seine PDOs; ein
+angehaltener antwortet nicht. Vorher wird gefragt; ist niemand zu fragen, braucht es --yes.
+
+Knoten antworten darauf nicht. Gezeigt wird, was der Knoten danach durch Heartbeat oder Boot-up sagt:
+Exit-Code 1, wenn er in einem anderen Zustand ist oder sich nach einem Reset nicht meldet.</translation>
+    </message>
+    <message>
+        <source>take the object for this: u8, u16, u32, i8, i16, i32 or text</source>
+        <translation>das Objekt dafür halten: u8, u16, u32, i8, i16, i32 oder text</translation>
+    </message>
+    <message>
+        <source>An object that is read gets no value. To write it: codewheel-cli od PLACE write %1=VALUE.</source>
+        <translation>Ein Objekt, das gelesen wird, bekommt keinen Wert. Zum Schreiben: codewheel-cli od PLACE write %1=VALUE.</translation>
+    </message>
+    <message>
+        <source>Node %1: %2 := %3</source>
+        <translation>Knoten %1: %2 := %3</translation>
+    </message>
+    <message>
+        <source>(now %1)</source>
+        <translation>(jetzt %1)</translation>
+    </message>
+    <message>
+        <source>It counts as a write to the EEPROM.</source>
+        <translation>Es zählt als EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>Write it?</source>
+        <translation>Schreiben?</translation>
+    </message>
+    <message>
+        <source>Written, and read back.</source>
+        <translation>Geschrieben und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Accepted, not read back.</source>
+        <translation>Angenommen, nicht zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Accepted, but another value is read back: %1.</source>
+        <translation>Angenommen, aber ein anderer Wert wird zurückgelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Give the value behind the object, as %1=1000.</source>
+        <translation>Geben Sie den Wert hinter dem Objekt an, etwa %1=1000.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not possible. Write read or write.</source>
+        <translation>&quot;%1&quot; ist nicht möglich. Schreiben Sie read oder write.</translation>
+    </message>
+    <message>
+        <source>read or write an object of a node on CANopen</source>
+        <translation>ein Objekt eines Knotens an CANopen lesen oder schreiben</translation>
+    </message>
+    <message>
+        <source>OBJECT is INDEX[:SUB], the index in hexadecimal as manuals have it: 6004, 1018:4. VALUE is a number,
+in decimal or as 1388h, or a text. How wide the object is, the node tells, or --type. What the
+number means is not looked into: to write parameters of an encoder by name there is write.
+
+Before it is written, the object is read and shown, and the write is asked for; where nobody can be
+asked, --yes is needed. It is sent once, and read back. A write to 1010h or 1011h counts as a write
+to the EEPROM.</source>
+        <translation>OBJECT ist INDEX[:SUB], der Index hexadezimal, wie Handbücher ihn haben: 6004, 1018:4. VALUE ist eine
+Zahl, dezimal oder wie 1388h, oder ein Text. Wie breit das Objekt ist, sagt der Knoten oder --type. Was die
+Zahl bedeutet, bleibt außer Betracht: Parameter eines Gebers schreibt write beim Namen.
+
+Vor dem Schreiben wird das Objekt gelesen und gezeigt, und es wird gefragt; ist niemand zu fragen, braucht
+es --yes. Es wird einmal gesendet und zurückgelesen. Schreiben auf 1010h oder 1011h zählt als
+EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>%1 is no node on CANopen. Those are written as can:5.</source>
+        <translation>%1 ist kein Knoten an CANopen. Einen solchen schreibt man wie can:5.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no object. Write index, in hexadecimal, and subindex, as 6004 or 1018:4.</source>
+        <translation>&quot;%1&quot; ist kein Objekt. Schreiben Sie Index, hexadezimal, und Subindex, etwa 6004 oder 1018:4.</translation>
+    </message>
+    <message>
+        <source>How wide %1 is, it does not tell. Give its type, as --type u32.</source>
+        <translation>Wie breit %1 ist, sagt es nicht. Geben Sie den Typ an, etwa --type u32.</translation>
+    </message>
+    <message>
+        <source>%1 cannot become &quot;%2&quot;: it takes a number of %3 bits, in decimal, or in hexadecimal as 1388h.</source>
+        <translation>%1 kann nicht &quot;%2&quot; werden: Es nimmt eine Zahl von %3 Bit, dezimal oder hexadezimal wie 1388h.</translation>
+    </message>
+    <message>
+        <source>Lists the participants of the bus in ring order, with their ID codes and words (16 bit each), and tells how the master stands.
+The ID code tells the profile but not the make: that is named where the plan of the bus tells it.
+Sends nothing on the bus.
+
+On a serial line each address is asked for its serial number, and who answers for device code and
+version. Nothing is written. Ctrl+C ends it, and lists what was found until then.
+
+On a CAN bus it listens to what nodes tell, and sends nothing; with --ask each node is asked what it
+is.
+
+--save makes a project of it. With --project as well, what that project knows of devices
+that are still there is taken along.</source>
+        <translation>Listet die Teilnehmer des Busses in Ringreihenfolge auf, mit ID-Codes und Worten (je 16 Bit), und sagt, in
+welchem Zustand der Master ist. Der ID-Code nennt das Profil, nicht den Hersteller: Dieser steht da, wenn
+der Busplan ihn nennt. Sendet nichts auf dem Bus.
+
+An einer seriellen Leitung wird jede Adresse nach ihrer Seriennummer gefragt, und wer antwortet, nach
+Gerätecode und Version. Nichts wird geschrieben. Strg+C beendet es und listet auf, was bis dahin gefunden ist.
+
+An einem CAN-Bus hört es mit, was Knoten sagen, und sendet nichts; mit --ask wird jeder Knoten gefragt, was
+er ist.
+
+--save macht daraus ein Projekt. Zusammen mit --project wird übernommen, was jenes Projekt von Geräten
+weiß, die noch da sind.</translation>
     </message>
 </context>
 <context>
@@ -16194,6 +17011,17 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::OtherMaster</name>
+    <message>
+        <source>SDO requests</source>
+        <translation>SDO-Anfragen</translation>
+    </message>
+    <message>
+        <source>guarding</source>
+        <translation>Guarding</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::Page</name>
     <message>
         <source>What is being written goes on: only Cancel ends it.</source>
@@ -17187,6 +18015,14 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     <message>
         <source>The name of a bus has no &quot;/&quot;, which separates it from the place of a device.</source>
         <translation>Der Name eines Busses darf kein „/“ enthalten: Es steht zwischen ihm und dem Platz eines Teilnehmers.</translation>
+    </message>
+    <message>
+        <source>A node from &quot;can:1&quot; to &quot;can:127&quot; is expected here.</source>
+        <translation>Hier wird ein Knoten von „can:1“ bis „can:127“ erwartet.</translation>
+    </message>
+    <message>
+        <source>The node &quot;%1&quot; is already given above.</source>
+        <translation>Der Knoten „%1“ ist oben schon angegeben.</translation>
     </message>
 </context>
 <context>
@@ -22513,6 +23349,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Another connection begins here.</source>
         <translation>Ab hier eine andere Verbindung.</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation>Identifier</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
     </message>
 </context>
 <context>
