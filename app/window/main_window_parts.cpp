@@ -64,6 +64,7 @@ void MainWindow::makePages()
         const BusAtWork *its = m_plant->find(bus);
         return its == nullptr || !its->isOpen() || (its->isTraining() && its->kind() == kind);
     });
+    m_projectPage->buses().setOffers([](const QString &kind) { return windowKind(kind) != nullptr; });
     const std::pair<QWidget *, const char *> pages[] = {{m_monitors, "monitors.md"},
                                                         {m_cams, "cams.md"},
                                                         {m_trend, "trend.md"},

@@ -32,6 +32,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTableView>
@@ -736,6 +737,23 @@ TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
     test::pressConnect(*window().findChild<ConnectPage *>(QStringLiteral("ringConnection")));
     advance(50);
     EXPECT_TRUE(bus().isOpen());
+}
+
+// A kind that only the command line knows can be planned and looked at here, but not connected.
+TEST_F(SeveralBuses, OnlyKindsThatTheWindowConnectsAreOffered)
+{
+    actions().projectPage->trigger();
+    QStringList offered;
+    for (QMenu *menu : window().findChildren<QMenu *>())
+        if (menu->accessibleName() == QStringLiteral("Kinds of buses")) {
+            Q_EMIT menu->aboutToShow();
+            for (const QAction *kind : menu->actions())
+                offered << plainLabel(kind->text());
+        }
+    EXPECT_EQ(offered, QStringList({busKind(u"interbus")->title(), busKind(u"esc")->title()}));
+    plan(secondLine, u"canopen");
+    advance(50);
+    EXPECT_EQ(shown->plant().find(secondLine), nullptr);
 }
 
 } // namespace

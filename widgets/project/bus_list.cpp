@@ -122,6 +122,8 @@ void BusList::fillKinds()
 {
     m_kinds->clear();
     for (const QString &key : busKindKeys()) {
+        if (m_offers && !m_offers(key))
+            continue;
         const BusKind *kind = busKind(key);
         m_kinds->addAction(asLabel(kind->title()), this, [this, kind] { add(*kind); });
     }

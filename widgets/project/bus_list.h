@@ -33,6 +33,8 @@ public:
     explicit BusList(ProjectDocument &document, QWidget *parent = nullptr);
 
     void setIsFree(IsFree isFree) { m_isFree = std::move(isFree); }
+    // Which kinds of buses are offered; else all.
+    void setOffers(std::function<bool(const QString &kind)> offers) { m_offers = std::move(offers); }
 
 private:
     void makeTable();
@@ -53,6 +55,7 @@ private:
 
     ProjectDocument &m_document;
     IsFree m_isFree;
+    std::function<bool(const QString &kind)> m_offers;
     BusModel *m_model;
     QToolBar *m_tools;
     QTableView *m_table;
