@@ -129,7 +129,8 @@ struct CamCall
     void addMode()
     {
         left.addTo(answer.json);
-        answer.text += left.toText() + hintAtPosition(call.arguments, left) + u'\n';
+        if (encoder.device().mayHaveModes())
+            answer.text += left.toText() + hintAtPosition(call.arguments, left) + u'\n';
     }
     std::optional<std::int64_t> positions() const
     {
