@@ -35,7 +35,7 @@ def calls(root, work, cli):
     for command in commands:
         yield [command, "--help"]
     for part in (descriptions(devices), words(devices), looking(), writing(), functions(), projects(), recordings(),
-                 ledgers(), masters(), refused(commands)):
+                 ledgers(), masters(), can_buses(), refused(commands)):
         yield from part
 
 
@@ -165,6 +165,21 @@ def masters():
     for place in PLACES:
         yield ["read", place, "--fault-plan", "faults.json"]
         yield ["write", place, "steps=255", "--yes", "--fault-plan", "faults.json"]
+
+
+def can_buses():
+    """On the simulated CAN bus, which training does not lead to."""
+    for call in (["scan"], ["scan", "--ask"], ["lss", "scan"], ["lss", "show", "--of", "can:6"], ["lss", "node", "9", "--yes"],
+                 ["lss", "node", "5", "--yes"], ["lss", "rate", "250000", "--of", "can:6", "--yes"],
+                 ["lss", "store", "--of", "can:6", "--yes"], ["nmt", "start", "--yes"]):
+        yield [*call, "--link", "canopen:training"]
+    for place in ("can:5", "can:6", "can:7", "can:50"):
+        for call in (["read", place], ["read", place, "serial-number", "--trace"], ["monitor", place, "--for", "1"],
+                     ["write", place, "steps=4096", "--yes"], ["preset", place, "1000"], ["reset", place, "--yes"],
+                     ["cams", place, "read"], ["od", place, "read", "6004"], ["od", place, "read", "1008"],
+                     ["od", place, "write", "6001=4096", "--yes"], ["od", place, "write", "1010:1=save", "--yes"],
+                     ["nmt", "start", place, "--yes"], ["nmt", "reset", place, "--yes"]):
+            yield [*call, "--link", "canopen:training"]
 
 
 def refused(commands):
