@@ -41,10 +41,9 @@ Checked<void> takeAgreements(CanopenLink &link, LinkText &text)
 }
 
 // Without the rate, which is a setting of its own.
-QString withoutRate(CanLinkArgument link)
+QString withoutRate(const CanLinkArgument &link)
 {
-    const QString rate = QStringLiteral(",rate=%1").arg(link.rate);
-    return link.text().remove(rate);
+    return link.text().remove(QStringLiteral(",rate=%1").arg(link.rate));
 }
 
 Checked<CanopenLink> linkAt(CanopenLink link, const LinkText &text)

@@ -74,8 +74,9 @@ std::vector<NodeOnBus> together(const CanopenSnapshot &heard, const std::vector<
         nodes[one.node].heard.node = one.node;
     }
     std::vector<NodeOnBus> all;
-    for (auto &[number, node] : nodes)
-        all.push_back(std::move(node));
+    all.reserve(nodes.size());
+    for (const auto &[number, node] : nodes)
+        all.push_back(node);
     return all;
 }
 

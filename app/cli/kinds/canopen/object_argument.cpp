@@ -26,7 +26,7 @@ constexpr std::size_t mostOctetsOfUsualNumber = 4;
 
 std::optional<canopen::SdoObject> objectFrom(const QString &typed)
 {
-    const auto digits = [](QString text, bool isHex) -> std::optional<std::int64_t> {
+    const auto digits = [](const QString &text, bool isHex) -> std::optional<std::int64_t> {
         if (text.startsWith(QStringLiteral("0x"), Qt::CaseInsensitive))
             return parseHexDigits(text.sliced(2), 4);
         if (text.endsWith(u'h', Qt::CaseInsensitive))
@@ -171,9 +171,8 @@ Checked<std::vector<std::uint8_t>> octetsFor(const ObjectArgument &argument, std
 QString objectValueText(const ObjectArgument &argument, std::span<const std::uint8_t> octets, bool isSizeTold)
 {
     const auto value = valueIn(argument, octets, isSizeTold);
-    const QString raw = octetsText(octets);
     if (!value)
-        return raw;
+        return octetsText(octets);
     if (value->isText())
         return u'"' + value->toString() + u'"';
     const std::size_t size = isSizeTold || !argument.type ? octets.size() : canopen::widthOf(*argument.type);

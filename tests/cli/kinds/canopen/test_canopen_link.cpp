@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/completion/complete.h"
 #include "cli/kinds/canopen/canopen_link.h"
+#include "kinds/canopen/protocol/canopen_address.h"
 #include "tests/cli/cli_run.h"
 
 #include <gmock/gmock.h>
