@@ -13,7 +13,7 @@ namespace {
 using LssKind = LssRequest::Kind;
 
 constexpr std::uint8_t anyoneThere = 0x80; // instead of a bit
-constexpr int stepsOfWord = 33;           // its bits from 31 to 0, then all of it
+constexpr int stepsOfWord = 33;            // its bits from 31 to 0, then all of it
 constexpr int highestBit = 31;
 constexpr std::uint8_t noNode = 0xFF;
 
