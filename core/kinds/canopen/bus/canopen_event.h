@@ -17,7 +17,7 @@ namespace codewheel {
 // A frame that passed.
 struct CanopenRow
 {
-    CanFrame frame;
+    CanFrame frame{};
     bool isSent = false;      // by us
     bool isTyped = false;     // likewise, by hand
     bool isAutomatic = false; // likewise, to ask what is asked again and again; or the answer

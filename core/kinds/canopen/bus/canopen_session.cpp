@@ -432,7 +432,8 @@ void CanopenSession::tellEnd(const std::optional<TypedWrite> &write, bool mayBeD
     if (!write)
         return;
     if (Private::Encoder *its = d->find(write->place.node); mayBeDone && its != nullptr)
-        its->session->take(Event(KnowledgeChanged{.eepromWrites = 1}), now());
+        its->session->take(Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = 1}),
+                           now());
     Q_EMIT typedWriteEnded(*write, mayBeDone);
 }
 

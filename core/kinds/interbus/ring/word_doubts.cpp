@@ -18,7 +18,7 @@ constexpr Instant judgedEvery = std::chrono::milliseconds(250);
 constexpr int suspicious = 3;             // wrong words
 constexpr std::uint64_t farAway = 1024;   // steps; between two snapshots a shaft turns less than that
 constexpr std::uint64_t farFromRest = 64; // the same of one that stood still (assumed)
-constexpr int standing = 3;               // snapshots
+constexpr int snapshotsAtRest = 3;        // snapshots
 
 // After the last position comes 0 again, which is no jump; the number of positions is usually a power of two.
 bool isFarFromZero(std::int64_t position, std::uint64_t far)
@@ -99,7 +99,7 @@ QString WordDoubts::wrongWord(std::size_t device) const
 void WordDoubts::lookAtZero(Device &before, const Snapshot::Device &now)
 {
     const bool isOutSame = now.out == before.out && now.outEdges == 0;
-    const std::uint64_t far = before.sameFor >= standing ? farFromRest : farAway;
+    const std::uint64_t far = before.sameFor >= snapshotsAtRest ? farFromRest : farAway;
     const bool fell = before.in != 0 && before.position && isFarFromZero(*before.position, far);
     before.mayBeOff = now.in == 0 && (before.mayBeOff || (isOutSame && fell));
     before.sameFor = now.in == before.in && isOutSame ? std::min(before.sameFor + 1, standing) : 0;
