@@ -537,9 +537,10 @@ TEST_F(SeveralBuses, ARingAddedOnThePageOfTheProjectIsSeenInTheTree)
     QTest::keyClick(kinds, Qt::Key_Return);
     window().activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(&window()));
-    EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2"));
-    EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("offline"));
-    ASSERT_NE(shown->plant().find(secondRing), nullptr);
+    const BusId added = shown->project().project().buses.back().id;
+    EXPECT_EQ(cell(added, StructureModel::deviceColumn), QStringLiteral("Ring 2"));
+    EXPECT_EQ(cell(added, StructureModel::stateColumn), QStringLiteral("offline"));
+    ASSERT_NE(shown->plant().find(added), nullptr);
     EXPECT_EQ(tree().current(), test::baumer) << "it stays chosen";
 
     QTest::keyClick(buses, Qt::Key_F2);
@@ -548,9 +549,9 @@ TEST_F(SeveralBuses, ARingAddedOnThePageOfTheProjectIsSeenInTheTree)
     QTest::keyClicks(name, QStringLiteral("Crane"));
     QTest::keyClick(name, Qt::Key_Return);
     QCoreApplication::processEvents();
-    EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Crane"));
+    EXPECT_EQ(cell(added, StructureModel::deviceColumn), QStringLiteral("Crane"));
     QTest::keyClick(buses, Qt::Key_Delete);
-    EXPECT_TRUE(cell(secondRing, StructureModel::deviceColumn).isEmpty());
+    EXPECT_TRUE(cell(added, StructureModel::deviceColumn).isEmpty());
     EXPECT_TRUE(bus().isOpen());
 }
 

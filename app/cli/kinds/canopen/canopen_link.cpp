@@ -14,7 +14,7 @@ namespace {
 const QString canopenScheme = QStringLiteral("canopen");
 const QString slcanScheme = QStringLiteral("slcan");
 const QString simulatedCanBus = QStringLiteral("training");
-const QString agreed = QStringLiteral("yes");
+const QString agreement = QStringLiteral("yes");
 
 struct Agreement
 {
@@ -31,7 +31,7 @@ Checked<void> takeAgreements(CanopenLink &link, LinkText &text)
     for (const Agreement &one : agreements) {
         const QString key = QString::fromLatin1(one.key);
         const auto given = text.take(key);
-        if (given && *given != agreed)
+        if (given && *given != agreement)
             return badInput(QStringLiteral("canAgreementWrong"),
                             CommandLine::tr("%1 cannot be \"%2\": write %1=yes, or leave it out."),
                             {key, *given});

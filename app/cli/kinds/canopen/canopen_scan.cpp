@@ -197,7 +197,7 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
     }
     if (!bus.isConnected() || bus.isAlone())
         return tl::unexpected(bus.whyNothingCame());
-    ScannedCan scanned{.nodes = together(bus.session().latest(), asked)};
+    ScannedCan scanned{.answer = {}, .nodes = together(bus.session().latest(), asked)};
     scanned.answer = answerOf(bus, scanned.nodes, asks);
     if (!isWhole)
         scanned.answer.complaint =

@@ -102,7 +102,7 @@ void WordDoubts::lookAtZero(Device &before, const Snapshot::Device &now)
     const std::uint64_t far = before.sameFor >= snapshotsAtRest ? farFromRest : farAway;
     const bool fell = before.in != 0 && before.position && isFarFromZero(*before.position, far);
     before.mayBeOff = now.in == 0 && (before.mayBeOff || (isOutSame && fell));
-    before.sameFor = now.in == before.in && isOutSame ? std::min(before.sameFor + 1, standing) : 0;
+    before.sameFor = now.in == before.in && isOutSame ? std::min(before.sameFor + 1, snapshotsAtRest) : 0;
 }
 
 void WordDoubts::lookAtConfirmation(Device &before, const Snapshot::Device &now, Profile profile) const
