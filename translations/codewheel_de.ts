@@ -9943,10 +9943,6 @@ Exit-Code 1, wenn er in einem anderen Zustand ist oder sich nach einem Reset nic
         <translation>Angenommen, nicht zurückgelesen.</translation>
     </message>
     <message>
-        <source>Accepted, but another value is read back: %1.</source>
-        <translation>Angenommen, aber ein anderer Wert wird zurückgelesen: %1.</translation>
-    </message>
-    <message>
         <source>Give the value behind the object, as %1=1000.</source>
         <translation>Geben Sie den Wert hinter dem Objekt an, etwa %1=1000.</translation>
     </message>
@@ -10015,6 +10011,14 @@ er ist.
 
 --save macht daraus ein Projekt. Zusammen mit --project wird übernommen, was jenes Projekt von Geräten
 weiß, die noch da sind.</translation>
+    </message>
+    <message>
+        <source>The device may still be in LSS configuration. Switch its supply off and on, or start the command again.</source>
+        <translation>Vielleicht ist das Gerät noch in der LSS-Konfiguration. Seine Versorgung aus- und einschalten, oder den Befehl noch einmal starten.</translation>
+    </message>
+    <message>
+        <source>Another value is read back: %1.</source>
+        <translation>Es wird ein anderer Wert zurückgelesen: %1.</translation>
     </message>
 </context>
 <context>

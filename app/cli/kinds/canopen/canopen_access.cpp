@@ -152,10 +152,8 @@ Checked<void> CanopenAccess::openToSend(const Call &call)
     m_session->setOperate(true);
     if (!advance(lookInterval()))
         return tl::unexpected(linkLost());
-    if (m_session->latest().isHeldBack())
-        return tl::unexpected(complaint({RefusalKind::busy,
-                                         CanopenBusRefusalId::otherMaster,
-                                         {m_session->latest().otherMaster.argument()}}));
+    if (const auto may = whetherHeldBack(); !may)
+        return may;
     if (!m_session->isOperating())
         return tl::unexpected(linkLost());
     if (!m_link.isSimulated())
@@ -164,6 +162,19 @@ Checked<void> CanopenAccess::openToSend(const Call &call)
     if (const auto remark = m_adapter != nullptr ? m_adapter->remark() : std::nullopt)
         call.terminal.complain(refusalText(*remark));
     return {};
+}
+
+Checked<void> CanopenAccess::whetherHeldBack() const
+{
+    if (!m_session->latest().isHeldBack())
+        return {};
+    return tl::unexpected(complaint(
+        {RefusalKind::busy, CanopenBusRefusalId::otherMaster, {m_session->latest().otherMaster.argument()}}));
+}
+
+Checked<void> CanopenAccess::listenAgain()
+{
+    return advance(listeningBeforeSending) ? whetherHeldBack() : tl::unexpected(linkLost());
 }
 
 bool CanopenAccess::startThread()

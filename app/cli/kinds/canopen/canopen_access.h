@@ -37,6 +37,8 @@ public:
     Checked<void> open() override;
     // The same, in Operate: nothing keeps frames from being sent.
     Checked<void> openToSend(const Call &call);
+    // Before something is sent that was asked about meanwhile: another master may be at work by now.
+    Checked<void> listenAgain();
     Hindrances hindrances() const override;
 
     std::optional<Complaint> whyNot(const Subcommand &command) const override;
@@ -84,6 +86,7 @@ public:
     bool waitUntil(const std::function<bool()> &isDone, Instant atMost);
 
 private:
+    Checked<void> whetherHeldBack() const;
     CanopenAccess(const CanopenLink &settings, std::unique_ptr<CanopenSession> session);
     Checked<void> open(CanopenSession::Start start);
     Complaint aboutOpening(const Refusal &why) const;

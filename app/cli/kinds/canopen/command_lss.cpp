@@ -131,6 +131,7 @@ private:
     const Call &m_call;
     CanopenAccess &m_bus;
     bool m_isSelected = false;
+    NodeIdentity m_wanted{}; // with --of
     NodeIdentity m_identity{};
     std::optional<int> m_node{};
     std::optional<Place> m_place{}; // given
@@ -140,6 +141,9 @@ Checked<void> SelectedDevice::select()
 {
     const auto of = m_call.arguments.value("--of");
     m_isSelected = true;
+    // Whom somebody else has left in configuration would take what is meant for this one.
+    if (const auto others = ask({.kind = LssRequest::Kind::operateAll}); !others)
+        return tl::unexpected(others.error());
     const auto found = of ? selectNode(*of)
                           : ask({.kind = m_call.arguments.has("--alone") ? LssRequest::Kind::configureAll
                                                                          : LssRequest::Kind::fastScan});
@@ -155,8 +159,8 @@ Checked<void> SelectedDevice::select()
     if (identity->kind != LssOutcome::Kind::done)
         return tl::unexpected(aboutNoLssDevice(m_call));
     m_identity = identity->identity;
-    const bool isScanned = !of && !m_call.arguments.has("--alone");
-    if (isScanned && found->identity != m_identity)
+    const bool isAlone = m_call.arguments.has("--alone");
+    if (!isAlone && (of ? m_wanted : found->identity) != m_identity)
         return tl::unexpected(lssComplaint("lssIdentityDiffers",
                                            CommandLine::tr("The device that was found and the one that "
                                                            "answers are not the same. Nothing was written: "
@@ -164,6 +168,8 @@ Checked<void> SelectedDevice::select()
     const auto node = ask({.kind = LssRequest::Kind::inquireNode});
     if (!node)
         return tl::unexpected(node.error());
+    if (node->kind == LssOutcome::Kind::noAnswer)
+        return tl::unexpected(aboutNoLssDevice(m_call));
     if (node->kind == LssOutcome::Kind::done)
         m_node = node->node;
     return {};
@@ -177,6 +183,7 @@ Checked<LssOutcome> SelectedDevice::selectNode(const QString &typed)
         return tl::unexpected(where.error());
     m_place = where->place;
     return identityAt(*where).and_then([this](const NodeIdentity &identity) {
+        m_wanted = identity;
         return ask({.kind = LssRequest::Kind::select, .identity = identity});
     });
 }
@@ -204,7 +211,14 @@ Checked<void> SelectedDevice::leave()
 {
     if (!std::exchange(m_isSelected, false) || !m_bus.isConnected())
         return {};
-    return ask({.kind = LssRequest::Kind::operateAll}).map([](const LssOutcome &) {});
+    const auto left = ask({.kind = LssRequest::Kind::operateAll});
+    if (!left)
+        return tl::unexpected(left.error());
+    if (left->kind == LssOutcome::Kind::done)
+        return {};
+    return tl::unexpected(
+        lssComplaint("lssNotLeft", CommandLine::tr("The device may still be in LSS configuration. Switch its "
+                                                   "supply off and on, or start the command again.")));
 }
 
 QString SelectedDevice::text() const
@@ -244,6 +258,8 @@ Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssReques
             call, question, CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes."));
         !agreed)
         return tl::unexpected(agreed.error());
+    if (const auto may = bus.listenAgain(); !may)
+        return tl::unexpected(may.error());
     const bool stores = request.kind == LssRequest::Kind::store;
     const EncoderSession *encoder =
         stores && device.place() ? bus.bus().encoder(device.place()->node) : nullptr;

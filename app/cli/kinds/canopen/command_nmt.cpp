@@ -143,6 +143,8 @@ Checked<Answer> command(const Call &call, CanopenAccess &bus, const CommandRow &
             consent(call, question, CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes."));
         !agreed)
         return tl::unexpected(agreed.error());
+    if (const auto may = bus.listenAgain(); !may)
+        return tl::unexpected(may.error());
     const Watched before = watched(bus, node);
     const auto fate = bus.send(canopen::NmtRequest{row.command, node}.frame());
     if (!fate)

@@ -113,13 +113,15 @@ Checked<void> allowToStore(const Call &call, const NodeMeant &where)
 
 // What became of it, by what is read back. A command to store or restore gives another value when it is read.
 void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::vector<std::uint8_t> &octets,
-                 const canopen::SdoOutcome &outcome, Answer &answer)
+                 const canopen::SdoOutcome &before, const canopen::SdoOutcome &outcome, Answer &answer)
 {
     const bool mayBeWritten = outcome.kind == Kind::written || outcome.kind == Kind::noAnswer;
     const bool isReadBack = mayBeWritten && !isCounted(what.object);
     const auto after = isReadBack ? readObject(where, what.object) : Checked<canopen::SdoOutcome>();
     const bool isKnown = isReadBack && after && after->kind == Kind::read;
-    const bool isThere = isKnown && std::ranges::equal(after->value, octets);
+    const bool wasThere = before.kind == Kind::read && std::ranges::equal(before.value, octets);
+    const bool tells = outcome.kind == Kind::written || !wasThere; // otherwise it is the value of before
+    const bool isThere = isKnown && tells && std::ranges::equal(after->value, octets);
     const auto told = [&](const QString &fate, const QString &text) {
         answer.json.insert(QStringLiteral("fate"), fate);
         answer.text += text + u'\n';
@@ -131,14 +133,19 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
         return told(QStringLiteral("readBack"), CommandLine::tr("Written, and read back."));
     if (outcome.kind == Kind::written && !isKnown)
         return told(QStringLiteral("accepted"), CommandLine::tr("Accepted, not read back."));
-    if (outcome.kind == Kind::written)
-        return told(QStringLiteral("other"),
-                    sentence(CommandLine::tr("Accepted, but another value is read back: %1."),
-                             {objectValueText(what, after->value, after->isSizeTold)}));
+    const bool isAsBefore = isKnown && before.kind == Kind::read && before.value == after->value;
+    if (outcome.kind == Kind::written || (isKnown && !isAsBefore)) {
+        answer.json.insert(QStringLiteral("fate"), QStringLiteral("other"));
+        answer.complaint = {ExitCode::refused, QStringLiteral("otherReadBack"),
+                            sentence(CommandLine::tr("Another value is read back: %1."),
+                                     {objectValueText(what, after->value, after->isSizeTold)})};
+        return;
+    }
     const QString object = what.object.text();
-    answer.json.insert(QStringLiteral("fate"), isKnown        ? QStringLiteral("refused")
-                                               : mayBeWritten ? QStringLiteral("unknown")
-                                                              : QStringLiteral("notSent"));
+    answer.json.insert(QStringLiteral("fate"), outcome.kind == Kind::notSent   ? QStringLiteral("notSent")
+                                               : outcome.kind == Kind::aborted ? QStringLiteral("refused")
+                                               : isKnown && tells              ? QStringLiteral("notDone")
+                                                                               : QStringLiteral("unknown"));
     if (outcome.kind != Kind::noAnswer)
         answer.complaint = aboutOutcome(where, what, outcome);
     else if (isCounted(what.object))
@@ -147,7 +154,7 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
     else
         answer.complaint = where.bus->complaint(
             {RefusalKind::device,
-             isKnown ? CanopenRefusalId::sdoWriteNotDone : CanopenRefusalId::sdoWriteUnknown,
+             isKnown && tells ? CanopenRefusalId::sdoWriteNotDone : CanopenRefusalId::sdoWriteUnknown,
              {object}});
 }
 
@@ -170,6 +177,8 @@ Checked<Answer> runOdWrite(const Call &call, const NodeMeant &where, const Objec
         return tl::unexpected(octets.error());
     if (const auto agreed = askToWriteObject(call, where, what, *octets, *before); !agreed)
         return tl::unexpected(agreed.error());
+    if (const auto may = where.bus->listenAgain(); !may)
+        return tl::unexpected(may.error());
     if (isCounted(what.object))
         if (const auto may = allowToStore(call, where); !may)
             return tl::unexpected(may.error());
@@ -186,7 +195,7 @@ Checked<Answer> runOdWrite(const Call &call, const NodeMeant &where, const Objec
                        before->kind == Kind::read
                            ? objectValueJson(what, before->value, before->isSizeTold)[u"value"]
                            : QJsonValue());
-    tellWritten(where, what, *octets, *outcome, answer);
+    tellWritten(where, what, *octets, *before, *outcome, answer);
     return answer;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_runner_private.h"
 #include "kinds/canopen/protocol/canopen_address.h"
 #include "vocabulary/port_text.h"
@@ -161,7 +162,7 @@ void CanopenRunner::slept(std::chrono::milliseconds duration)
     d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});
     d->dropTyped();
     d->endScan(true);
-    d->leaveOff(canopen::SdoOutcome::Kind::noAnswer);
+    d->leaveOff();
     d->state.operate = false;
     d->tap.interrupt();
     d->tellEvent(Slept{duration});
@@ -175,7 +176,9 @@ void CanopenRunner::close()
     d->dropTyped();
     d->endScan(true);
     d->sendLastStops();
-    d->leaveOff(canopen::SdoOutcome::Kind::noAnswer);
+    d->leaveOff();
+    if (d->state.stopsWait)
+        d->tell({.severity = Severity::fault, .id = CanopenBusMessageId::stopsNotSent});
     d->publish();
     d->link.close();
 }

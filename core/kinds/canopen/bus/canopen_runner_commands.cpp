@@ -37,6 +37,7 @@ void CanopenRunner::Private::carryOut(canopen_command::StartJob &c)
         taken = refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
     if (taken)
         taken = its->begin(c.id, c.job, c.pace, link.now());
+    its->mayStopNode(false); // it was agreed to for this one
     if (!taken)
         tellEvent(Event(notTaken(c.id, taken.error(), its->reading().state)), c.device);
     collect(c.device);
@@ -70,13 +71,20 @@ void CanopenRunner::Private::carryOut(canopen_command::SetKnown &c)
 void CanopenRunner::Private::carryOut(canopen_command::MayStopNode &c)
 {
     if (driver(c.device) != nullptr)
-        driver(c.device)->mayStopNode();
+        driver(c.device)->mayStopNode(true);
 }
 
 void CanopenRunner::Private::carryOut(canopen_command::AddNode &c)
 {
     const int number = c.driver->node();
     nodeAt(number).device = drivers.size();
+    if (const auto state = nodeAt(number).watch.state()) { // heard before
+        CanFrame told{.id = canopen::CobId{canopen::CobId::Service::errorControl, number}.identifier(),
+                      .length = 1,
+                      .time = link.now()};
+        told.bytes[0] = static_cast<std::uint8_t>(*state);
+        c.driver->take(told, link.now());
+    }
     drivers.push_back(std::move(c.driver));
     settle(number);
 }
@@ -121,7 +129,7 @@ void CanopenRunner::Private::carryOut(canopen_command::SetOperate &c)
     if (!c.on) {
         dropTyped();
         endScan(true);
-        leaveOff(canopen::SdoOutcome::Kind::notSent);
+        leaveOff();
     }
     state.operate = c.on;
     useAsWanted();

@@ -10,6 +10,7 @@ namespace codewheel {
 namespace {
 
 constexpr std::chrono::seconds untilOpenedAgain{1}; // of a link that is gone
+constexpr int mostInterruptions = 20;               // of its opening
 constexpr Instant forLastStops = std::chrono::milliseconds(100);
 
 bool isAboutWatching(const Refusal &why)
@@ -19,12 +20,18 @@ bool isAboutWatching(const Refusal &why)
 
 } // namespace
 
-bool CanopenRunner::Private::reopen(CanUse wanted)
+// Each command that is posted meanwhile interrupts it.
+Result<void> CanopenRunner::Private::openLink(CanUse wanted)
 {
     auto opened = link.open(wanted);
-    // A command that was posted before interrupts it once.
-    if (!opened && opened.error().kind == RefusalKind::stopped)
+    for (int i = 0; i < mostInterruptions && !opened && opened.error().kind == RefusalKind::stopped; ++i)
         opened = link.open(wanted);
+    return opened;
+}
+
+bool CanopenRunner::Private::reopen(CanUse wanted)
+{
+    const auto opened = openLink(wanted);
     if (!opened) {
         linkIsGone(opened.error());
         return false;
@@ -64,18 +71,13 @@ void CanopenRunner::Private::linkIsGone(const Refusal &why)
     tell({.severity = Severity::fault, .refusal = why});
     if (isAboutWatching(why))
         tellEvent(WatchNotSure{why});
-    for (const Outgoing &sent : underWay)
-        if (sent.by == Outgoing::By::alarmStop)
-            stops.insert(sent.node);
-    if (waiting && waiting->by == Outgoing::By::alarmStop)
-        stops.insert(waiting->node);
-    if (!stops.empty())
+    keepStops();
+    if (state.stopsWait)
         tell({.severity = Severity::fault, .id = CanopenBusMessageId::stopsNotSent});
-    state.stopsWait = !stops.empty();
     stopJobs(why);
     state.operate = false;
     dropTyped();
-    leaveOff(canopen::SdoOutcome::Kind::noAnswer);
+    leaveOff();
     endScan(true);
     for (std::size_t device = 0; device < drivers.size(); ++device)
         if (driver(device)) {
@@ -92,9 +94,21 @@ void CanopenRunner::Private::linkIsGone(const Refusal &why)
     publish();
 }
 
-// What was sent may have been carried out, though nobody will see its answer.
-void CanopenRunner::Private::leaveOff(canopen::SdoOutcome::Kind how)
+// A node that is stopped twice is stopped.
+void CanopenRunner::Private::keepStops()
 {
+    for (const Outgoing &sent : underWay)
+        if (sent.by == Outgoing::By::alarmStop)
+            stops.insert(sent.node);
+    if (waiting && waiting->by == Outgoing::By::alarmStop)
+        stops.insert(waiting->node);
+    state.stopsWait = !stops.empty();
+}
+
+// What was sent may have been carried out, though nobody will see its answer.
+void CanopenRunner::Private::leaveOff()
+{
+    keepStops();
     for (const Outgoing &sent : std::exchange(underWay, {}))
         if (sent.by == Outgoing::By::typed)
             tellEvent(FrameSent{sent.frame, CanFate::notKnown, {}});
@@ -108,7 +122,7 @@ void CanopenRunner::Private::leaveOff(canopen::SdoOutcome::Kind how)
         node->client.takeOutcome();
         node->client.next(link.now()); // nor an abort
         if (node->isTypedUnderWay || node->request)
-            ended(*node, {.kind = how});
+            ended(*node, {.kind = canopen::SdoOutcome::Kind::noAnswer});
         node->dueAt = Instant::max();
         node->answers = true;
         node->typedFrames = 0;
@@ -129,7 +143,7 @@ void CanopenRunner::Private::waitForLink(Instant until)
 void CanopenRunner::Private::tryToReopen()
 {
     reopenAt = link.now() + untilOpenedAgain;
-    const auto opened = link.open(CanUse::watch);
+    const auto opened = openLink(CanUse::watch);
     if (!opened) {
         const bool isNew = notBack != opened.error();
         notBack = opened.error();

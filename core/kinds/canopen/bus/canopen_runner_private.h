@@ -112,11 +112,13 @@ struct CanopenRunner::Private
     void lookAtScan();
 
     // canopen_runner_link.cpp
+    Result<void> openLink(CanUse wanted);
     bool reopen(CanUse wanted); // false: it is gone
     void useAsWanted();
     void sendLastStops(); // before it is closed
     void linkIsGone(const Refusal &why);
-    void leaveOff(canopen::SdoOutcome::Kind how); // transfers under way, which nobody will see the end of
+    void keepStops(); // of an ALARM STOP that may not have gone out
+    void leaveOff();  // transfers under way, which nobody will see the end of
     void waitForLink(Instant until);
     void tryToReopen();
 

@@ -22,7 +22,7 @@ public:
     bool busy() const override { return m_job.has_value(); }
     void setKnown(const std::vector<Known> &known) override { m_encoder.values.set(known); }
     Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) override;
-    void mayStopNode() override { m_mayStop = true; }
+    void mayStopNode(bool may) override { m_mayStop = may; }
     void proceed() override;
     void cancel(OnCancel how, Instant now) override;
     void stop(const Refusal &why, Instant now) override;

@@ -34,7 +34,7 @@ public:
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) = 0;
     // The user agrees that the next job stops the node, where it takes something only then, and starts it
     // again.
-    virtual void mayStopNode() = 0;
+    virtual void mayStopNode(bool may) = 0;
     virtual void proceed() = 0;
     virtual void cancel(OnCancel how, Instant now) = 0;
     // Ends the job at once. A request under way is answered to answered() all the same, or never if the bus

@@ -68,13 +68,14 @@ private:
     bool isPositionStep(const NodeStep &step) const override { return step.task == Task::preset; }
     void leaveOffAt(Instant now) override;
     void goOnAfterCancel();
-    static void noteDoubt(const NodeStep &step, InDoubt &doubt);
+    void noteDoubt(const NodeStep &step, InDoubt &doubt) const;
 
     NodeEncoder &m_encoder;
     const bool m_mayStop;
     bool m_isUnderWay = false;            // the request of the step
     bool m_isCompared = false;            // what is there already was left out
     bool m_startsAgain = false;           // the node was operational
+    bool m_hasStopped = false;            // it, for a write that it refused while it ran
     Instant m_begunAt{};                  // the step
     Value m_whole = 0;                    // of the object whose bits are written
     std::optional<NodeStep> m_unanswered; // the write whose outcome is not known yet

@@ -24,7 +24,9 @@ void NodeJob::answered(const SdoOutcome &outcome, Instant now)
     if (isDone())
         return;
     const NodeStep &step = m_steps.current();
-    if (outcome.kind == Answer::notSent)
+    if (outcome.kind == Answer::notSent && m_unanswered)
+        failAsUnknown(); // it was to be read back
+    else if (outcome.kind == Answer::notSent)
         fail({RefusalKind::link,
               CanopenRefusalId::sdoNotSent,
               {step.task == Task::nmt ? QStringLiteral("NMT") : step.object.text(),

@@ -53,7 +53,7 @@ void NodeJob::goOnAfterCancel()
         m_steps.append({NodePlan::store()});
 }
 
-void NodeJob::noteDoubt(const NodeStep &step, InDoubt &doubt)
+void NodeJob::noteDoubt(const NodeStep &step, InDoubt &doubt) const
 {
     switch (step.task) {
     case Task::write:
@@ -61,6 +61,7 @@ void NodeJob::noteDoubt(const NodeStep &step, InDoubt &doubt)
         break;
     case Task::preset:
         doubt.position = true;
+        doubt.eepromWrites += m_encoder.device.capabilities.presetIsStored ? 1 : 0;
         break;
     case Task::store:
         ++doubt.eepromWrites;

@@ -115,14 +115,14 @@ void NodeJob::aborted(const SdoOutcome &outcome)
 bool NodeJob::stopsForIt(const SdoOutcome &outcome)
 {
     constexpr std::uint32_t wrongStateCode = 0x0800'0022;
-    const bool mayRun = m_encoder.state().value_or(NmtState::operational) == NmtState::operational;
-    if (outcome.abortCode != wrongStateCode || !mayRun)
+    const bool runs = m_encoder.state() == NmtState::operational;
+    if (outcome.abortCode != wrongStateCode || !runs || m_hasStopped) // once: somebody else has started it
         return false;
     if (!m_mayStop) {
         fail({RefusalKind::busy, CanopenRefusalId::nodeWouldStop, {std::int64_t{m_encoder.node}}});
         return true;
     }
-    m_startsAgain = true;
+    m_startsAgain = m_hasStopped = true;
     m_steps.begun = false;
     m_steps.all.insert(m_steps.rest(), NodePlan::nmt(NmtCommand::preOperational));
     return true;

@@ -77,7 +77,7 @@ TEST(CliOd, WhatTheEncoderRefusesIsToldWithItsReason)
     EXPECT_THAT(missing.err, HasSubstr("06020000h"));
     const CliRun readOnly = bus.runLine(QStringLiteral("od can:6 write 6004=1 --yes --json"));
     EXPECT_EQ(readOnly.exit, 1);
-    EXPECT_EQ(readOnly.json()[u"fate"], QStringLiteral("notSent"));
+    EXPECT_EQ(readOnly.json()[u"fate"], QStringLiteral("refused"));
 }
 
 TEST(CliOd, ANodeThatIsSilentIsToldSo)

@@ -176,6 +176,23 @@ TEST_F(CanopenBusFaults, AnAlarmStopBehindAFullQueueWaits)
     EXPECT_EQ(stateOf(1), NmtState::stopped);
 }
 
+TEST_F(CanopenBusFaults, AnAlarmStopBehindAFullQueueIsSentAfterTheSwitchToWatch)
+{
+    operate();
+    bus->send(test::canFrame(0, {1, 6}));
+    bus->advance(100ms);
+    link->isFull = true;
+    bus->alarmStop();
+    bus->advance(50ms);
+    bus->setOperate(false);
+    bus->advance(50ms);
+    EXPECT_TRUE(bus->waitsForZeros());
+    link->isFull = false;
+    bus->advance(200ms);
+    EXPECT_FALSE(bus->waitsForZeros());
+    EXPECT_EQ(stateOf(1), NmtState::stopped);
+}
+
 TEST_F(CanopenBusFaults, AnAlarmStopBeforeClosingIsSent)
 {
     operate();

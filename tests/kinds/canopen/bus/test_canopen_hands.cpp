@@ -127,6 +127,19 @@ TEST_F(CanopenByHand, ATransferThatTheLinkBreaksIsNotKnown)
     EXPECT_EQ(bus->state(), BusState::lost);
 }
 
+// It is on the bus.
+TEST_F(CanopenByHand, ATransferThatWatchBreaksIsNotKnown)
+{
+    operate();
+    hear();
+    bus->transfer({.node = 100, .object = {0x1010, 1}, .value = std::vector<std::uint8_t>{1}, .timeOut = 5s});
+    bus->advance(300ms);
+    bus->setOperate(false);
+    bus->advance(100ms);
+    ASSERT_EQ(transfers.size(), 1U);
+    EXPECT_EQ(transfers.front().outcome.kind, SdoOutcome::Kind::noAnswer);
+}
+
 TEST_F(CanopenByHand, NodesAreSearchedFor)
 {
     operate();

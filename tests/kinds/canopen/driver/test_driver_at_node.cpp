@@ -154,7 +154,7 @@ TEST_F(DriverAtNode, ANodeThatTakesValuesOnlyBeforeItRunsIsStoppedWithConsent)
     EXPECT_TRUE(finish(nmtJob(NmtCommand::start)).result);
     EXPECT_FALSE(finish(WriteParameters{.values = values, .previous = {}}).result);
     EXPECT_EQ(outcome->result.error().id, CanopenRefusalId::nodeWouldStop);
-    driver.mayStopNode();
+    driver.mayStopNode(true);
     EXPECT_TRUE(finish(WriteParameters{.values = values, .previous = {}}).result);
     EXPECT_EQ(node->state(), NmtState::operational);
     EXPECT_EQ(outcome->written.size(), values.size());

@@ -152,6 +152,18 @@ TEST_F(NodeJobs, AWriteWithoutAnAnswerThatCannotBeReadIsInDoubt)
     EXPECT_FALSE(bench.value(Parameter::steps));
 }
 
+TEST_F(NodeJobs, AWriteThatCouldNotBeReadBackIsInDoubt)
+{
+    bench.next("6001:0 A0 0F 00 00", DriverBench::Fate::unanswered);
+    ASSERT_TRUE(bench.begin(writing({{Parameter::steps, 4000}})));
+    while (bench.log.empty() || bench.log.back() != "6001:0 A0 0F 00 00")
+        bench.step();
+    bench.next("6001:0", DriverBench::Fate::notSent);
+    const Outcome &outcome = bench.finish();
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoWriteUnknown);
+    EXPECT_EQ(outcome.inDoubt.values, (ParameterValues{{Parameter::steps, 4000}}));
+}
+
 TEST_F(NodeJobs, WhatCouldNotBeSentChangesNothing)
 {
     bench.next("6001:0 A0 0F 00 00", DriverBench::Fate::notSent);
@@ -230,7 +242,7 @@ TEST_F(NodeJobs, ARunningNodeIsNotStoppedUnasked)
     EXPECT_EQ(bench.jobLog(), (Rows{"6001:0 A0 0F 00 00"})) << "nothing is sent";
 
     bench.log.clear();
-    bench.driver.mayStopNode();
+    bench.driver.mayStopNode(true);
     EXPECT_TRUE(bench.finish(job).result);
     const Rows rows = bench.jobLog();
     EXPECT_EQ((Rows{rows.begin(), rows.begin() + 3}),
@@ -244,7 +256,7 @@ TEST_F(NodeJobs, ANodeThatWasStoppedForAJobIsStartedAgainEvenIfItFails)
     bench.refusesWhileRunning = bench.isRunning = true;
     bench.hear(0x705, {0x05});
     bench.next("6001:0", DriverBench::Fate::lost); // the read back
-    bench.driver.mayStopNode();
+    bench.driver.mayStopNode(true);
     EXPECT_FALSE(bench.finish(writing({{Parameter::steps, 4000}})).result);
     EXPECT_EQ(bench.jobLog().back(), "NMT 01");
 }
