@@ -4259,6 +4259,14 @@
         <source>The CAN bus is not open. Connect it first.</source>
         <translation>Der CAN-Bus ist nicht offen. Verbinden Sie ihn zuerst.</translation>
     </message>
+    <message>
+        <source>Node %1 has started anew during the job: what was written and not stored is lost. Read it, then write it again.</source>
+        <translation>Knoten %1 ist während des Auftrags neu gestartet: Was geschrieben und nicht gespeichert war, ist verloren. Lesen, dann noch einmal schreiben.</translation>
+    </message>
+    <message>
+        <source>The encoder has accepted the preset, and still shows %2 instead of %1. Read it again before anything relies on it.</source>
+        <translation>Der Drehgeber hat den Preset angenommen und zeigt noch immer %2 statt %1. Noch einmal lesen, bevor sich etwas darauf verlässt.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>

@@ -10,7 +10,7 @@ inline constexpr std::array plainColumns{TrafficColumn::time,      TrafficColumn
                                          TrafficColumn::direction, TrafficColumn::bytes,
                                          TrafficColumn::meaning,   TrafficColumn::remark};
 
-// What a line says, to the encoder or from it: "Filter := -5, Node name := Hoist"; empty: it is none.
+// What a line says, to the encoder or from it: "Filter := -5, Device name := Hoist"; empty: it is none.
 QString plainMeaning(const DeviceDescription &device, const QByteArray &line);
 
 std::unique_ptr<RecordedRows> makePlainRows();

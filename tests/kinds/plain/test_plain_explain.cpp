@@ -26,7 +26,7 @@ CliRun explainPlain(const QString &line, const QStringList &options = {})
 TEST(PlainExplain, TellsALineAsItsKindDoes)
 {
     EXPECT_EQ(explainPlain(QStringLiteral("set 2000:1=-5 1008=Gate%201")).out,
-              "set 2000:1=-5 1008=Gate%201, Plain P1\n  Filter := -5, Node name := Gate 1\n");
+              "set 2000:1=-5 1008=Gate%201, Plain P1\n  Filter := -5, Device name := Gate 1\n");
     EXPECT_THAT(explainPlain(QStringLiteral("2000:1=-5")).out, HasSubstr("Filter = -5\n"));
     EXPECT_THAT(explainPlain(QStringLiteral("keep")).out, HasSubstr("what is in force is stored\n"));
 }

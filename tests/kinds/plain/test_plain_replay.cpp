@@ -25,7 +25,7 @@ protected:
 TEST_F(PlainReplay, ItsRowsHaveTheColumnsAndTheMeaningsOfTheirKind)
 {
     ASSERT_TRUE(recording.rows.contains(QStringLiteral("sent set 2000:1=-5 1008=Hoist%202: "
-                                                       "Filter := -5, Node name := Hoist 2")))
+                                                       "Filter := -5, Device name := Hoist 2")))
         << recording.rows.join(u'\n').toStdString();
     QStringList rows;
     QObject::connect(&bus, &EncoderBus::trafficPassed, &bus, [&](const TrafficRow &row) {

@@ -61,8 +61,8 @@ TEST_F(PlainBusInWindow, ItsValuesAreTypedReviewedAndWritten)
     EXPECT_EQ(node.inForce("2000:1"), "-5");
     EXPECT_EQ(node.inForce("1008"), "Hoist%202");
     EXPECT_EQ(node.writes(), 1);
-    EXPECT_TRUE(says(panel(), QStringLiteral("Filter, Node name")) ||
-                says(panel(), QStringLiteral("Node name, Filter")));
+    EXPECT_TRUE(says(panel(), QStringLiteral("Filter, Device name")) ||
+                says(panel(), QStringLiteral("Device name, Filter")));
     panel().showParameter(test::plainFilter());
     const QModelIndex known =
         panel().findChild<ParameterTable *>()->currentIndex().siblingAtColumn(ParameterModel::knownColumn);
@@ -110,7 +110,7 @@ TEST_F(PlainBusInWindow, ItsRecordingIsShownAsItWas)
         cells << rows.index(0, column).data().toString();
     }
     EXPECT_EQ(titles.join(u'|'), QStringLiteral("\u2195|Hex|Meaning|Remark"));
-    EXPECT_TRUE(cells.join(u'|').endsWith(QStringLiteral("|Filter := -5, Node name := Hoist 2|")))
+    EXPECT_TRUE(cells.join(u'|').endsWith(QStringLiteral("|Filter := -5, Device name := Hoist 2|")))
         << cells.join(u'|').toStdString();
 }
 

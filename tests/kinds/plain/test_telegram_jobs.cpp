@@ -83,7 +83,7 @@ TEST_F(TelegramJobs, AReviewShowsWhatGoesAlongAndThatItCostsNothing)
     for (const WriteRow &row : plan.rows)
         EXPECT_EQ(row.isInStepOfOthers(), row.wanted.parameter != plainFilter());
     EXPECT_EQ(plan.rows.front().wanted, (ParameterValue{Parameter::steps, 4'096}));
-    EXPECT_THAT(howItIsWritten(plan).join(u' ').toStdString(), HasSubstr("steps, direction, Node name"));
+    EXPECT_THAT(howItIsWritten(plan).join(u' ').toStdString(), HasSubstr("steps, direction, Device name"));
     EXPECT_EQ(eepromWritesOf(plan.steps, encoder.device()), 0);
     EXPECT_EQ(mostEepromWrites(encoder, plan.job), 0);
     EXPECT_TRUE(node.heard().empty());

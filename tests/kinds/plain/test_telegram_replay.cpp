@@ -30,7 +30,7 @@ TEST_F(TelegramReplay, ShowsItsLinesPositionsAndValues)
     EXPECT_TRUE(recording.rows.contains(QStringLiteral("answer none: it has no values yet")));
     const QString given =
         QStringLiteral("sent all steps=4096 direction=0 2000:1=-5 1008=Hoist%202: "
-                       "Steps := 4096, Direction := 0 (CW), Filter := -5, Node name := Hoist "
+                       "Steps := 4096, Direction := 0 (CW), Filter := -5, Device name := Hoist "
                        "2");
     EXPECT_TRUE(recording.rows.contains(given))
         << recording.rows.filter(QStringLiteral("all ")).join(u'\n').toStdString();

@@ -297,6 +297,8 @@ void Cia406Driver::take(const CanFrame &frame, Instant now)
     if (m_encoder.bootedAt != booted) {
         getToKnow();
         m_unanswered = 0;
+        if (m_job)
+            m_job->nodeHasBooted();
         if (!mayBeSilent())
             m_encoder.tell(now, Severity::attention, CanopenMessageId::nodeBooted);
     }

@@ -101,6 +101,8 @@ void NodeJob::settle()
         leaveOutWhatIsThere();
         leaveOutCamsThatAreThere();
     }
+    if (std::exchange(m_hasBooted, false))
+        endAtRestart();
     if (hasLeftOffNow())
         goOnAfterCancel();
     if (m_steps.atEnd() && std::exchange(m_startsAgain, false))
@@ -111,6 +113,35 @@ void NodeJob::settle()
     if (hasNothing && job<ReadParameters>() != nullptr)
         m_failure = m_missing;
     finish(result());
+}
+
+void NodeJob::nodeHasBooted()
+{
+    const auto written = [](const NodeStep &step) {
+        return changesSomething(step) && step.task != Task::nmt;
+    };
+    const bool isWriting = m_isUnderWay && written(m_steps.current());
+    m_hasBooted = !mayBeSilent() && (isWriting || std::ranges::any_of(m_steps.done(), written));
+}
+
+// What was written since it was last stored may be lost, or there all the same.
+void NodeJob::endAtRestart()
+{
+    InDoubt &doubt = m_account.outcome.inDoubt;
+    if (m_unanswered)
+        noteDoubt(*m_unanswered, doubt);
+    const auto done = m_steps.done();
+    const auto stored = std::ranges::find(done.rbegin(), done.rend(), Task::store, &NodeStep::task);
+    for (auto step = stored.base(); step != done.end(); ++step) {
+        for (const ParameterValue &value : step->task == Task::write ? step->values : ParameterValues()) {
+            m_account.notWritten(value.parameter);
+            replaceValue(doubt.values, value);
+        }
+        doubt.position = doubt.position || step->task == Task::preset;
+        if (step->task == Task::writeCam)
+            doubt.camPrograms = {1};
+    }
+    fail({RefusalKind::device, CanopenRefusalId::nodeRestarted, {std::int64_t{m_encoder.node}}});
 }
 
 // What is in force already, and perhaps not stored, is stored with the rest.

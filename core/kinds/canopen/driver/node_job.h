@@ -24,6 +24,8 @@ public:
     void stop(const Refusal &why);
     // It stores or restores, or the node was reset.
     bool mayBeSilent() const;
+    // Seen on the bus.
+    void nodeHasBooted();
 
 private:
     using Task = NodeStep::Task;
@@ -60,6 +62,8 @@ private:
     void notAnswered();
     void readBack(const SdoOutcome &outcome, Instant now);
     void judgePreset();
+    void checkPreset();
+    void endAtRestart();
     void failAsUnknown();
 
     // node_job_cancel.cpp
@@ -73,6 +77,7 @@ private:
     NodeEncoder &m_encoder;
     const bool m_mayStop;
     bool m_isUnderWay = false;            // the request of the step
+    bool m_hasBooted = false;             // the node, though nothing in the job asked for it
     bool m_isCompared = false;            // what is there already was left out
     bool m_startsAgain = false;           // the node was operational
     bool m_hasStopped = false;            // it, for a write that it refused while it ran

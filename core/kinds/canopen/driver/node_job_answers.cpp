@@ -87,6 +87,8 @@ void NodeJob::notePosition(const NodeStep &step)
         outcome.positionAfter = m_encoder.reading.position;
         if (m_unanswered)
             judgePreset();
+        else
+            checkPreset();
     } else if (!outcome.positionBefore) // when restoring, it was read before the first write
         outcome.positionBefore = m_encoder.reading.position;
 }

@@ -9,6 +9,16 @@
 #include <utility>
 
 namespace codewheel::canopen {
+namespace {
+
+// Of a shaft at rest.
+bool isNear(std::int64_t position, std::int64_t other)
+{
+    constexpr int turned = 2; // steps
+    return std::abs(std::int64_t{static_cast<std::int32_t>(position - other)}) <= turned;
+}
+
+} // namespace
 
 void NodeJob::writeAnswered(const SdoOutcome &outcome, Instant now)
 {
@@ -196,6 +206,19 @@ void NodeJob::readBack(const SdoOutcome &outcome, Instant now)
     m_steps.goOn();
 }
 
+// It was accepted; a position that stays where it was says otherwise.
+void NodeJob::checkPreset()
+{
+    const Outcome &outcome = m_account.outcome;
+    const auto done = m_steps.done();
+    const auto preset = std::ranges::find(done, Task::preset, &NodeStep::task);
+    if (preset == done.end() || !outcome.positionBefore || !outcome.positionAfter)
+        return;
+    const std::int64_t wanted{static_cast<std::int32_t>(preset->number)};
+    if (isNear(*outcome.positionAfter, *outcome.positionBefore) && !isNear(*outcome.positionAfter, wanted))
+        fail({RefusalKind::device, CanopenRefusalId::presetNotInForce, {wanted, *outcome.positionAfter}});
+}
+
 // Where the value was another before, it tells; otherwise the position of a shaft at rest does, unless it
 // fits both.
 void NodeJob::judgePreset()
@@ -213,13 +236,8 @@ void NodeJob::judgePreset()
         else if (*has == *m_presetBefore)
             isDone = false;
     } else if (outcome.positionBefore && outcome.positionAfter) {
-        constexpr int turned = 2; // steps, of a shaft at rest
-        const auto isNear = [&](std::int64_t position) {
-            return std::abs(std::int64_t{static_cast<std::int32_t>(*outcome.positionAfter - position)}) <=
-                   turned;
-        };
-        const bool isNearWanted = isNear(wanted);
-        const bool isNearBefore = isNear(*outcome.positionBefore);
+        const bool isNearWanted = isNear(*outcome.positionAfter, wanted);
+        const bool isNearBefore = isNear(*outcome.positionAfter, *outcome.positionBefore);
         if (isNearWanted != isNearBefore)
             isDone = isNearWanted;
     }

@@ -47,6 +47,14 @@ constexpr std::array canopenRefusalRows{
                 QT_TRANSLATE_NOOP("Refusal",
                                   "Node %1 did not report within %2 s after its reset. It may have another "
                                   "number or another rate now: search the bus for it.")},
+    SentenceRow{CanopenRefusalId::nodeRestarted, "nodeRestarted",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Node %1 has started anew during the job: what was written and not stored "
+                                  "is lost. Read it, then write it again.")},
+    SentenceRow{CanopenRefusalId::presetNotInForce, "presetNotInForce",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "The encoder has accepted the preset, and still shows %2 instead of %1. "
+                                  "Read it again before anything relies on it.")},
     SentenceRow{CanopenRefusalId::makeDiffers, "makeDiffers",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1 is an object of the maker, and the encoder is of another make (vendor "

@@ -16,6 +16,8 @@ enum class CanopenRefusalId : std::uint8_t {
     storingUnknown,    // node: no answer to the command that stores
     nodeWouldStop,     // node: it is running, and what is wanted stops it
     notBackAfterReset, // node, seconds
+    nodeRestarted,     // node: during a job
+    presetNotInForce,  // position wanted, position shown
     makeDiffers,       // object, Word vendor number of the description, Word vendor number of the device
 };
 extern const RefusalFamily canopenRefusals;

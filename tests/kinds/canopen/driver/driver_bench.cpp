@@ -123,7 +123,7 @@ SdoOutcome DriverBench::execute(const SdoRequest &request, const std::string &ob
         return {.kind = Kind::aborted, .abortCode = 0x0800'0022};
     if (!object.starts_with("101"))
         found->second = *request.value;
-    if (object == "6003:0")
+    if (object == "6003:0" && !ignoresPresets)
         has["6004:0"] = *request.value;
     if (object == "6000:0")
         has["6500:0"] = *request.value;

@@ -33,6 +33,7 @@ public:
     std::map<std::string, std::uint32_t> refuses; // writes of these, with this abort code
     bool refusesWhileRunning = false;             // 08000022h
     bool isRunning = false;
+    bool ignoresPresets = false; // accepts them
     bool bootsAfterReset = true;
 
     // The next request with this text meets this fate.

@@ -164,6 +164,28 @@ TEST_F(NodeJobs, AWriteThatCouldNotBeReadBackIsInDoubt)
     EXPECT_EQ(outcome.inDoubt.values, (ParameterValues{{Parameter::steps, 4000}}));
 }
 
+TEST_F(NodeJobs, ANodeThatStartsAnewLosesWhatWasWritten)
+{
+    ASSERT_TRUE(bench.begin(writing({{Parameter::steps, 4000}})));
+    while (bench.log.empty() || bench.log.back() != "6001:0 A0 0F 00 00")
+        bench.step();
+    bench.hear(0x705, {0x00});
+    const Outcome &outcome = bench.finish();
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::nodeRestarted);
+    EXPECT_TRUE(outcome.written.empty());
+    EXPECT_EQ(outcome.inDoubt.values, (ParameterValues{{Parameter::steps, 4000}}));
+    EXPECT_EQ(bench.jobLog().back(), "6001:0 A0 0F 00 00") << "nothing is stored";
+}
+
+TEST_F(NodeJobs, APresetThatDoesNotShowIsNotDoneAndNotStored)
+{
+    bench.ignoresPresets = true;
+    EXPECT_FALSE(bench.finish(SetPreset{.value = 100}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::presetNotInForce);
+    for (const std::string &row : bench.jobLog())
+        EXPECT_FALSE(row.starts_with("1010:1")) << row;
+}
+
 TEST_F(NodeJobs, WhatCouldNotBeSentChangesNothing)
 {
     bench.next("6001:0 A0 0F 00 00", DriverBench::Fate::notSent);
