@@ -78,11 +78,11 @@ void CanopenRunner::Private::carryOut(canopen_command::AddNode &c)
 {
     const int number = c.driver->node();
     nodeAt(number).device = drivers.size();
-    if (const auto state = nodeAt(number).watch.state()) { // heard before
+    if (const auto heard = nodeAt(number).watch.state()) { // before
         CanFrame told{.id = canopen::CobId{canopen::CobId::Service::errorControl, number}.identifier(),
                       .length = 1,
                       .time = link.now()};
-        told.bytes[0] = static_cast<std::uint8_t>(*state);
+        told.bytes[0] = static_cast<std::uint8_t>(*heard);
         c.driver->take(told, link.now());
     }
     drivers.push_back(std::move(c.driver));
