@@ -64,7 +64,7 @@ TEST_F(TelegramReplay, AReportCountsNoWrites)
     setDevicesOn(input.project, test::plainId, std::move(devices));
     addConnected(input, buses);
     const std::string text = reportAsText(makeReport(input, catalog)).toStdString();
-    EXPECT_THAT(text, HasSubstr("Filter         -5      -5         confirmed, not stored"));
+    EXPECT_THAT(text, HasSubstr("Filter           -5      -5         confirmed, not stored"));
     EXPECT_THAT(text, HasSubstr("n:4                0         this connection only"));
 }
 
