@@ -41,7 +41,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_link_options(codewheel_options INTERFACE -Wl,-z,relro,-z,now)
     # What nobody calls is left out; relocations take a tenth of the room (glibc 2.36, binutils 2.38).
     target_compile_options(codewheel_options INTERFACE -ffunction-sections -fdata-sections)
-    target_link_options(codewheel_options INTERFACE -Wl,--gc-sections)
+    target_link_options(codewheel_options INTERFACE -Wl,--gc-sections -Wl,--as-needed)
     include(CheckLinkerFlag)
     check_linker_flag(CXX -Wl,-z,pack-relative-relocs CODEWHEEL_HAS_RELR)
     if(CODEWHEEL_HAS_RELR)
