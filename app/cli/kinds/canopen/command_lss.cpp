@@ -121,6 +121,7 @@ public:
     const NodeIdentity &identity() const { return m_identity; }
     std::optional<int> node() const { return m_node; } // empty: it has none
     std::optional<Place> place() const { return m_place; }
+    int numberOnBus() const { return m_of != 0 ? m_of : m_node.value_or(0); } // 0: it has none
     QString text() const;
     QJsonObject json() const;
 
@@ -135,6 +136,7 @@ private:
     NodeIdentity m_identity{};
     std::optional<int> m_node{};
     std::optional<Place> m_place{}; // given
+    int m_of = 0;                   // likewise
 };
 
 Checked<void> SelectedDevice::select()
@@ -182,6 +184,7 @@ Checked<LssOutcome> SelectedDevice::selectNode(const QString &typed)
     if (!where)
         return tl::unexpected(where.error());
     m_place = where->place;
+    m_of = where->node();
     return identityAt(*where).and_then([this](const NodeIdentity &identity) {
         m_wanted = identity;
         return ask({.kind = LssRequest::Kind::select, .identity = identity});
@@ -266,7 +269,10 @@ Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssReques
     if (encoder != nullptr)
         if (const auto may = eepromConsent(call, *encoder, 1, AsksAnyway::yes); !may)
             return tl::unexpected(may.error());
-    const auto outcome = device.ask(request);
+    LssRequest asked = request;
+    if (stores)
+        asked.number = device.numberOnBus();
+    const auto outcome = device.ask(asked);
     if (!outcome)
         return tl::unexpected(outcome.error());
     Answer answer{.json = {{QStringLiteral("device"), device.json()}}};

@@ -212,7 +212,10 @@ void CanopenRunner::Private::learn(Node &node, const canopen::SdoRequest &reques
     if (!isPdoIdentifier(request.object) || (number & pdoIsOff) != 0)
         return;
     const std::uint32_t identifier = number & identifierBits;
-    if (const auto cob = canopen::CobId::of(identifier); !cob || cob->node != request.node)
+    const auto cob = canopen::CobId::of(identifier);
+    if (cob && cob->node == 0) // NMT and SYNC are no PDOs, whatever it says
+        return;
+    if (!cob || cob->node != request.node)
         node.otherIdentifier = identifier;
     if (node.device)
         listeners[identifier].insert(*node.device);

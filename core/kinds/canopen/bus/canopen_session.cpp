@@ -197,6 +197,8 @@ void CanopenSession::dispatch(const CanopenEvent &event)
                 ended->outcome.kind == Kind::written || ended->outcome.kind == Kind::noAnswer);
     } else if (const auto *lss = std::get_if<Configured>(&event.what)) {
         Q_EMIT configured(*lss);
+        tellEnd(storing(lss->request), lss->outcome.kind == canopen::LssOutcome::Kind::done ||
+                                           lss->outcome.kind == canopen::LssOutcome::Kind::noAnswer);
     } else if (const auto *found = std::get_if<NodesScanned>(&event.what)) {
         Q_EMIT scanned(*found);
     } else if (const auto *unsure = std::get_if<WatchNotSure>(&event.what)) {
@@ -418,6 +420,20 @@ std::optional<TypedWrite> CanopenSession::storing(const CanFrame &frame) const
     const auto request = canopen::SdoFrame::request(frame.data());
     return request ? storing(cob->node, request->object, request->kind == canopen::SdoFrame::Kind::write)
                    : std::nullopt;
+}
+
+// Of a device without a number nobody keeps an account.
+std::optional<TypedWrite> CanopenSession::storing(const canopen::LssRequest &request) const
+{
+    if (request.kind != canopen::LssRequest::Kind::store || request.number == 0)
+        return std::nullopt;
+    return TypedWrite{placeOf(CanopenAddress{request.number}.place()), QByteArrayLiteral("LSS 17h")};
+}
+
+void CanopenSession::configure(const canopen::LssRequest &request)
+{
+    accountFor(storing(request));
+    post(canopen_command::Configure{request});
 }
 
 // Before it is sent.

@@ -85,7 +85,7 @@ public:
     // By hand, in Operate. Each ends with its signal, which says if it was refused.
     void send(const CanFrame &frame);
     void transfer(const canopen::SdoRequest &request);
-    void configure(const canopen::LssRequest &request) { post(canopen_command::Configure{request}); }
+    void configure(const canopen::LssRequest &request);
     void cancelConfiguration() { post(canopen_command::CancelConfigure{}); }
     void scan() { post(canopen_command::Scan{}); } // all numbers are asked
     void cancelScan() { post(canopen_command::CancelScan{}); }
@@ -111,6 +111,7 @@ private:
     std::optional<TypedWrite> storing(int node, const canopen::SdoObject &object, bool isWrite) const;
     std::optional<TypedWrite> storing(const CanFrame &frame) const;
     std::optional<TypedWrite> storing(const canopen::SdoRequest &request) const;
+    std::optional<TypedWrite> storing(const canopen::LssRequest &request) const;
     void post(CanopenCommand command);
     void dispatch(const CanopenEvent &event);
     void linkOpened();

@@ -121,7 +121,8 @@ void NodeJob::nodeHasBooted()
         return changesSomething(step) && step.task != Task::nmt;
     };
     const bool isWriting = m_isUnderWay && written(m_steps.current());
-    m_hasBooted = !mayBeSilent() && (isWriting || std::ranges::any_of(m_steps.done(), written));
+    const bool isExpected = mayBeSilent() || (!m_steps.atEnd() && m_steps.current().task == Task::bootUp);
+    m_hasBooted = !isExpected && (isWriting || std::ranges::any_of(m_steps.done(), written));
 }
 
 // What was written since it was last stored may be lost, or there all the same.

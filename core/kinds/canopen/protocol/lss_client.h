@@ -24,7 +24,7 @@ struct LssRequest
 
     Kind kind = Kind::operateAll;
     NodeIdentity identity{}; // select
-    int number = 0;          // setNode, setRate, activate
+    int number = 0;          // setNode, setRate, activate; store: of the node, for the account of its EEPROM
 
     friend bool operator==(const LssRequest &, const LssRequest &) = default;
 };

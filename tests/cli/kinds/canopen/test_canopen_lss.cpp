@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/kinds/canopen/shared_can_bus.h"
 
+#include <QTemporaryDir>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,8 +57,11 @@ TEST(CliLss, OfANodeItIsSelectedByItsIdentity)
     EXPECT_EQ(rate.exit, 0);
     EXPECT_THAT(rate.out, HasSubstr("has taken the rate"));
     EXPECT_EQ(bus.eepromWritesOf6(), 0U);
-    EXPECT_EQ(bus.runLine(QStringLiteral("lss store --of can:6 --yes")).exit, 0);
+    QTemporaryDir folder;
+    const QString ledger = QStringLiteral(" --ledger ") + folder.filePath(QStringLiteral("ledger"));
+    EXPECT_EQ(bus.runLine(QStringLiteral("lss store --of can:6 --yes") + ledger).exit, 0);
     EXPECT_EQ(bus.eepromWritesOf6(), 1U);
+    EXPECT_THAT(runLine(QStringLiteral("ledger") + ledger).out, HasSubstr("1234340")) << "it is counted";
 }
 
 TEST(CliLss, ForOneAloneNobodyKnowsWhoElseTookPart)
