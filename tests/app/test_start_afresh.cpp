@@ -192,10 +192,7 @@ TEST_F(StartAfresh, NotWhileAJobRuns)
     shown->controls().setFault(TrainingFault::slowConfirmation, fraba.node, 1);
     ASSERT_TRUE(
         bus().encoder(fraba)->start(WriteParameters{.values = {{Parameter::steps, 255}}, .previous = {}}));
-    EXPECT_TRUE(waitFor([&] { return bus().encoder(fraba)->runningJob().has_value(); }));
-    shown->controls().turnTo(fraba.node, 99);
-    EXPECT_TRUE(waitFor([&] { return shaft(fraba).raw == 99; }));
-    EXPECT_FALSE(ringActions().afresh->isEnabled());
+    EXPECT_TRUE(waitFor([&] { return !ringActions().afresh->isEnabled(); }));
     EXPECT_FALSE(afreshButton(panel()).isEnabled());
     EXPECT_TRUE(ringActions().afresh->toolTip().contains(QStringLiteral("job is running at 1.0")))
         << ringActions().afresh->toolTip().toStdString();
