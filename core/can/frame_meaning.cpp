@@ -64,14 +64,14 @@ QString j1939Text(const CanFrame &frame)
 
 } // namespace
 
-QString CanFrameMeanings::next(const CanFrame &frame)
+FrameText CanFrameMeanings::next(const CanFrame &frame)
 {
     if (frame.isError)
-        return errorText(frame);
+        return [frame] { return errorText(frame); };
     for (const FrameMeaning &meaning : m_ofKinds)
-        if (QString text = meaning(frame); !text.isEmpty())
+        if (FrameText text = meaning(frame))
             return text;
-    return frame.isExtended ? j1939Text(frame) : QString();
+    return [frame] { return frame.isExtended ? j1939Text(frame) : QString(); };
 }
 
 } // namespace codewheel

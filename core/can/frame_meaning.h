@@ -10,9 +10,11 @@
 
 namespace codewheel {
 
-// What a frame says by one of the protocols on CAN, in a short sentence; empty: nothing. It is given all
-// frames in turn, as some are understood only after those before them.
-using FrameMeaning = std::function<QString(const CanFrame &)>;
+// What a frame says, in a short sentence in the language of the moment it is asked.
+using FrameText = std::function<QString()>;
+// What a frame says by one of the protocols on CAN; null: nothing. It is given all frames in turn, as some
+// are understood only after those before them.
+using FrameMeaning = std::function<FrameText(const CanFrame &)>;
 
 // Those of the kinds of bus, which have seen no frame yet. kinds/protocols.cpp has them.
 std::vector<FrameMeaning> newFrameMeanings();
@@ -22,7 +24,7 @@ std::vector<FrameMeaning> newFrameMeanings();
 class CanFrameMeanings
 {
 public:
-    QString next(const CanFrame &frame);
+    FrameText next(const CanFrame &frame); // never null
 
 private:
     std::vector<FrameMeaning> m_ofKinds = newFrameMeanings();

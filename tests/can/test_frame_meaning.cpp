@@ -8,7 +8,7 @@ namespace {
 
 std::string meaningOf(const CanFrame &frame)
 {
-    return CanFrameMeanings().next(frame).toStdString();
+    return CanFrameMeanings().next(frame)().toStdString();
 }
 
 TEST(FrameMeaning, ErrorsAreNamed)

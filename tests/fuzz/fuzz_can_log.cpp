@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     for (CanFrame frame : whole.frames) {
         must(frame.length <= CanFrame::mostBytes, "a frame has eight bytes at most");
         must(frame.id <= largestExtendedId, "an identifier has 29 bits at most");
-        meanings.next(frame);
+        meanings.next(frame)();
         if (frame.isError) // it is written with all its bytes
             frame.length = CanFrame::mostBytes;
         frame.time = std::clamp(frame.time.value_or(Instant()), Instant(), latest);

@@ -135,8 +135,8 @@ QString FramesOfLog::meaningOf(const CanFrame &frame)
     constexpr std::size_t mostInterfaces = 100;
     const auto known = m_meanings.find(frame.interface);
     if (known != m_meanings.end())
-        return known->second.next(frame);
-    return m_meanings[m_meanings.size() < mostInterfaces ? frame.interface : std::string()].next(frame);
+        return known->second.next(frame)();
+    return m_meanings[m_meanings.size() < mostInterfaces ? frame.interface : std::string()].next(frame)();
 }
 
 void FramesOfLog::tellApart(const CanFrame &frame)

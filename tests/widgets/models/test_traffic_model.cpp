@@ -12,7 +12,7 @@ TEST(TrafficModel, AFrameOnCanIsShownByIdentifierNodeAndData)
 {
     TrafficModel model(canTrafficColumns, 100);
     const std::vector<std::uint8_t> position{0x88, 0x13, 0x00, 0x00};
-    model.add(trafficRow({.frame = canopen::frameOf(0x185, position)}, Instant()));
+    model.add(CanopenTraffic().row({.frame = canopen::frameOf(0x185, position)}, Instant()));
     model.showWaiting();
     const auto cell = [&](TrafficColumn column) {
         return model.index(0, model.columnOf(column)).data().toString();

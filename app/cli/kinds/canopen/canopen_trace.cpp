@@ -40,7 +40,7 @@ QString CanopenTrace::text(Place place) const
     for (const CanopenRow &one : rowsOf(place))
         table.add({rowTime(one.frame.time.value_or(Instant())),
                    one.isSent ? CommandLine::tr("sent") : CommandLine::tr("received"),
-                   identifierText(one.frame), octetsText(one.frame.data()), meanings.next(one.frame)});
+                   identifierText(one.frame), octetsText(one.frame.data()), meanings.next(one.frame)()});
     return table.toString();
 }
 
@@ -49,7 +49,7 @@ QJsonArray CanopenTrace::json(Place place) const
     QJsonArray json;
     CanFrameMeanings meanings;
     for (const CanopenRow &one : rowsOf(place)) {
-        QJsonObject row = frameJson(one.frame, meanings.next(one.frame));
+        QJsonObject row = frameJson(one.frame, meanings.next(one.frame)());
         row.insert(QStringLiteral("direction"),
                    one.isSent ? QStringLiteral("sent") : QStringLiteral("received"));
         json.append(row);

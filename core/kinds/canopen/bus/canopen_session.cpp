@@ -62,6 +62,7 @@ struct CanopenSession::Private
     std::unique_ptr<CanLink> link;
     const Catalog &catalog;
     CanopenSettings settings;
+    CanopenTraffic traffic;
     std::vector<Encoder> encoders; // by the runner's index
     std::vector<Encoder> retired;  // from an earlier connection, one of which may be emitting right now
     Start start = Start::watching;
@@ -184,7 +185,7 @@ void CanopenSession::dispatch(const CanopenEvent &event)
         tell(*message);
     } else if (const auto *row = std::get_if<CanopenRow>(&event.what)) {
         Q_EMIT passed(*row);
-        TrafficRow told = trafficRow(*row, event.at);
+        TrafficRow told = d->traffic.row(*row, event.at);
         told.place = placeOf(told.place ? told.place->node : NodeId());
         tellTraffic(std::move(told));
     } else if (const auto *sent = std::get_if<FrameSent>(&event.what)) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/bus/canopen_traffic.h"
 
-#include "can/frame_meaning.h"
 #include "kinds/canopen/protocol/canopen_address.h"
 #include "replay/recorded_rows.h"
 
@@ -15,17 +14,16 @@ constexpr std::uint32_t extendedFlag = 0x8000'0000;
 constexpr std::uint32_t remoteFlag = 0x4000'0000;
 
 // With what its bytes say.
-TrafficRow explainedRow(TrafficRow row, const CanFrame &frame)
+TrafficRow explainedRow(TrafficRow row, const CanFrame &frame, CanFrameMeanings &meanings)
 {
     row.head = std::min(headSize, row.bytes.size());
     row.identifier = QStringLiteral("%1")
                          .arg(frame.id, frame.isExtended || frame.isError ? 8 : 3, 16, QLatin1Char('0'))
                          .toUpper();
-    row.meaning = [frame] { return CanFrameMeanings().next(frame); };
+    row.meaning = meanings.next(frame);
     return row;
 }
 
-// All that a recording has to know of a row is in its bytes.
 class CanopenRows final : public RecordedRows
 {
 public:
@@ -33,9 +31,12 @@ public:
     TrafficRow explained(TrafficRow row, const EncoderAt & /*encoder*/) override
     {
         const auto frame = canFrameOf(row.bytes);
-        return frame ? explainedRow(std::move(row), *frame) : row;
+        return frame ? explainedRow(std::move(row), *frame, m_meanings) : row;
     }
-    void restart() override {}
+    void restart() override { m_meanings = {}; }
+
+private:
+    CanFrameMeanings m_meanings;
 };
 
 } // namespace
@@ -73,7 +74,7 @@ std::optional<CanFrame> canFrameOf(const QByteArray &bytes)
     return frame;
 }
 
-TrafficRow trafficRow(const CanopenRow &passed, Instant at)
+TrafficRow CanopenTraffic::row(const CanopenRow &passed, Instant at)
 {
     const CanFrame &frame = passed.frame;
     TrafficRow row{.at = at,
@@ -84,7 +85,7 @@ TrafficRow trafficRow(const CanopenRow &passed, Instant at)
     const auto cob = frame.isExtended || frame.isError ? std::nullopt : canopen::CobId::of(frame.id);
     if (cob && cob->node != 0)
         row.place = Place{firstCanBus, CanopenAddress{cob->node}.place()};
-    return explainedRow(std::move(row), frame);
+    return explainedRow(std::move(row), frame, m_meanings);
 }
 
 std::unique_ptr<RecordedRows> makeCanopenRows()

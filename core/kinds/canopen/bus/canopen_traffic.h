@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bus/traffic.h"
+#include "can/frame_meaning.h"
 #include "kinds/canopen/bus/canopen_event.h"
 
 #include <array>
@@ -22,7 +23,16 @@ inline constexpr std::array canTrafficColumns{TrafficColumn::time,       Traffic
 QByteArray frameBytes(const CanFrame &frame);
 std::optional<CanFrame> canFrameOf(const QByteArray &bytes);
 
-TrafficRow trafficRow(const CanopenRow &passed, Instant at);
+// The rows of one bus: what they mean follows from those before.
+class CanopenTraffic
+{
+public:
+    TrafficRow row(const CanopenRow &passed, Instant at);
+
+private:
+    CanFrameMeanings m_meanings;
+};
+
 std::unique_ptr<RecordedRows> makeCanopenRows(); // the same of a recording
 
 } // namespace codewheel

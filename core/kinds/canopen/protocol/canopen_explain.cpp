@@ -5,8 +5,10 @@
 #include "kinds/canopen/protocol/emcy.h"
 #include "kinds/canopen/protocol/lss_explain.h"
 #include "kinds/canopen/protocol/nmt.h"
+#include "kinds/canopen/protocol/pdo_mappings_heard.h"
 #include "kinds/canopen/protocol/sdo_blocks.h"
 #include "kinds/canopen/protocol/sdo_explain.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -15,12 +17,22 @@
 namespace codewheel::canopen {
 namespace {
 
+using Mapped = std::shared_ptr<const PdoMappingsHeard::Pdo>;
+
+// What came before a frame and belongs to it.
+struct Context
+{
+    std::optional<SdoBlockSegment> segment{};
+    Mapped pdo{}; // null: its mapping is not known
+};
+
 class FrameTexts
 {
     Q_DECLARE_TR_FUNCTIONS(CanopenFrame)
 
 public:
-    static QString of(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks);
+    static QString of(const CobId &cob, const CanFrame &frame, const Context &context);
+    static QString mapped(const PdoMappingsHeard::Pdo &pdo, const CanFrame &frame);
 
 private:
     static QString sync(Octets data);
@@ -28,8 +40,8 @@ private:
     static QString emcy(const Emcy &emcy);
     static QString pdo(const CobId &cob, bool isAskedFor);
     static QString errorControl(const CanFrame &frame);
-    static QString sdo(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks);
-    static QString ofNode(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks);
+    static QString sdo(const CobId &cob, const CanFrame &frame, const Context &context);
+    static QString ofNode(const CobId &cob, const CanFrame &frame, const Context &context);
     static QString ofAll(const CobId &cob, const CanFrame &frame);
     static QString odd(const CanFrame &frame);
 
@@ -96,28 +108,48 @@ QString FrameTexts::errorControl(const CanFrame &frame)
     });
 }
 
-QString FrameTexts::sdo(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks)
+QString FrameTexts::sdo(const CobId &cob, const CanFrame &frame, const Context &context)
 {
-    const bool isAnswer = cob.service == CobId::Service::sdoAnswer;
-    if (const auto segment = blocks.segment(cob.node, isAnswer, frame.data()))
+    if (const auto &segment = context.segment)
         return sentence(segment->isLast ? tr("last block segment (%1)") : tr("block segment (%1)"),
                         {QString::number(segment->number)});
+    const bool isAnswer = cob.service == CobId::Service::sdoAnswer;
     return told(frame, isAnswer ? SdoFrame::answer(frame.data()) : SdoFrame::request(frame.data()), sdoText);
 }
 
-QString FrameTexts::ofNode(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks)
+QString FrameTexts::ofNode(const CobId &cob, const CanFrame &frame, const Context &context)
 {
     switch (cob.service) {
     case CobId::Service::emcy:
         return told(frame, Emcy::read(frame.data()), &FrameTexts::emcy);
     case CobId::Service::sdoRequest:
     case CobId::Service::sdoAnswer:
-        return sdo(cob, frame, blocks);
+        return sdo(cob, frame, context);
     case CobId::Service::errorControl:
         return errorControl(frame);
     default:
         return pdo(cob, frame.isRemote);
     }
+}
+
+// Speed, acceleration and jerk have a sign (CiA 406); what others have is not told by the frames.
+PdoType typeByProfile(const SdoObject &object)
+{
+    const bool hasSign = object.index == 0x6030 || object.index == 0x6040 || object.index == 0x6050;
+    return {.isSigned = hasSign};
+}
+
+QString FrameTexts::mapped(const PdoMappingsHeard::Pdo &pdo, const CanFrame &frame)
+{
+    QStringList texts{sentence(pdo.direction == PdoDirection::transmit ? QStringLiteral("TPDO%1")
+                                                                       : QStringLiteral("RPDO%1"),
+                               {QString::number(pdo.number)})};
+    for (const PdoValue &value : pdo.mapping.values(frame, typeByProfile))
+        texts << sentence(QStringLiteral("%1 = %2 = %3"),
+                          {value.object.text(),
+                           QStringLiteral("%1h").arg(QString::number(value.raw, 16).toUpper()),
+                           numberText(value.number)});
+    return sentence(tr("Node %1: %2"), {QString::number(pdo.node), texts.join(QStringLiteral(", "))});
 }
 
 QString FrameTexts::ofAll(const CobId &cob, const CanFrame &frame)
@@ -138,20 +170,62 @@ QString FrameTexts::ofAll(const CobId &cob, const CanFrame &frame)
     }
 }
 
-QString FrameTexts::of(const CobId &cob, const CanFrame &frame, SdoBlocks &blocks)
+QString FrameTexts::of(const CobId &cob, const CanFrame &frame, const Context &context)
 {
     return cob.node == 0
                ? ofAll(cob, frame)
-               : sentence(tr("Node %1: %2"), {QString::number(cob.node), ofNode(cob, frame, blocks)});
+               : sentence(tr("Node %1: %2"), {QString::number(cob.node), ofNode(cob, frame, context)});
 }
+
+// What is remembered of the frames before.
+class Listener
+{
+public:
+    Context next(const std::optional<CobId> &cob, const CanFrame &frame)
+    {
+        Context context{.pdo = m_mappings.of(frame)};
+        if (!cob || frame.isRemote)
+            return context;
+        const bool isAnswer = cob->service == CobId::Service::sdoAnswer;
+        if (isAnswer || cob->service == CobId::Service::sdoRequest)
+            context.segment = followSdo(cob->node, isAnswer, frame.data());
+        else if (cob->service == CobId::Service::errorControl && isBootUp(frame.data()))
+            m_mappings.restarted(cob->node);
+        return context;
+    }
+
+private:
+    std::optional<SdoBlockSegment> followSdo(int node, bool isAnswer, Octets data)
+    {
+        const auto segment = m_blocks.segment(node, isAnswer, data);
+        if (segment)
+            return segment;
+        if (const auto sdo = isAnswer ? SdoFrame::answer(data) : SdoFrame::request(data))
+            m_mappings.followSdo(node, *sdo);
+        return std::nullopt;
+    }
+    static bool isBootUp(Octets data)
+    {
+        const auto told = NodeState::read(data);
+        return told && told->state == NmtState::bootUp && !told->toggle;
+    }
+
+    SdoBlocks m_blocks;
+    PdoMappingsHeard m_mappings;
+};
 
 } // namespace
 
 FrameMeaning frameMeaning()
 {
-    return [blocks = SdoBlocks()](const CanFrame &frame) mutable {
+    return [listener = Listener()](const CanFrame &frame) mutable -> FrameText {
         const auto cob = frame.isExtended || frame.isError ? std::nullopt : CobId::of(frame.id);
-        return cob ? FrameTexts::of(*cob, frame, blocks) : QString();
+        Context context = listener.next(cob, frame);
+        if (context.pdo)
+            return [frame, pdo = std::move(context.pdo)] { return FrameTexts::mapped(*pdo, frame); };
+        if (!cob)
+            return nullptr;
+        return [cob = *cob, frame, context] { return FrameTexts::of(cob, frame, context); };
     };
 }
 

@@ -13,8 +13,12 @@ namespace {
 std::string said(const std::string &frame, const FrameMeaning &meaning = frameMeaning())
 {
     std::string text = "not read";
-    CanLogReader reader([&](const CanFrame &read) { text = meaning(read).toStdString(); },
-                        [](std::int64_t, CanLogFault) {});
+    CanLogReader reader(
+        [&](const CanFrame &read) {
+            const FrameText told = meaning(read);
+            text = told ? told().toStdString() : std::string();
+        },
+        [](std::int64_t, CanLogFault) {});
     reader.read("(1544106679.4) can0 " + frame + '\n');
     return text;
 }
@@ -142,6 +146,32 @@ void expectSaid(const std::vector<SaidRow> &rows)
     const FrameMeaning meaning = frameMeaning();
     for (const SaidRow &row : rows)
         EXPECT_EQ(said(row.frame, meaning), row.text) << row.frame;
+}
+
+TEST(CanopenFrameText, PdosHaveTheValuesThatANodeWasHeardToMap)
+{
+    expectSaid({
+        {"185#881300000A00", "Node 5: TPDO1"},
+        {"585#4300180185010000", "Node 5: 1800h:1 = 185h = 389"},
+        {"585#4F001A0002000000", "Node 5: 1A00h:0 = 2h = 2"},
+        {"585#43001A0120000460", "Node 5: 1A00h:1 = 60040020h = 1610874912"},
+        {"185#88130000F6FF", "Node 5: TPDO1"}, // not all of it was heard
+        {"585#43001A0210013060", "Node 5: 1A00h:2 = 60300110h = 1613758736"},
+        {"185#88130000F6FF", "Node 5: TPDO1, 6004h:0 = 1388h = 5000, 6030h:1 = FFF6h = -10"},
+        {"185#8813", "Node 5: TPDO1"}, // shorter than its mapping
+        // written, and taken
+        {"605#2300180190010000", "Node 5: write 1800h:1 = 190h = 400"},
+        {"585#8000180120000008",
+         "Node 5: 1800h:1 aborted, 08000020h: The value cannot be transferred or stored."},
+        {"190#88130000F6FF", "Node 16: TPDO1"},
+        {"605#2300180190010000", "Node 5: write 1800h:1 = 190h = 400"},
+        {"585#6000180100000000", "Node 5: 1800h:1 written"},
+        {"190#88130000F6FF", "Node 5: TPDO1, 6004h:0 = 1388h = 5000, 6030h:1 = FFF6h = -10"},
+        // another node; a node that starts anew
+        {"186#88130000F6FF", "Node 6: TPDO1"},
+        {"705#00", "Node 5: boot-up"},
+        {"190#88130000F6FF", "Node 16: TPDO1"},
+    });
 }
 
 TEST(CanopenFrameText, DataOfABlockDownloadIsNotTakenForCommands)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/canopen/protocol/cob_id.h"
+#include "kinds/canopen/protocol/pdo_mapping.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace codewheel::canopen {
+
+// What the nodes of a bus map, as far as their own answers tell it: whoever reads or writes 14xxh to 1Axxh,
+// it is heard. A node that starts anew may map something else: what was heard of it is forgotten.
+class PdoMappingsHeard
+{
+public:
+    struct Pdo
+    {
+        int node = 0;
+        PdoDirection direction = PdoDirection::transmit;
+        int number = 0;
+        PdoMapping mapping;
+    };
+
+    // Each frame of the services in turn: transfers, and heartbeats.
+    void followSdo(int node, const SdoFrame &sdo);
+    void restarted(int node);
+    // Whose frame this is, by the identifier that was heard. Null: not known.
+    std::shared_ptr<const Pdo> of(const CanFrame &frame) const;
+
+private:
+    void take(int node, const SdoObject &object, Octets value);
+
+    std::array<SdoFrame, lastNode + 1> m_asked{}; // last, of each node
+    std::vector<std::shared_ptr<const Pdo>> m_pdos{};
+};
+
+} // namespace codewheel::canopen
