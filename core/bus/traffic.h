@@ -30,8 +30,9 @@ struct TrafficRow
     qsizetype head = 0;                 // so many of them are no data: the identifier of a frame on CAN
     QString identifier{};               // which they say: "185", of 29 bits "0CFFE0E0"
     std::function<QString()> meaning{}; // in the current language
-    bool isAutomatic = false; // asked automatically by the bus, or its answer, and nothing is wrong with it
-    bool isTyped = false;     // or its answer
+    bool isAutomatic = false;  // asked automatically by the bus, or its answer, and nothing is wrong with it
+    bool isTyped = false;      // or its answer
+    bool isOfTransfer = false; // another row tells all of it
 
     bool isRoutine() const { return isAutomatic && !isTyped; }
 };

@@ -67,28 +67,12 @@ std::optional<CanLogFault> takeRemote(CanFrame &frame, std::string_view text)
     return std::nullopt;
 }
 
-// "185#88130000", "100#R8", "185##0.."
-CanLogLine logFrame(std::string_view text)
-{
-    const auto hash = text.find('#');
-    const std::string_view data = text.substr(hash + 1);
-    if (data.starts_with('#'))
-        return CanLogLine::faulty(CanLogFault::canFd);
-    if (data.find('#') != std::string_view::npos)
-        return CanLogLine::faulty(CanLogFault::canXl);
-    auto frame = frameWithId(text.substr(0, hash));
-    if (!frame)
-        return CanLogLine::faulty(CanLogFault::badIdentifier);
-    const auto fault = beginsWith(data, "R") ? takeRemote(*frame, data.substr(1)) : takeData(*frame, data);
-    return fault ? CanLogLine::faulty(*fault) : CanLogLine{.frame = frame};
-}
-
 // "R" and "T" say who sent it.
 CanLogLine logFrameWithDirection(std::string_view text, CanLogWords words)
 {
     const std::string_view direction = words.next();
     const bool isOne = direction.empty() || direction == "R" || direction == "T";
-    return isOne && words.isAtEnd() ? logFrame(text) : CanLogLine::faulty(CanLogFault::notOfALog);
+    return isOne && words.isAtEnd() ? CandumpLog::frame(text) : CanLogLine::faulty(CanLogFault::notOfALog);
 }
 
 std::optional<CanLogFault> takeScreenData(CanFrame &frame, std::uint8_t length, CanLogWords words)
@@ -150,6 +134,21 @@ CanLogLine timedLine(std::string_view text)
 }
 
 } // namespace
+
+CanLogLine CandumpLog::frame(std::string_view text)
+{
+    const auto hash = text.find('#');
+    const std::string_view data = text.substr(hash + 1);
+    if (data.starts_with('#'))
+        return CanLogLine::faulty(CanLogFault::canFd);
+    if (data.find('#') != std::string_view::npos)
+        return CanLogLine::faulty(CanLogFault::canXl);
+    auto frame = frameWithId(text.substr(0, hash));
+    if (!frame)
+        return CanLogLine::faulty(CanLogFault::badIdentifier);
+    const auto fault = beginsWith(data, "R") ? takeRemote(*frame, data.substr(1)) : takeData(*frame, data);
+    return fault ? CanLogLine::faulty(*fault) : CanLogLine{.frame = frame};
+}
 
 CanLogLine CandumpLog::line(std::string_view text)
 {

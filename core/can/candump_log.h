@@ -12,6 +12,8 @@ class CandumpLog
 {
 public:
     CanLogLine line(std::string_view text);
+    // Its frame alone: "185#88130000", "100#R8"; of CAN FD, "185##0..", it is not read.
+    static CanLogLine frame(std::string_view text);
 
 private:
     CanLogDates m_dates;

@@ -11,10 +11,10 @@
 #include "widgets/look/layouts.h"
 #include "widgets/look/log_table.h"
 #include "widgets/look/save_file.h"
-#include "widgets/look/tool.h"
 #include "widgets/models/go_to_place.h"
 #include "widgets/models/traffic_model.h"
 #include "widgets/monitor/copy_menu.h"
+#include "widgets/trace/traffic_tools.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -73,37 +73,21 @@ TraceView::~TraceView()
 
 void TraceView::makeTools()
 {
-    setUpToolBar(*m_tools);
-    const auto makeTool = [this](const Tool &tool) { return addTool(*this, *m_tools, tool); };
-    m_follow = makeTool(
-        {Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End), tr("Keep the newest row in view")});
-    m_follow->setCheckable(true);
-    m_follow->setChecked(true);
-    m_hold = makeTool({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_H),
-                       tr("Hold the table; new rows are kept and shown afterwards")});
-    m_hold->setCheckable(true);
-    QAction *copying = makeTool({Icon::copy, tr("Copy"), QKeySequence::Copy,
-                                 tr("Copy the selected rows, or all, with tabs between the columns")});
-    QAction *exporting = makeTool({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
-                                   tr("Save all rows as a CSV file")});
-    QAction *clearing = makeTool({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
-                                  tr("Remove all rows of this encoder")});
-    m_bringBack = makeTool({Icon::back, tr("Bring back"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Delete),
-                            tr("Show the rows again that Clear removed")});
-    m_bringBack->setEnabled(false);
-    m_table->setFollow(*m_follow);
+    const TrafficTools tools(*this, *m_tools, *m_table);
+    m_hold = tools.hold;
+    m_bringBack = tools.bringBack;
     connect(m_goTo, &GoToPlace::wanted, this, &TraceView::goToWanted);
     auto *copyAs = new CopyMenu(m_table);
     connect(copyAs, &CopyMenu::chosen, this, &TraceView::copyWords);
-    m_table->addActions(
-        {copying, copyAs->plcWords(), copyAs->menuAction(), m_goTo, exporting, clearing, m_bringBack});
+    m_table->addActions({tools.copy, copyAs->plcWords(), copyAs->menuAction(), m_goTo, tools.exportRows,
+                         tools.clear, m_bringBack});
     connect(m_hold, &QAction::toggled, this, [this](bool held) {
         for (const auto &[place, collected] : m_collected)
             collected.rows->setHeld(held);
     });
-    connect(copying, &QAction::triggered, this, &TraceView::copy);
-    connect(exporting, &QAction::triggered, this, &TraceView::exportRows);
-    connect(clearing, &QAction::triggered, this, [this] {
+    connect(tools.copy, &QAction::triggered, this, &TraceView::copy);
+    connect(tools.exportRows, &QAction::triggered, this, &TraceView::exportRows);
+    connect(tools.clear, &QAction::triggered, this, [this] {
         if (m_shown)
             m_shown->clear();
     });

@@ -90,7 +90,6 @@ private:
     QStackedWidget *m_pages;
     EmptyState *m_empty;
     QToolBar *m_tools;
-    QAction *m_follow = nullptr;
     QAction *m_hold = nullptr;
     QAction *m_bringBack = nullptr;
     GoToPlace *m_goTo;

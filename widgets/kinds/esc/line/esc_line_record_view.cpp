@@ -4,13 +4,13 @@
 #include "kinds/esc/line/esc_line_session.h"
 #include "vocabulary/sentence.h"
 #include "widgets/kinds/esc/line/esc_line_row_options.h"
-#include "widgets/kinds/esc/line/esc_line_row_table.h"
 #include "widgets/kinds/esc/line/replay_model.h"
 #include "widgets/look/fitted_columns.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/quiet_table.h"
+#include "widgets/trace/traffic_table.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -49,7 +49,7 @@ EscLineRecordView::EscLineRecordView(QWidget *parent)
     , m_rows(new TrafficModel(lineTrafficColumns, static_cast<int>(EscLineRecord::mostRows), this))
     , m_steps(new ReplayModel(this))
     , m_title(new QLabel(this))
-    , m_table(new EscLineRowTable(*m_rows, tr("Rows of the saved session"), this))
+    , m_table(new TrafficTable(*m_rows, tr("Rows of the saved session"), this))
     , m_question(new InlineMessage(this))
     , m_message(new InlineMessage(this))
     , m_stepTable(new QTableView(this))

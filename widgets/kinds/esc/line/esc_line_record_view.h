@@ -15,7 +15,7 @@ class QTableView;
 namespace codewheel {
 
 class InlineMessage;
-class EscLineRowTable;
+class TrafficTable;
 class EscLineSession;
 class ReplayModel;
 class TrafficModel;
@@ -56,7 +56,7 @@ private:
     QLabel *m_title;
     QPushButton *m_start = nullptr;
     QPushButton *m_cancel = nullptr;
-    EscLineRowTable *m_table;
+    TrafficTable *m_table;
     InlineMessage *m_question;
     InlineMessage *m_message;
     QTableView *m_stepTable;

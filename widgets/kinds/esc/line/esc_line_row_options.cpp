@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/esc/line/esc_line_row_options.h"
 
-#include "widgets/kinds/esc/line/esc_line_row_table.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
+#include "widgets/trace/traffic_table.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 
 namespace codewheel {
 
-EscLineRowOptions::EscLineRowOptions(EscLineRowTable &table, QWidget *parent)
+EscLineRowOptions::EscLineRowOptions(TrafficTable &table, QWidget *parent)
     : QWidget(parent)
 {
     auto *row = layOut<QHBoxLayout>(this, grid::margin);

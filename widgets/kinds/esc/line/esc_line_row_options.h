@@ -7,7 +7,7 @@ class QCheckBox;
 
 namespace codewheel {
 
-class EscLineRowTable;
+class TrafficTable;
 
 // What is shown of a line's rows: the program's own requests, text, bytes.
 class EscLineRowOptions : public QWidget
@@ -15,7 +15,7 @@ class EscLineRowOptions : public QWidget
     Q_OBJECT
 
 public:
-    explicit EscLineRowOptions(EscLineRowTable &table, QWidget *parent = nullptr);
+    explicit EscLineRowOptions(TrafficTable &table, QWidget *parent = nullptr);
 
 Q_SIGNALS:
     void changed();

@@ -10,11 +10,11 @@
 #include "vocabulary/sentence.h"
 #include "widgets/job/known_text.h"
 #include "widgets/kinds/esc/line/esc_line_record_view.h"
-#include "widgets/kinds/esc/line/esc_line_row_table.h"
 #include "widgets/kinds/esc/line/request_field.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
 #include "widgets/monitor/meaning_line.h"
+#include "widgets/trace/traffic_table.h"
 
 #include <QAction>
 #include <QCoreApplication>

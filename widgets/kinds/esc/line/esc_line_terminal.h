@@ -21,7 +21,7 @@ namespace codewheel {
 class GoToPlace;
 class InlineMessage;
 class EscLineRecordView;
-class EscLineRowTable;
+class TrafficTable;
 class EscLineSession;
 class MeaningLine;
 class RequestField;
@@ -101,10 +101,9 @@ private:
     QStackedWidget *m_pages;
     QStackedWidget *m_content = nullptr; // the table, or its empty state
     QWidget *m_rowOptions = nullptr;
-    EscLineRowTable *m_table;
+    TrafficTable *m_table;
     EscLineRecordView *m_record;
     QAction *m_follow = nullptr;
-    QAction *m_hold = nullptr;
     QAction *m_save = nullptr;
     QAction *m_bringBack = nullptr;
     GoToPlace *m_goTo;

@@ -2,7 +2,6 @@
 #include "kinds/esc/line/esc_line_record.h"
 #include "widgets/kinds/esc/line/esc_line_record_view.h"
 #include "widgets/kinds/esc/line/esc_line_row_options.h"
-#include "widgets/kinds/esc/line/esc_line_row_table.h"
 #include "widgets/kinds/esc/line/esc_line_terminal.h"
 #include "widgets/kinds/esc/line/request_field.h"
 #include "widgets/look/empty_state.h"
@@ -12,6 +11,8 @@
 #include "widgets/look/tool.h"
 #include "widgets/models/go_to_place.h"
 #include "widgets/monitor/meaning_line.h"
+#include "widgets/trace/traffic_table.h"
+#include "widgets/trace/traffic_tools.h"
 
 #include <QAction>
 #include <QEvent>
@@ -28,7 +29,7 @@ EscLineTerminal::EscLineTerminal(QWidget *parent)
     : QWidget(parent)
     , m_rows(new TrafficModel(lineTrafficColumns, static_cast<int>(EscLineRecord::mostRows), this))
     , m_pages(new QStackedWidget(this))
-    , m_table(new EscLineRowTable(*m_rows, tr("Traffic on the line"), this))
+    , m_table(new TrafficTable(*m_rows, tr("Traffic on the line"), this))
     , m_record(new EscLineRecordView(this))
     , m_goTo(new GoToPlace(this))
     , m_counts(new MeaningLine(this, Qt::AlignRight))
@@ -90,38 +91,25 @@ QWidget *EscLineTerminal::makePage()
 
 void EscLineTerminal::makeTools(QToolBar &bar)
 {
-    setUpToolBar(bar);
-    const auto make = [this, &bar](const Tool &tool) { return addTool(*this, bar, tool); };
-    m_follow = make(
-        {Icon::next, tr("Follow"), QKeySequence(Qt::CTRL | Qt::Key_End), tr("Keep the newest row in view")});
-    m_hold = make({Icon::stop, tr("Pause"), QKeySequence(Qt::CTRL | Qt::Key_H),
-                   tr("Hold the table; new rows are kept and shown afterwards")});
-    m_follow->setCheckable(true);
-    m_follow->setChecked(true);
-    m_hold->setCheckable(true);
-    QAction *copying = make({Icon::copy, tr("Copy"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-                             tr("Copy the selected rows, or all shown, with tabs between the columns")});
-    m_save = make({Icon::save, tr("Save"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S),
-                   tr("Save all rows in a file, to look at and send again")});
-    const QAction *opening = make({Icon::open, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
-                                   tr("Look at a saved session, and send it again")});
-    QAction *exporting = make({Icon::exportData, tr("Export"), QKeySequence(Qt::CTRL | Qt::Key_E),
-                               tr("Write the rows shown to a text file")});
-    QAction *clearing =
-        make({Icon::remove, tr("Clear"), QKeySequence(Qt::CTRL | Qt::Key_Delete), tr("Remove all rows")});
-    m_bringBack = make({Icon::back, tr("Bring back"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Delete),
-                        tr("Show the rows again that Clear removed")});
-    m_bringBack->setEnabled(false);
-    m_table->setFollow(*m_follow);
+    const TrafficTools tools(*this, bar, *m_table, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+    m_follow = tools.follow;
+    m_bringBack = tools.bringBack;
+    m_save = addTool(*this, bar,
+                     {Icon::save, tr("Save"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S),
+                      tr("Save all rows in a file, to look at and send again")});
+    QAction *opening = addTool(*this, bar,
+                               {Icon::open, tr("Open"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+                                tr("Look at a saved session, and send it again")});
+    bar.insertActions(tools.exportRows, {m_save, opening});
     connect(m_table, &LogTable::chosenChanged, this, [this] { m_goTo->setPlace(m_table->chosenPlace()); });
     connect(m_goTo, &GoToPlace::wanted, this, &EscLineTerminal::goToWanted);
-    m_table->addActions({copying, m_goTo, exporting, clearing, m_bringBack});
-    connect(m_hold, &QAction::toggled, m_rows, &TrafficModel::setHeld);
-    connect(copying, &QAction::triggered, m_table, &EscLineRowTable::copy);
+    m_table->addActions({tools.copy, m_goTo, tools.exportRows, tools.clear, m_bringBack});
+    connect(tools.hold, &QAction::toggled, m_rows, &TrafficModel::setHeld);
+    connect(tools.copy, &QAction::triggered, m_table, &TrafficTable::copy);
     connect(m_save, &QAction::triggered, this, &EscLineTerminal::askSave);
     connect(opening, &QAction::triggered, this, &EscLineTerminal::askOpen);
-    connect(exporting, &QAction::triggered, this, &EscLineTerminal::askExport);
-    connect(clearing, &QAction::triggered, m_rows, &TrafficModel::clear);
+    connect(tools.exportRows, &QAction::triggered, this, &EscLineTerminal::askExport);
+    connect(tools.clear, &QAction::triggered, m_rows, &TrafficModel::clear);
     connect(m_bringBack, &QAction::triggered, m_rows, &TrafficModel::bringBack);
 }
 

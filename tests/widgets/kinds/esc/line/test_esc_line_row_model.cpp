@@ -2,7 +2,7 @@
 #include "kinds/esc/line/esc_line_record.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/kinds/esc/line/esc_line_bench.h"
-#include "widgets/kinds/esc/line/esc_line_row_table.h"
+#include "widgets/trace/traffic_table.h"
 
 #include <array>
 
@@ -38,7 +38,7 @@ protected:
     Instant at{};
     EscLineTraffic traffic;
     TrafficModel model{lineTrafficColumns, mostLineRows};
-    EscLineRowFilter filter{model};
+    TrafficFilter filter{model};
     const test::ModelTester modelTester{model};
     const test::ModelTester filterTester{filter};
 };

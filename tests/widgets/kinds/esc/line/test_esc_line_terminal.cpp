@@ -4,12 +4,12 @@
 #include "tests/support/old_file.h"
 #include "tests/widgets/kinds/esc/line/esc_line_bench.h"
 #include "vocabulary/sentence.h"
-#include "widgets/kinds/esc/line/esc_line_row_table.h"
 #include "widgets/kinds/esc/line/esc_line_terminal.h"
 #include "widgets/kinds/esc/line/request_field.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 #include "widgets/monitor/meaning_line.h"
+#include "widgets/trace/traffic_table.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -65,12 +65,12 @@ protected:
     test::EscLineBench bench;
     EscLineTerminal terminal;
     RequestField &field = *terminal.findChild<RequestField *>();
-    EscLineRowTable &table = *liveTable();
+    TrafficTable &table = *liveTable();
 
 private:
-    EscLineRowTable *liveTable() const
+    TrafficTable *liveTable() const
     {
-        for (auto *found : terminal.findChildren<EscLineRowTable *>())
+        for (auto *found : terminal.findChildren<TrafficTable *>())
             if (found->accessibleName() == QLatin1String("Traffic on the line"))
                 return found;
         return nullptr;

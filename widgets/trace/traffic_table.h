@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/esc/line/row_text.h"
 #include "widgets/look/log_table.h"
 #include "widgets/models/traffic_model.h"
 
 #include <QSortFilterProxyModel>
 
+#include <functional>
+
 namespace codewheel {
 
-// The rows of a line, on request without the program's own requests, which would push away what was typed.
-// Hidden rows are kept until there are too many.
-class EscLineRowFilter : public QSortFilterProxyModel
+// The rows of a bus, on request without the program's own requests, which would push away what was typed, and
+// only those that are wanted. Hidden rows are kept until there are too many.
+class TrafficFilter : public QSortFilterProxyModel
 {
     Q_OBJECT
 
 public:
-    explicit EscLineRowFilter(TrafficModel &rows, QObject *parent = nullptr);
+    explicit TrafficFilter(TrafficModel &rows, QObject *parent = nullptr);
 
     void hideAutomatic(bool hide);
     bool hidesAutomatic() const { return m_hidesAutomatic; }
+    void setWanted(std::function<bool(const TrafficRow &row)> isWanted);
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex &parent) const override;
@@ -27,19 +29,19 @@ protected:
 private:
     TrafficModel &m_rows;
     bool m_hidesAutomatic = true;
+    std::function<bool(const TrafficRow &)> m_isWanted; // null: all
 };
 
-// The rows of a line as a table: hides automatic requests and columns as wanted, copies and exports what it
-// shows. Used by the terminal and the view of a recorded session.
-class EscLineRowTable : public LogTable
+// The rows of a bus as a table: hides rows and columns as wanted, copies and exports what it shows.
+class TrafficTable : public LogTable
 {
     Q_OBJECT
 
 public:
-    EscLineRowTable(TrafficModel &rows, const QString &name, QWidget *parent = nullptr);
-    ~EscLineRowTable() override;
+    TrafficTable(TrafficModel &rows, const QString &name, QWidget *parent = nullptr);
+    ~TrafficTable() override;
 
-    EscLineRowFilter &filter() { return *m_filter; }
+    TrafficFilter &filter() { return *m_filter; }
     void showColumn(TrafficColumn column, bool show);
     // Of the row that was chosen last.
     std::optional<Place> chosenPlace() const;
@@ -53,10 +55,11 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    bool has(TrafficColumn column) const;
     void setColumnWidths();
 
     TrafficModel &m_rows;
-    EscLineRowFilter *m_filter;
+    TrafficFilter *m_filter;
 };
 
 } // namespace codewheel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/kinds/esc/line/esc_line_row_table.h"
+#include "widgets/trace/traffic_table.h"
 
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
@@ -14,83 +14,99 @@
 namespace codewheel {
 namespace {
 
-constexpr int fewestLetters = 20; // of the meaning
-constexpr int wantedLetters = 28;
+constexpr int fewestMeaningLetters = 20; // of the meaning
+constexpr int wantedMeaningLetters = 28;
 constexpr int fewestBytes = 4;
 constexpr int shownBytes = 12; // of an answer of 8 digits; of longer ones the tooltip has the rest
 
 } // namespace
 
-EscLineRowFilter::EscLineRowFilter(TrafficModel &rows, QObject *parent)
+TrafficFilter::TrafficFilter(TrafficModel &rows, QObject *parent)
     : QSortFilterProxyModel(parent)
     , m_rows(rows)
 {
     setSourceModel(&rows);
 }
 
-void EscLineRowFilter::hideAutomatic(bool hide)
+void TrafficFilter::hideAutomatic(bool hide)
 {
     m_hidesAutomatic = hide;
     invalidateFilter();
 }
 
-bool EscLineRowFilter::filterAcceptsRow(int row, const QModelIndex &) const
+void TrafficFilter::setWanted(std::function<bool(const TrafficRow &)> isWanted)
 {
-    return !m_hidesAutomatic || !m_rows.rowAt(row).what.isRoutine();
+    m_isWanted = std::move(isWanted);
+    invalidateFilter();
 }
 
-EscLineRowTable::EscLineRowTable(TrafficModel &rows, const QString &name, QWidget *parent)
+bool TrafficFilter::filterAcceptsRow(int row, const QModelIndex &) const
+{
+    const TrafficRow &what = m_rows.rowAt(row).what;
+    return (!m_hidesAutomatic || !what.isRoutine()) && (!m_isWanted || m_isWanted(what));
+}
+
+TrafficTable::TrafficTable(TrafficModel &rows, const QString &name, QWidget *parent)
     : LogTable(name, parent)
     , m_rows(rows)
-    , m_filter(new EscLineRowFilter(rows, this))
+    , m_filter(new TrafficFilter(rows, this))
 {
     setModel(m_filter);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setItemDelegateForColumn(rows.columnOf(TrafficColumn::direction), new IconCells(this));
     for (const auto column : {TrafficColumn::text, TrafficColumn::bytes})
-        allowEliding(*this, rows.columnOf(column));
+        if (has(column))
+            allowEliding(*this, rows.columnOf(column));
     setColumnWidths();
 }
 
-EscLineRowTable::~EscLineRowTable()
+TrafficTable::~TrafficTable()
 {
     const QSignalBlocker silent(this); // receivers may be gone by now
     setModel(nullptr);
 }
 
-void EscLineRowTable::showColumn(TrafficColumn column, bool show)
+bool TrafficTable::has(TrafficColumn column) const
+{
+    return m_rows.columnOf(column) < m_rows.columnCount();
+}
+
+void TrafficTable::showColumn(TrafficColumn column, bool show)
 {
     setColumnHidden(m_rows.columnOf(column), !show);
     updateGeometries();
 }
 
-std::optional<Place> EscLineRowTable::chosenPlace() const
+std::optional<Place> TrafficTable::chosenPlace() const
 {
     const QModelIndex chosen = m_filter->mapToSource(currentIndex());
     return chosen.isValid() ? m_rows.rowAt(chosen.row()).what.place : std::nullopt;
 }
 
-void EscLineRowTable::setColumnWidths()
+void TrafficTable::setColumnWidths()
 {
     const QFontMetrics numbers(numberFont());
     const int gap = 2 * grid::margin;
     const auto setWidth = [this](TrafficColumn column, int width) {
-        setColumnWidth(m_rows.columnOf(column), width);
+        if (has(column))
+            setColumnWidth(m_rows.columnOf(column), width);
     };
     setWidth(TrafficColumn::time, numbers.horizontalAdvance(QStringLiteral("00:00:00.000")) + gap);
     setWidth(TrafficColumn::direction, grid::smallIcon + gap);
     setWidth(TrafficColumn::text, numbers.horizontalAdvance(QString(shownBytes, u'W')) + gap);
-    setTextColumn(m_rows.columnOf(TrafficColumn::meaning), fewestLetters);
+    setWidth(TrafficColumn::identifier, numbers.horizontalAdvance(QStringLiteral("0CFFE0E0")) + gap);
+    setWidth(TrafficColumn::who, fontMetrics().horizontalAdvance(QStringLiteral("can:127")) + gap);
+    setTextColumn(m_rows.columnOf(TrafficColumn::meaning), fewestMeaningLetters);
     const auto widthOf = [&](int bytes) {
         return numbers.horizontalAdvance(QString(qsizetype{3} * bytes, u'0')) + gap;
     };
     setElasticColumn({.column = m_rows.columnOf(TrafficColumn::bytes),
                       .least = widthOf(fewestBytes),
                       .most = widthOf(shownBytes),
-                      .wantedLetters = wantedLetters});
+                      .wantedLetters = wantedMeaningLetters});
 }
 
-void EscLineRowTable::copy() const
+void TrafficTable::copy() const
 {
     const bool onlyChosen = selectionModel()->hasSelection();
     QString text;
@@ -106,7 +122,7 @@ void EscLineRowTable::copy() const
     QApplication::clipboard()->setText(text);
 }
 
-QString EscLineRowTable::exportText() const
+QString TrafficTable::exportText() const
 {
     QString text;
     for (int row = 0; row < m_filter->rowCount(); ++row) {
@@ -119,7 +135,7 @@ QString EscLineRowTable::exportText() const
     return text;
 }
 
-void EscLineRowTable::changeEvent(QEvent *event)
+void TrafficTable::changeEvent(QEvent *event)
 {
     LogTable::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
