@@ -167,6 +167,7 @@ protected:
     void takeSleep(const Slept &slept, Instant at);
 
 private:
+    friend class EncoderOnBus;
     virtual EncoderSession *encoderAt(NodeId node) const = 0;
     virtual WordChannel *channelAt(NodeId node) const;
 

@@ -39,7 +39,7 @@ void measure(const char *what, SimulatedEscLineLink::Clock clock, Instant durati
         return;
     EscLineRunner runner(link, settings, {});
     runner.post(line_command::AddDevice{makeRequestDriver(device, {5}), device.fullName()});
-    runner.post(line_command::SetPolling{true});
+    runner.post(line_command::SetRunning{true});
 
     std::vector<Instant> positions; // when they were asked for
     const Instant end = link.now() + duration;

@@ -2,7 +2,6 @@
 #include "tests/kinds/plain/plain_bus.h"
 
 #include "jobs/job_check.h"
-#include "jobs/values_to_write.h"
 #include "tests/kinds/plain/plain_meaning.h"
 
 #include <utility>
@@ -265,15 +264,10 @@ EncoderSession *PlainBus::encoderAt(NodeId node) const
     return found == m_seats.end() ? nullptr : &(*found)->session;
 }
 
-QDateTime PlainSession::dateTime(Instant at) const
-{
-    return m_bus.dateTime(at);
-}
-
-Result<std::vector<Step>> PlainSession::planned(const std::vector<Job> &jobs) const
-{
-    return stepsForJobs(*this, jobs, Word{});
-}
+PlainSession::PlainSession(PlainBus &bus, std::size_t index, Place place, const DeviceDescription &device)
+    : EncoderOnBus(bus, index, place, device)
+    , m_bus(bus)
+{}
 
 Result<void> PlainSession::mayStart(const Job &job) const
 {
@@ -287,23 +281,6 @@ Result<void> PlainSession::mayStart(const Job &job) const
 void PlainSession::post(JobCommand command)
 {
     m_bus.carryOut(std::move(command));
-}
-
-void PlainSession::report(Message message, Instant at)
-{
-    message.at = at;
-    message.place = place();
-    m_bus.tell(std::move(message));
-}
-
-Instant PlainSession::now() const
-{
-    return m_bus.now();
-}
-
-Instant PlainSession::instantOf(const QDateTime &time) const
-{
-    return m_bus.instantOf(time);
 }
 
 } // namespace codewheel::test

@@ -47,7 +47,6 @@ public:
     void setRunning(bool) override {}
     void setOperate(bool on) override;
     void alarmStop() override;
-    using EncoderBus::tell;
     using EncoderBus::tellTraffic;
 
     PlainNode &node(Place place);

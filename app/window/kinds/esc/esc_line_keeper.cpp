@@ -2,7 +2,6 @@
 #include "app/window/kinds/esc/esc_line_keeper.h"
 
 #include "app/window/kinds/esc/esc_line_at_work.h"
-#include "kinds/esc/line/esc_line_encoder_session.h"
 #include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "project/bus_kind.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "jobs/job_command.h"
+#include "bus/asked_command.h"
 #include "kinds/canopen/driver/node_driver.h"
 #include "kinds/canopen/protocol/lss_client.h"
 
@@ -13,28 +13,19 @@ namespace codewheel {
 // What the window asks of the thread of a bus. A device is given by its index in the order in which they were
 // added.
 namespace canopen_command {
+using command::AlarmStop;
 using command::Cancel;
+using command::CancelScan;
 using command::Proceed;
+using command::RemoveDevice;
 using command::SetKnown;
+using command::SetOperate;
+using command::SetRunning;
 using command::StartJob;
 struct AddNode
 {
     std::unique_ptr<canopen::NodeDriver> driver;
 };
-struct RemoveNode // its index stays unused
-{
-    std::size_t device;
-};
-struct SetRunning // the drivers are asked what they want to send; required for jobs
-{
-    bool on;
-};
-struct SetOperate
-{
-    bool on;
-};
-struct AlarmStop
-{};
 // The user agrees that frames are sent beside another master.
 struct SendBesideOthers
 {};
@@ -62,12 +53,10 @@ struct CancelConfigure
 {};
 struct Scan
 {};
-struct CancelScan
-{};
 } // namespace canopen_command
 using CanopenCommand =
     std::variant<canopen_command::StartJob, canopen_command::Proceed, canopen_command::Cancel,
-                 canopen_command::SetKnown, canopen_command::AddNode, canopen_command::RemoveNode,
+                 canopen_command::SetKnown, canopen_command::AddNode, canopen_command::RemoveDevice,
                  canopen_command::SetRunning, canopen_command::SetOperate, canopen_command::AlarmStop,
                  canopen_command::SendBesideOthers, canopen_command::TakeUnsureWatch,
                  canopen_command::MayStopNode, canopen_command::Send, canopen_command::Transfer,

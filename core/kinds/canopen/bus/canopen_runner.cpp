@@ -95,7 +95,7 @@ void CanopenRunner::Private::publish()
         shown.present = its != nullptr;
         if (its == nullptr)
             continue;
-        shown = {.node = its->node(),
+        shown = {.node = CanopenAddress{its->node()}.place(),
                  .reading = its->reading(),
                  .hasJob = its->busy(),
                  .answers = nodeAt(its->node()).answers};

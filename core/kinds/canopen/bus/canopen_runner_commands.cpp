@@ -89,7 +89,7 @@ void CanopenRunner::Private::carryOut(canopen_command::AddNode &c)
     settle(number);
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::RemoveNode &c)
+void CanopenRunner::Private::carryOut(canopen_command::RemoveDevice &c)
 {
     if (driver(c.device) == nullptr)
         return;

@@ -59,7 +59,7 @@ struct CanopenRunner::Private
     void carryOut(canopen_command::Cancel &c);
     void carryOut(canopen_command::SetKnown &c);
     void carryOut(canopen_command::AddNode &c);
-    void carryOut(canopen_command::RemoveNode &c);
+    void carryOut(canopen_command::RemoveDevice &c);
     void carryOut(canopen_command::SetRunning &c);
     void carryOut(canopen_command::SetOperate &c);
     void carryOut(canopen_command::AlarmStop &c);
@@ -159,7 +159,7 @@ struct CanopenRunner::Private
     std::optional<Outgoing> waiting{}; // for it
     std::deque<Outgoing> underWay{};   // whose fate is not known yet
 
-    CanopenState state{.connected = true};
+    CanopenState state{{.connected = true}};
     CanStatus status{};
     CanopenFigures figures{};
     CanLoad load;

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/asked_snapshot.h"
 #include "can/can_link.h"
 #include "kinds/canopen/bus/other_master.h"
 #include "kinds/canopen/protocol/node_watch.h"
-#include "vocabulary/reading.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace codewheel {
 
-// What determines whether anything may be sent.
-struct CanopenState
+// The adapter may be gone, or have left the bus.
+struct CanopenState : AskingState
 {
-    bool connected = false;           // false: the adapter is gone, or has left the bus
-    std::optional<Refusal> whyLost{}; // while it is
-    bool running = false;             // drivers are asked
-    bool operate = false;             // frames may be sent
     OtherMaster otherMaster{};
     bool besideOthers = false; // the user agrees to that
     bool scanning = false;
@@ -49,16 +45,8 @@ struct CanopenFigures
 };
 
 // The bus as it is now.
-struct CanopenSnapshot : CanopenState
+struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
 {
-    struct Device
-    {
-        int node = 0;
-        Reading reading{};
-        bool hasJob = false;
-        bool present = true; // false: it has been removed
-        bool answers = true; // its last request was answered
-    };
     // Of one that was heard.
     struct Node
     {
@@ -73,12 +61,8 @@ struct CanopenSnapshot : CanopenState
         Instant heardAt{};
     };
 
-    Instant at{};
-    Instant awakeSince{}; // the computer slept until then; 0: not since the bus was opened
     CanStatus status{};
     CanopenFigures figures{};
-    std::uint64_t droppedRows = 0; // rows lost because nobody took them
-    std::vector<Device> devices;
     std::vector<Node> nodes; // by number
 
     const Node *heard(int node) const; // null: it was not

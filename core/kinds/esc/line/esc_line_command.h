@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "jobs/job_command.h"
+#include "bus/asked_command.h"
 #include "kinds/esc/driver/esc_request_driver.h"
 #include "kinds/esc/line/esc_line_scan.h"
 
@@ -14,29 +14,20 @@ namespace codewheel {
 // What the window asks of the line thread. A device is given by its index in the order in which they were
 // added.
 namespace line_command {
+using command::AlarmStop;
 using command::Cancel;
+using command::CancelScan;
 using command::Proceed;
+using command::RemoveDevice;
 using command::SetKnown;
+using command::SetOperate;
+using command::SetRunning;
 using command::StartJob;
 struct AddDevice
 {
     std::unique_ptr<RequestDriver> driver;
     QString name; // for the user
 };
-struct RemoveDevice // its index stays unused
-{
-    std::size_t device;
-};
-struct SetPolling // the drivers are asked what they want to send; required for jobs
-{
-    bool on;
-};
-struct SetOperate
-{
-    bool on;
-};
-struct AlarmStop
-{};
 // What was typed in the terminal: sent once, in its turn.
 struct Send
 {
@@ -58,12 +49,10 @@ struct Scan
 {
     ScanWish wish;
 };
-struct CancelScan
-{};
 } // namespace line_command
 using EscLineCommand =
     std::variant<line_command::StartJob, line_command::Proceed, line_command::Cancel, line_command::SetKnown,
-                 line_command::AddDevice, line_command::RemoveDevice, line_command::SetPolling,
+                 line_command::AddDevice, line_command::RemoveDevice, line_command::SetRunning,
                  line_command::SetOperate, line_command::AlarmStop, line_command::Send, line_command::Scan,
                  line_command::CancelScan, line_command::TakeOtherAdapter, line_command::SetFractionBits,
                  line_command::SetSwapsWarningBytes>;

@@ -89,7 +89,7 @@ StateWord EscLineOutline::state() const
         return {Role::fault, tr("no port")};
     if (line.scanning)
         return {Role::attention, tr("searching")};
-    if (!line.polling)
+    if (!line.running)
         return {Role::inactive, tr("stopped")};
     return {Role::running, tr("open")};
 }
@@ -131,7 +131,7 @@ StateWord EscLineOutline::shown(Place place) const
         return {Role::attention, tr("job", "it is running")};
     if (reading.state == EncoderState::silent)
         return {Role::fault, tr("silent")};
-    if (!line.polling)
+    if (!line.running)
         return {Role::inactive, tr("stopped")};
     if (reading.state == EncoderState::notSeen)
         return {Role::inactive, tr("not seen")};

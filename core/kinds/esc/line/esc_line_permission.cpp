@@ -20,7 +20,7 @@ Result<void> mayStart(const LineState &line, const Job &job, const QString &plac
 {
     if (!line.connected)
         return portLost(link);
-    if (!line.polling)
+    if (!line.running)
         return notNow(RefusalId::notRunning, place);
     if (!line.operate && !std::holds_alternative<ReadParameters>(job))
         return notNow(RefusalId::watchOnly, place);

@@ -226,15 +226,15 @@ void EscLineRunner::Private::publish()
     made.droppedRows = mail.droppedRows();
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const Device &device = devices[i];
-        EscLineSnapshot::Device shown{.address = {}, .reading = {}, .figures = device.counter.figures()};
+        EscLineSnapshot::Device shown{{}, device.counter.figures()};
         shown.present = device.driver != nullptr;
         if (device.driver) {
-            shown.address = device.driver->address();
+            shown.node = device.driver->address().node();
             shown.reading = device.driver->reading();
             shown.hasJob = device.driver->busy();
             shown.lateAfter = lateAfter(i);
             shown.answers = device.answers;
-            tap.look(i, shown.reading, state.connected && state.polling, made.at);
+            tap.look(i, shown.reading, state.connected && state.running, made.at);
         }
         made.devices.push_back(shown);
     }

@@ -80,12 +80,12 @@ void EscLineRunner::Private::carryOut(line_command::RemoveDevice &c)
     tellTaken();
 }
 
-void EscLineRunner::Private::carryOut(line_command::SetPolling &c)
+void EscLineRunner::Private::carryOut(line_command::SetRunning &c)
 {
-    if (c.on == state.polling)
+    if (c.on == state.running)
         return;
-    state.polling = c.on;
-    if (!state.polling)
+    state.running = c.on;
+    if (!state.running)
         stopJobs({RefusalKind::stopped, RefusalId::busStopped, {}});
     tell({.id = c.on ? MessageId::busStarted : MessageId::busStopped});
 }

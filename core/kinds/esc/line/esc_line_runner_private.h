@@ -41,7 +41,7 @@ struct EscLineRunner::Private
     void carryOut(line_command::SetKnown &c);
     void carryOut(line_command::AddDevice &c);
     void carryOut(line_command::RemoveDevice &c);
-    void carryOut(line_command::SetPolling &c);
+    void carryOut(line_command::SetRunning &c);
     void carryOut(line_command::SetOperate &c);
     void carryOut(line_command::AlarmStop &c);
     void carryOut(line_command::Send &c);
@@ -109,7 +109,7 @@ struct EscLineRunner::Private
     LineCounter counter;
     std::uint64_t turns = 0;
     Instant doubtfulFrom{}; // before that, none that did not answer is asked while others answer
-    LineState state{.connected = true};
+    LineState state{{.connected = true}};
     ValueTap tap{};
     Instant awakeSince{};
     Instant reopenAt{};

@@ -24,7 +24,7 @@ constexpr int roundsForgotten = 8; // so soon one that took longer no longer cou
 
 bool EscLineRunner::Private::beginDevice()
 {
-    const auto device = state.polling ? deviceInTurn() : std::nullopt;
+    const auto device = state.running ? deviceInTurn() : std::nullopt;
     if (!device)
         return false;
     devices[*device].turn = ++turns;
@@ -48,7 +48,7 @@ std::optional<std::size_t> EscLineRunner::Private::deviceInTurn() const
 std::optional<Instant> EscLineRunner::Private::nextWish() const
 {
     std::optional<Instant> first;
-    for (std::size_t i = 0; i < devices.size() && state.polling; ++i) {
+    for (std::size_t i = 0; i < devices.size() && state.running; ++i) {
         const auto due = turnOf(i);
         if (due && (!first || *due < *first))
             first = due;

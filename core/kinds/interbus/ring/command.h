@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "jobs/job_command.h"
+#include "bus/asked_command.h"
 #include "kinds/interbus/ring/master_link.h"
 #include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/words/cyclic_driver.h"
@@ -45,12 +45,6 @@ struct SetDriver
 struct StartBus
 {};
 struct StopBus
-{};
-struct SetOperate
-{
-    bool on;
-};
-struct AlarmStop
 {};
 // Services of the master; refused with a message if the link reaches none.
 struct ReadIn

@@ -15,7 +15,7 @@ namespace codewheel {
 
 RingEncoderSession::RingEncoderSession(RingSession &bus, std::size_t device, Place number,
                                        const DeviceDescription &description, bool linkBoundsCycles)
-    : DrivenEncoderSession(device, number, description)
+    : EncoderOnBus(bus, device, number, description)
     , m_bus(bus)
     , m_traffic(description)
     , m_linkBoundsCycles(linkBoundsCycles)
@@ -23,12 +23,6 @@ RingEncoderSession::RingEncoderSession(RingSession &bus, std::size_t device, Pla
     Capabilities can = description.capabilities;
     can.manufacturerPreset = can.manufacturerPreset && linkBoundsCycles;
     limitTo(can);
-    connect(&bus, &RingSession::stateChanged, this, &EncoderSession::permissionChanged);
-}
-
-QDateTime RingEncoderSession::dateTime(Instant at) const
-{
-    return m_bus.dateTime(at);
 }
 
 Result<std::vector<Step>> RingEncoderSession::planned(const std::vector<Job> &jobs) const
@@ -76,16 +70,6 @@ void RingEncoderSession::post(JobCommand command)
     std::visit([this](auto &one) { m_bus.post(std::move(one)); }, command);
 }
 
-Instant RingEncoderSession::now() const
-{
-    return m_bus.latest().at;
-}
-
-Instant RingEncoderSession::instantOf(const QDateTime &time) const
-{
-    return m_bus.instantOf(time);
-}
-
 // The number is 0 if the encoder has no valid position (80000000h).
 Refusal RingEncoderSession::nameOf(const Message &fault) const
 {
@@ -111,13 +95,6 @@ void RingEncoderSession::takeFault(const Message &fault)
     forgetValues();
     report({.severity = Severity::attention, .id = MessageId::valuesForgotten}, fault.at);
     Q_EMIT knownChanged();
-}
-
-void RingEncoderSession::report(Message message, Instant at)
-{
-    message.at = at;
-    message.place = place();
-    m_bus.tell(std::move(message));
 }
 
 } // namespace codewheel

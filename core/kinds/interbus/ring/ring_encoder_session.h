@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "jobs/driven_encoder_session.h"
+#include "bus/encoder_on_bus.h"
 #include "kinds/interbus/ring/ring_traffic.h"
 
 namespace codewheel {
@@ -10,7 +10,7 @@ class RingSession;
 
 // An encoder of a ring, as views see it: turns jobs into commands for the runner, and what RingSession pumps
 // out of the bus thread into signals.
-class RingEncoderSession final : public DrivenEncoderSession
+class RingEncoderSession final : public EncoderOnBus
 {
     Q_OBJECT
 
@@ -21,16 +21,12 @@ public:
 
     // 00000000 is what it shows without power.
     bool showsPosition() const override { return EncoderSession::showsPosition() && latest().in != 0; }
-    QDateTime dateTime(Instant at) const override;
     Result<std::vector<Step>> planned(const std::vector<Job> &jobs) const override;
 
 private:
     friend class RingSession;
     Result<void> mayStart(const Job &job) const override;
     void post(JobCommand command) override;
-    void report(Message message, Instant at) override;
-    Instant now() const override;
-    Instant instantOf(const QDateTime &time) const override;
 
     bool isOfThisRing() const;
     Result<void> checkLink(const Job &job) const;

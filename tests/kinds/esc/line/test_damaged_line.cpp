@@ -39,7 +39,7 @@ Course run(const EscLineFaults &faults)
     auto made = std::make_unique<EscDriver>(*catalog.find(u"kuebler-esc-rs485"), EscLineAddress{5});
     const EscDriver &driver = *made;
     runner.post(line_command::AddDevice{std::move(made), QStringLiteral("encoder")});
-    runner.post(line_command::SetPolling{true});
+    runner.post(line_command::SetRunning{true});
 
     Course run;
     bool asksPosition = false;

@@ -31,7 +31,7 @@ protected:
         runner.post(line_command::AddDevice{std::make_unique<PollingDriver>(EscLineAddress{address}, period),
                                             QStringLiteral("encoder")});
     }
-    void poll() { runner.post(line_command::SetPolling{true}); }
+    void poll() { runner.post(line_command::SetRunning{true}); }
     void run(Instant duration) { runner.turn(link.now() + duration); }
     std::vector<Message> messages()
     {

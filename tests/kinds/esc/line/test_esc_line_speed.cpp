@@ -19,7 +19,7 @@ protected:
     EscLineSpeed()
     {
         EXPECT_TRUE(link.open({}));
-        runner.post(line_command::SetPolling{true});
+        runner.post(line_command::SetRunning{true});
         for (const EscLineAddress address :
              {EscLineAddress{0x05}, EscLineAddress{0x03}, EscLineAddress{0x12}})
             runner.post(line_command::AddDevice{

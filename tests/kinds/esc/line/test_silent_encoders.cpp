@@ -18,7 +18,7 @@ protected:
     SilentEncoders()
     {
         EXPECT_TRUE(link.open({}));
-        runner.post(line_command::SetPolling{true});
+        runner.post(line_command::SetRunning{true});
     }
 
     void add(EscLineAddress address)

@@ -53,7 +53,7 @@ void EscLineFiguresModel::show(const EscLineSnapshot &line)
     std::vector<Column> fresh{{{}, line.figures}};
     for (const EscLineSnapshot::Device &device : line.devices)
         if (device.present)
-            fresh.push_back({device.address, device.figures});
+            fresh.push_back({EscLineAddress::of(device.node), device.figures});
     if (!std::ranges::equal(fresh, m_columns, {}, &Column::address, &Column::address)) {
         beginResetModel();
         m_columns = std::move(fresh);

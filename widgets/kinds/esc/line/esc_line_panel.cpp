@@ -133,7 +133,7 @@ void EscLinePanel::showState()
                                                         characterText(m_line->settings())})
                            : none);
     m_latency->setText(isConnected ? latencyText(m_line->latest().lowLatency) : none);
-    m_polling->setText(!isConnected ? none : m_line->isPolling() ? tr("runs") : tr("stopped"));
+    m_polling->setText(!isConnected ? none : m_line->latest().running ? tr("runs") : tr("stopped"));
     m_mode->setText(!isConnected            ? none
                     : m_line->isOperating() ? tr("Operate: allowed")
                                             : tr("Watch: only reads are sent"));

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/connected_bus.h"
+
+#include "catalog/catalog.h"
+#include "vocabulary/serial_number_text.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace codewheel {
+namespace {
+
+// Whether this may be on the label of an encoder that reports `told`. Text that is no number always may: on
+// labels there is often more.
+bool mayBeOnLabel(const QString &text, std::int64_t told, bool hasLetters)
+{
+    bool isDecimal = false;
+    bool isHexadecimal = false;
+    const auto decimal = text.toLongLong(&isDecimal);
+    const auto hexadecimal = text.toLongLong(&isHexadecimal, 16);
+    const bool isNumber = isDecimal || (hasLetters && isHexadecimal);
+    return !isNumber || (isDecimal && decimal == told) || (isHexadecimal && hexadecimal == told);
+}
+
+tl::unexpected<Refusal> nobodyAt(Place place)
+{
+    return refuse(RefusalKind::badInput, RefusalId::unknownDevice, {place.shown(), QString()});
+}
+
+} // namespace
+
+AskedEncoder::AskedEncoder(ConnectedBus &bus, std::size_t device, NodeId node,
+                           const DeviceDescription &description)
+    : EncoderOnBus(bus, device, bus.placeOf(node), description)
+    , m_bus(bus)
+{}
+
+Result<void> AskedEncoder::mayStart(const Job &job) const
+{
+    return m_bus.isOpen() ? m_bus.mayStart(job, place().shown()) : tl::unexpected(m_bus.closedRefusal());
+}
+
+void AskedEncoder::post(JobCommand command)
+{
+    m_bus.postJob(std::move(command));
+}
+
+ConnectedBus::ConnectedBus(BusId id, const QDateTime &begin, const Kind &kind, const Catalog &catalog,
+                           QObject *parent)
+    : EncoderBus(id, begin, kind.columns, parent)
+    , m_kind(kind)
+    , m_catalog(catalog)
+{}
+
+ConnectedBus::~ConnectedBus() = default;
+
+Result<void> ConnectedBus::add(NodeId node, const QString &deviceKey)
+{
+    if (!isBegun())
+        return tl::unexpected(closedRefusal());
+    if (const EncoderSession *there = encoderAt(node))
+        return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
+                      {m_kind.address(node), there->device().fullName()});
+    if (auto may = mayAdd(node); !may)
+        return may;
+    const DeviceDescription *described = m_catalog.find(deviceKey);
+    if (described == nullptr || described->profile != m_kind.profile)
+        return refuse(RefusalKind::badInput, RefusalId::unknownDevice,
+                      {deviceKey, QString::fromLatin1(m_kind.name)});
+    take(node, *described);
+    Q_EMIT nodesChanged();
+    return {};
+}
+
+AskedEncoder &ConnectedBus::take(NodeId node, const DeviceDescription &device)
+{
+    auto description = std::make_unique<const DeviceDescription>(device);
+    auto session = makeEncoder(m_encoders.size(), node, *description);
+    const Encoder &its = m_encoders.emplace_back(Encoder{std::move(description), std::move(session)});
+    startAsking(node, *its.description);
+    return *its.session;
+}
+
+std::unique_ptr<AskedEncoder> ConnectedBus::makeEncoder(std::size_t device, NodeId node,
+                                                        const DeviceDescription &description)
+{
+    return std::make_unique<AskedEncoder>(*this, device, node, description);
+}
+
+Result<void> ConnectedBus::remove(Place place)
+{
+    AskedEncoder *encoder = encoderAt(place.node);
+    if (encoder == nullptr)
+        return nobodyAt(place);
+    if (encoder->runningJob())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {place.shown()});
+    const auto ended = leave(*encoder); // whoever is told no longer finds it
+    Q_EMIT nodesChanged();
+    return {};
+}
+
+std::unique_ptr<AskedEncoder> ConnectedBus::leave(AskedEncoder &encoder)
+{
+    stopAsking(encoder.index());
+    return std::move(m_encoders[encoder.index()].session);
+}
+
+void ConnectedBus::retireAll()
+{
+    std::ranges::move(std::exchange(m_encoders, {}), std::back_inserter(m_retired));
+    endRetired();
+}
+
+void ConnectedBus::endRetired()
+{
+    if (!isPumping())
+        m_retired.clear();
+}
+
+std::vector<Place> ConnectedBus::places() const
+{
+    std::vector<Place> places;
+    for (const Encoder &encoder : m_encoders)
+        if (encoder.session)
+            places.push_back(encoder.session->place());
+    std::ranges::sort(places);
+    return places;
+}
+
+AskedEncoder *ConnectedBus::encoderAt(NodeId node) const
+{
+    for (const Encoder &encoder : m_encoders)
+        if (encoder.session && encoder.session->place().node == node)
+            return encoder.session.get();
+    return nullptr;
+}
+
+AskedEncoder *ConnectedBus::encoderOf(std::size_t device) const
+{
+    return device < m_encoders.size() ? m_encoders[device].session.get() : nullptr;
+}
+
+Result<void> ConnectedBus::canBe(Place place, const DeviceDescription &device) const
+{
+    if (device.profile == m_kind.profile)
+        return {};
+    return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
+}
+
+Result<void> ConnectedBus::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
+{
+    AskedEncoder *before = encoderAt(place.node);
+    const DeviceDescription *described = m_catalog.find(deviceKey);
+    if (before == nullptr || described == nullptr)
+        return nobodyAt(place);
+    if (auto may = mayName(place, described); !may)
+        return may;
+    const auto ended = leave(*before);
+    take(place.node, described->labelled(turns, stepsPerTurn)).countEepromWrites(ended->eepromWrites());
+    carryOver(*ended);
+    Q_EMIT named(place);
+    Q_EMIT nodesChanged();
+    return {};
+}
+
+std::optional<Participant> ConnectedBus::found(Place place) const
+{
+    const EncoderSession *there = encoder(place);
+    return there != nullptr
+               ? std::optional(Participant{.number = place.node, .deviceKey = there->device().key})
+               : std::nullopt;
+}
+
+std::map<NodeId, Refusal> ConnectedBus::strangers(const std::vector<Participant> &planned) const
+{
+    std::map<NodeId, Refusal> strangers;
+    for (const Participant &device : planned)
+        if (encoderAt(device.number) == nullptr)
+            strangers.emplace(device.number, whyNotThere(placeOf(device.number)));
+    return strangers;
+}
+
+std::optional<Refusal> ConnectedBus::isOther(Place place, const QString &deviceKey,
+                                             const QString &serialNumber) const
+{
+    const EncoderSession *there = encoder(place);
+    if (there == nullptr)
+        return std::nullopt;
+    const DeviceDescription *planned = m_catalog.find(deviceKey);
+    if (planned != nullptr && planned->key != there->device().key)
+        return Refusal{RefusalKind::link,
+                       RefusalId::deviceDiffers,
+                       {place.shown(), planned->fullName(), there->device().fullName()}};
+    const auto told = there->known(Parameter::serialNumber);
+    if (!told || told->evidence != Evidence::read ||
+        mayBeOnLabel(serialNumber, told->value.number(), m_kind.hexadecimalLabels))
+        return std::nullopt;
+    return Refusal{RefusalKind::link,
+                   RefusalId::serialDiffers,
+                   {place.shown(), serialNumber, serialNumberText(told->value.number())}};
+}
+
+} // namespace codewheel
