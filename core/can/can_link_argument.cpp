@@ -2,6 +2,7 @@
 #include "can/can_link_argument.h"
 
 #include "can/can_refusals.h"
+#include "can/can_settings.h"
 #include "can/slcan_codec.h"
 
 #include <QStringList>
@@ -22,28 +23,27 @@ bool isInterfaceName(const QString &name)
            std::ranges::none_of(name, [](QChar c) { return c == u'/' || c == u':' || c.isSpace(); });
 }
 
+// The rate of an interface is the system's.
 Result<void> takeCanSetting(CanLinkArgument &link, const QString &setting)
 {
-    constexpr int highestBaudRate = 12'000'000;
     const QString key = setting.section(u'=', 0, 0);
     const QString text = setting.section(u'=', 1);
+    const CanSetting *its = canSetting(key);
+    if (!link.isSerial)
+        return its != nullptr && its->its == &CanLinkArgument::rate
+                   ? refuse(RefusalKind::badInput, CanRefusalId::rateBySystem, {link.where})
+                   : refuse(RefusalKind::badInput, CanRefusalId::linkNotUnderstood, {setting});
+    if (its == nullptr)
+        return refuse(RefusalKind::badInput, CanRefusalId::settingUnknown, {setting});
     const int number = text.toInt();
-    if (key == QStringLiteral("rate")) {
-        if (!link.isSerial)
-            return refuse(RefusalKind::badInput, CanRefusalId::rateBySystem, {link.where});
-        if (std::ranges::find(slcanRates, number) == slcanRates.end())
-            return refuse(RefusalKind::badInput, CanRefusalId::rateWrong, {text, slcanRatesText()});
-        link.rate = number;
-        return {};
+    if (!its->hasAdapter(number)) {
+        std::vector<RefusalArgument> about{text};
+        if (!its->ofAdapters.empty())
+            about.emplace_back(slcanRatesText());
+        return refuse(RefusalKind::badInput, its->wrong, std::move(about));
     }
-    if (key == QStringLiteral("baud") && link.isSerial) {
-        if (number <= 0 || number > highestBaudRate)
-            return refuse(RefusalKind::badInput, CanRefusalId::baudRateWrong, {text});
-        link.baudRate = number;
-        return {};
-    }
-    return refuse(RefusalKind::badInput,
-                  link.isSerial ? CanRefusalId::settingUnknown : CanRefusalId::linkNotUnderstood, {setting});
+    link.*its->its = number;
+    return {};
 }
 
 } // namespace

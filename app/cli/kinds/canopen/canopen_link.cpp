@@ -40,12 +40,6 @@ Checked<void> takeAgreements(CanopenLink &link, LinkText &text)
     return {};
 }
 
-// Without the rate, which is a setting of its own.
-QString withoutRate(const CanLinkArgument &link)
-{
-    return link.text().remove(QStringLiteral(",rate=%1").arg(link.rate));
-}
-
 Checked<CanopenLink> linkAt(CanopenLink link, const LinkText &text)
 {
     const QString typed = QStringList{QStringList{text.link()} + text.settings}.join(u',');
@@ -53,9 +47,7 @@ Checked<CanopenLink> linkAt(CanopenLink link, const LinkText &text)
     if (!at)
         return tl::unexpected(complaintAbout(at.error()));
     link.at = *at;
-    link.settings.link = withoutRate(*at);
-    if (at->rate != 0)
-        link.settings.rate = at->rate;
+    link.settings = canopenSettings(*at, link.settings.rate);
     return link;
 }
 
@@ -86,7 +78,8 @@ QStringList canopenSettingKeys(const QString &scheme)
 {
     QStringList keys;
     if (scheme == slcanScheme)
-        keys << QStringLiteral("rate") << QStringLiteral("baud");
+        for (const CanSetting &one : canSettings())
+            keys << QString::fromLatin1(one.key);
     for (const Agreement &one : agreements)
         keys << QString::fromLatin1(one.key);
     return keys;
@@ -112,7 +105,7 @@ Checked<CanopenLink> canopenLinkOf(const Project &project, BusId bus, const QStr
     if (link.isSimulated())
         return simulatedLink(link, text);
     if (text.scheme == slcanScheme)
-        text.settings.prepend(QStringLiteral("rate=%1").arg(link.settings.rate));
+        text.settings.prepend(QStringLiteral("%1=%2").arg(QLatin1String(canRateKey)).arg(link.settings.rate));
     if (planned)
         if (auto there = linkAt(link, text); there || !settings.isEmpty())
             return there;

@@ -23,9 +23,6 @@
 namespace codewheel {
 namespace {
 
-constexpr int slowestRate = 10'000; // Bd
-constexpr int fastestRate = 1'000'000;
-
 using namespace project_keys;
 
 // By their numbers.
@@ -128,10 +125,11 @@ std::unique_ptr<BusOutline> CanopenKind::outline(const Project &project, BusId b
 
 KindData CanopenKind::read(const JsonObject &json, std::vector<ProjectDevice> &devices) const
 {
-    json.allowOnly({"kind", "number", "name", "link", "rate", "devices"});
+    json.allowOnly({"kind", "number", "name", "link", canRateKey, "devices"});
     CanopenPlan plan;
     plan.settings.link = json.freeText("link");
-    plan.settings.rate = json.numberOr("rate", plan.settings.rate, slowestRate, fastestRate);
+    const CanSetting &rate = *canSetting(QString::fromLatin1(canRateKey));
+    plan.settings.rate = json.numberOr(canRateKey, plan.settings.rate, rate.least, rate.most);
     devices = readNodes(json);
     return KindData(std::move(plan));
 }
@@ -144,7 +142,7 @@ void CanopenKind::write(ProjectWriter &writer, const KindData &settings,
     std::vector<ProjectDevice> byNumber(devices.begin(), devices.end());
     std::ranges::stable_sort(byNumber, {}, &ProjectDevice::place);
     writer.writeText("link", its.link);
-    json.member("rate", its.rate);
+    json.member(canRateKey, its.rate);
     json.list("devices", byNumber, [&](const ProjectDevice &encoder) {
         json.member("place", encoder.place().toString());
         writer.writeText("device", encoder.participant.deviceKey);

@@ -117,5 +117,19 @@ TEST_F(CanopenPlanFile, NodesArePlannedByTheirNumbers)
     EXPECT_FALSE(rules.offered(catalog).empty());
 }
 
+TEST(CanopenSettingsOfALink, AreReadBackAsTheLink)
+{
+    for (const char *typed :
+         {"can:can0", "slcan:ttyACM0,rate=250000", "slcan:/dev/ttyUSB0,rate=10000,baud=57600"}) {
+        const CanLinkArgument link = parseCanLink(QString::fromLatin1(typed)).value();
+        const CanopenSettings settings = canopenSettings(link, 500'000);
+        EXPECT_EQ(settings.rate, link.isSerial ? link.rate : 500'000) << typed;
+        EXPECT_FALSE(settings.link.contains(QStringLiteral("rate"))) << typed;
+        EXPECT_EQ(canLinkOf(settings).value(), link) << typed;
+    }
+    EXPECT_FALSE(canLinkOf(CanopenSettings()));
+    EXPECT_FALSE(canLinkOf({QStringLiteral("gone:x"), 125'000}));
+}
+
 } // namespace
 } // namespace codewheel
