@@ -13,15 +13,12 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
+#include "links/can_link_to.h"
 #include "links/port_access.h"
-#include "links/serial_port_link.h"
 #include "links/slcan_link.h"
-#include "links/socket_can_link.h"
 #include "project/bus_plans.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
-
-#include <QCanBusDevice>
 
 #include <algorithm>
 
@@ -42,15 +39,6 @@ constexpr Instant longestAlone = 500ms;  // a frame needs some of them at most
 bool onlyListens(const Call &call)
 {
     return std::string_view(call.command.name) == "monitor";
-}
-
-std::unique_ptr<CanLink> realLink(const CanLinkArgument &at, const SlcanLink *&adapter)
-{
-    if (!at.isSerial)
-        return std::make_unique<SocketCanLink>(at.where);
-    auto link = std::make_unique<SlcanLink>(std::make_unique<SerialPortLink>(at.where), at.rate, at.baudRate);
-    adapter = link.get();
-    return link;
 }
 
 Complaint aboutSilentNode(CanopenAddress address, bool wasAsked)
@@ -98,8 +86,9 @@ std::unique_ptr<CanopenAccess> CanopenAccess::to(const CanopenLink &link, const 
         return std::make_unique<CanopenAccess>(
             std::make_unique<SimulatedCanLink>(canopen::SimulatedCanopenPlant().bus(), link.settings.rate),
             link, catalog, id);
-    const SlcanLink *adapter = nullptr;
-    auto access = std::make_unique<CanopenAccess>(realLink(link.at, adapter), link, catalog, id);
+    auto its = canLinkTo(link.at);
+    const auto *adapter = dynamic_cast<const SlcanLink *>(its.get());
+    auto access = std::make_unique<CanopenAccess>(std::move(its), link, catalog, id);
     access->m_adapter = adapter;
     return access;
 }

@@ -11,34 +11,12 @@
 namespace codewheel {
 namespace {
 
-const QString singleTurnOnNode = QStringLiteral("canopen-406-single-turn");
-const QString multiTurnOnNode = QStringLiteral("canopen-406-multi-turn");
-const QString linearOnNode = QStringLiteral("canopen-406-linear");
-
 bool isForNodes(const DeviceDescription *device)
 {
     return device != nullptr && device->profile == profile::cia406;
 }
 
 } // namespace
-
-QString usualDeviceOnNode()
-{
-    return multiTurnOnNode;
-}
-
-// The forms from 6 to 9 are linear, 1 is single-turn.
-QString deviceOfType(std::uint32_t deviceType)
-{
-    constexpr std::uint32_t profileOfEncoders = 406;
-    constexpr unsigned formShift = 16;
-    if ((deviceType & 0xFFFF) != profileOfEncoders)
-        return {};
-    const std::uint32_t form = deviceType >> formShift;
-    if (form == 1)
-        return singleTurnOnNode;
-    return form >= 6 && form <= 9 ? linearOnNode : multiTurnOnNode;
-}
 
 Checked<QString> deviceOnNode(const Call &call, Place place)
 {

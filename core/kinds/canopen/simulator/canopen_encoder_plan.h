@@ -56,6 +56,13 @@ struct CanopenEncoderPlan
     static constexpr std::int64_t linearStep = 5'000; // 0.001 um
 
     bool isLinear() const { return form == Form::linear; }
+    // As object 1000h tells it.
+    std::uint32_t deviceType() const
+    {
+        constexpr std::uint32_t encoder = 406;
+        const std::uint32_t kind = form == Form::singleTurn ? 1 : form == Form::multiTurn ? 2 : 8;
+        return kind << 16 | encoder;
+    }
     // Of the physical positions; the shaft of a linear one turns on where its rod comes back.
     std::int64_t positions() const { return isLinear() ? resolution.range() / 2 : resolution.range(); }
 };

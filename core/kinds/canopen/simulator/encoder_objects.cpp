@@ -36,18 +36,10 @@ struct EncoderRows
         return {.index = index, .type = SimulatedObject::Type::text, .text = its};
     }
 
-    static std::uint32_t deviceType(const CanopenEncoderPlan &plan)
-    {
-        using Form = CanopenEncoderPlan::Form;
-        constexpr std::uint32_t encoder = 0x0196;
-        const std::uint32_t kind = plan.form == Form::singleTurn ? 1 : plan.form == Form::multiTurn ? 2 : 8;
-        return kind << 16 | encoder;
-    }
-
     static Objects communication(const CanopenEncoderPlan &plan, int node)
     {
         Objects objects{
-            {0x1000, 0, u32, readOnly, deviceType(plan)},
+            {0x1000, 0, u32, readOnly, plan.deviceType()},
             {0x1001, 0, u8, readOnly, 0, {}, true},
             {0x1003, 0, u8, readWrite},
             {0x1005, 0, u32, readWrite, 0x80},

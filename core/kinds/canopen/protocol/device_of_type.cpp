@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/device_of_type.h"
+
+namespace codewheel {
+namespace {
+
+const QString singleTurnOnNode = QStringLiteral("canopen-406-single-turn");
+const QString multiTurnOnNode = QStringLiteral("canopen-406-multi-turn");
+const QString linearOnNode = QStringLiteral("canopen-406-linear");
+
+} // namespace
+
+QString usualDeviceOnNode()
+{
+    return multiTurnOnNode;
+}
+
+// The forms from 6 to 9 are linear, 1 is single-turn.
+QString deviceOfType(std::uint32_t deviceType)
+{
+    constexpr std::uint32_t profileOfEncoders = 406;
+    constexpr unsigned formShift = 16;
+    if ((deviceType & 0xFFFF) != profileOfEncoders)
+        return {};
+    const std::uint32_t form = deviceType >> formShift;
+    if (form == 1)
+        return singleTurnOnNode;
+    return form >= 6 && form <= 9 ? linearOnNode : multiTurnOnNode;
+}
+
+} // namespace codewheel
