@@ -25,7 +25,7 @@ constexpr std::array canSettingRows{
                .usual = 125'000,
                .ofAdapters = slcanRates,
                .wrong = CanRefusalId::rateWrong,
-               .labelOfForm = QT_TRANSLATE_NOOP("codewheel::CanSettings", "Ra&te of the bus"),
+               .labelOfForm = QT_TRANSLATE_NOOP("codewheel::CanSettings", "R&ate of the bus"),
                .sentenceOfForm = QT_TRANSLATE_NOOP(
                    "codewheel::CanSettings",
                    "The same for all nodes of the bus; a node at another rate disturbs it")},

@@ -79,7 +79,7 @@ TEST_P(NothingIsCutOff, OnAnyPage)
     for (QAction *action :
          {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
           actions().structureEditor, actions().compare, actions().transfer, actions().replaceEncoder,
-          lineActions().settings, lineActions().search, actions().projectPage}) {
+          lineActions().settings, lineActions().search, canActions().settings, actions().projectPage}) {
         action->trigger();
         look(*window().centralWidget(), action->text());
     }

@@ -740,8 +740,7 @@ TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
     EXPECT_TRUE(bus().isOpen());
 }
 
-// A kind that only the command line knows can be planned and looked at here, but not connected.
-TEST_F(SeveralBuses, OnlyKindsThatTheWindowConnectsAreOffered)
+TEST_F(SeveralBuses, AllKindsThatTheWindowConnectsAreOffered)
 {
     actions().projectPage->trigger();
     QStringList offered;
@@ -751,10 +750,12 @@ TEST_F(SeveralBuses, OnlyKindsThatTheWindowConnectsAreOffered)
             for (const QAction *kind : menu->actions())
                 offered << plainLabel(kind->text());
         }
-    EXPECT_EQ(offered, QStringList({busKind(u"interbus")->title(), busKind(u"esc")->title()}));
+    EXPECT_EQ(offered, QStringList({busKind(u"interbus")->title(), busKind(u"esc")->title(),
+                                    busKind(u"canopen")->title()}));
     plan(secondLine, u"canopen");
     advance(50);
-    EXPECT_EQ(shown->plant().find(secondLine), nullptr);
+    ASSERT_NE(shown->plant().find(secondLine), nullptr);
+    EXPECT_EQ(shown->plant().find(secondLine)->kind(), QStringLiteral("canopen"));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/kinds/canopen/canopen_actions.h"
 #include "app/window/kinds/esc/esc_line_actions.h"
 #include "app/window/kinds/interbus/ring_actions.h"
 #include "app/window/kinds/training_window.h"
@@ -48,6 +49,7 @@ protected:
     RingSession &bus() { return shown->bus(); }
     const WindowActions &actions() { return window().actions(); }
     const RingActions &ringActions() { return *window().findChild<RingActions *>(); }
+    const CanopenActions &canActions() { return *window().findChild<CanopenActions *>(); }
     const EscLineActions &lineActions() { return *window().findChild<EscLineActions *>(); }
     const QWidget *page() // that is open in the middle
     {

@@ -2,7 +2,9 @@
 #include "app/window/kinds/window_kinds.h"
 
 #include "app/window/connect/port_rows.h"
+#include "app/window/kinds/canopen/can_interface_rows.h"
 #include "app/window/kinds/canopen/canopen_at_work.h"
+#include "app/window/kinds/canopen/canopen_views.h"
 #include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/kinds/esc/esc_line_views.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
@@ -50,7 +52,11 @@ std::vector<WindowKind> &kinds()
          nullptr, &gatewaySearch},
         {QString::fromLatin1(escKind), &make<EscLineAtWork>, &makeViews<EscLineViews, EscLineAtWork>,
          linePanels, &adapterRows, nullptr, &keysOfLines},
-        {QString::fromLatin1(canopenKind), &make<CanopenAtWork>},
+        {QString::fromLatin1(canopenKind),
+         &make<CanopenAtWork>,
+         &makeViews<CanopenViews, CanopenAtWork>,
+         {},
+         &canAdapterRows},
         {ReplayAtWork::kindKey(), nullptr, &makeViews<ReplayViews, ReplayAtWork>}};
     return all;
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/kinds/canopen/canopen_actions.h"
+
+#include "app/window/look/described_action.h"
+#include "app/window/window_actions.h"
+#include "widgets/look/icons.h"
+
+#include <QMenu>
+
+namespace codewheel {
+
+CanopenActions::CanopenActions(WindowActions &window)
+    : QObject(&window)
+    , menu(new QMenu(tr("CA&N bus"), window.menuParent()))
+{
+    menu->setIcon(lineIcon(Icon::ring));
+    menu->setToolTipsVisible(true);
+    const auto add = [this](Icon icon, const QString &text, const QKeySequence &key, const QString &what) {
+        return described(menu->addAction(lineIcon(icon), text), key, what);
+    };
+    settings = foundBy(add(Icon::parameters, tr("&Connection…"), Qt::CTRL | Qt::Key_F8,
+                           tr("How the CAN bus is connected: interface or adapter, and rate. Nothing is "
+                              "sent")),
+                       tr("CANopen, SocketCAN, SLCAN, interface, adapter, bit rate"));
+    settings->setObjectName(QStringLiteral("canSettings"));
+    menu->addSeparator();
+    training = foundBy(add(Icon::training, tr("CAN t&raining bus"), {},
+                           tr("Three simulated encoders on CANopen, and one without a node number, in place "
+                              "of an adapter")),
+                       tr("CANopen, simulated"));
+    training->setObjectName(QStringLiteral("canTraining"));
+    afresh =
+        foundBy(add(Icon::refresh, tr("Start a&fresh"), {}, {}), tr("reset, factory settings, no faults"));
+    disconnectBus = add(Icon::cancel, tr("&Disconnect the CAN bus"), Qt::CTRL | Qt::SHIFT | Qt::Key_F10,
+                        tr("Leaves the CAN bus"));
+    window.insert(WindowActions::Section::kinds, {menu->menuAction()});
+}
+
+void CanopenActions::tellBus(const QString &bus)
+{
+    for (QAction *action : {settings, training, afresh, disconnectBus})
+        codewheel::tellBus(action, bus);
+}
+
+void CanopenActions::tellWhyNotDisconnected(const QString &why)
+{
+    described(disconnectBus, disconnectBus->shortcut(), why);
+}
+
+} // namespace codewheel
