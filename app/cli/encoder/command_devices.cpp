@@ -166,6 +166,15 @@ Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device)
     return described;
 }
 
+// Of a description of ours, or of a file of makers that a kind of bus knows.
+Answer checkOf(const Call &call, const QString &file)
+{
+    for (const LinkKind *kind : linkKinds())
+        if (auto answer = kind->checkDeviceFile(call, file))
+            return *std::move(answer);
+    return checkAnswer(file);
+}
+
 Checked<Answer> runDevices(const Call &call)
 {
     const auto label = call.arguments.value("--label");
@@ -176,7 +185,7 @@ Checked<Answer> runDevices(const Call &call)
     if (label)
         return labelAnswer(call.catalog, *label);
     if (file)
-        return checkAnswer(*file);
+        return checkOf(call, *file);
     if (const auto bus = call.arguments.value("--bus"))
         if (const auto its = busNamed(call, *bus); !its)
             return tl::unexpected(its.error());

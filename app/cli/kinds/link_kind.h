@@ -76,6 +76,12 @@ public:
     {
         return std::nullopt;
     }
+    // For `devices --check`, of a file in which makers of this kind of encoder describe one; empty: it is
+    // none.
+    virtual std::optional<Answer> checkDeviceFile(const Call &, const QString & /*path*/) const
+    {
+        return std::nullopt;
+    }
     // With its parameters limited by the settings of --link.
     virtual Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device) const;
 };

@@ -6,6 +6,7 @@
 #include "cli/call/texts.h"
 #include "cli/kinds/canopen/canopen_access.h"
 #include "cli/kinds/canopen/canopen_scan.h"
+#include "cli/kinds/canopen/device_file_check.h"
 #include "cli/kinds/canopen/device_on_node.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 #include "links/can_interface.h"
@@ -58,6 +59,10 @@ public:
     QStringList ends(const QString &scheme) const override;
     QStringList settingKeys(const QString &scheme) const override { return canopenSettingKeys(scheme); }
     std::vector<KnownDevice> trainingDevices(const Catalog &catalog) const override;
+    std::optional<Answer> checkDeviceFile(const Call &call, const QString &path) const override
+    {
+        return isCanopenDeviceFile(path) ? std::optional(checkOfDeviceFile(call, path)) : std::nullopt;
+    }
 
 private:
     // The bus of the project that has this link. Empty: none.

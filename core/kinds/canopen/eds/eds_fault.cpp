@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/eds/eds_fault.h"
+
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel::canopen {
+namespace {
+
+constexpr std::size_t mostNotes = 1'000;
+
+struct EdsFaultRow
+{
+    EdsFault fault;
+    const char *text;
+};
+
+constexpr std::array edsFaultRows{
+    EdsFaultRow{
+        EdsFault::notUtf8,
+        QT_TRANSLATE_NOOP("Eds", "The text is not UTF-8, and is read as Latin-1: names may be wrong.")},
+    EdsFaultRow{EdsFault::lettersLost,
+                QT_TRANSLATE_NOOP("Eds", "Letters were lost before (U+FFFD): names may be wrong.")},
+    EdsFaultRow{EdsFault::noEqualSign,
+                QT_TRANSLATE_NOOP("Eds", "This is neither a section nor KEY=VALUE: the line is skipped.")},
+    EdsFaultRow{EdsFault::beforeSections,
+                QT_TRANSLATE_NOOP("Eds", "This is before the first section: the line is skipped.")},
+    EdsFaultRow{EdsFault::bracketOpen,
+                QT_TRANSLATE_NOOP("Eds", "The bracket is not closed: the line is read as a section.")},
+    EdsFaultRow{EdsFault::behindBracket,
+                QT_TRANSLATE_NOOP("Eds", "What is behind the section in this line is skipped.")},
+    EdsFaultRow{EdsFault::unknownKey, QT_TRANSLATE_NOOP("Eds", "This key is not known: it is skipped.")},
+    EdsFaultRow{EdsFault::unknownSection,
+                QT_TRANSLATE_NOOP("Eds", "This section is not known: it is skipped.")},
+    EdsFaultRow{EdsFault::ofModule,
+                QT_TRANSLATE_NOOP("Eds", "This is for modules of the device: it is skipped.")},
+    EdsFaultRow{EdsFault::keyTwice,
+                QT_TRANSLATE_NOOP("Eds", "This key is here twice: the first one counts.")},
+    EdsFaultRow{EdsFault::sectionTwice,
+                QT_TRANSLATE_NOOP("Eds", "This section is here twice: the first one counts.")},
+    EdsFaultRow{EdsFault::commentBehind, QT_TRANSLATE_NOOP("Eds", "What is behind the value is a comment.")},
+    EdsFaultRow{EdsFault::leadingZero, QT_TRANSLATE_NOOP("Eds", "The leading zero does not mean octal: read "
+                                                                "as %1.")},
+    EdsFaultRow{EdsFault::fraction, QT_TRANSLATE_NOOP("Eds", "This is an integer: read as %1.")},
+    EdsFaultRow{EdsFault::suffix, QT_TRANSLATE_NOOP("Eds", "The letters behind the number mean nothing here: "
+                                                           "read as %1.")},
+    EdsFaultRow{EdsFault::notANumber,
+                QT_TRANSLATE_NOOP("Eds", "\"%1\" is no number: it counts as not stated.")},
+    EdsFaultRow{EdsFault::doesNotFit,
+                QT_TRANSLATE_NOOP("Eds", "\"%1\" does not fit into the type %2: it counts as not stated.")},
+    EdsFaultRow{EdsFault::unknownType,
+                QT_TRANSLATE_NOOP("Eds", "\"%1\" is no data type of CiA 301: the device "
+                                         "tells how long the object is.")},
+    EdsFaultRow{EdsFault::unknownObjectType,
+                QT_TRANSLATE_NOOP("Eds",
+                                  "\"%1\" is no object type of CiA 301: what has no subindexes counts as "
+                                  "a variable.")},
+    EdsFaultRow{EdsFault::unknownAccess,
+                QT_TRANSLATE_NOOP("Eds", "\"%1\" is no access: ro, wo, rw, rwr, rww or const is expected. It "
+                                         "counts as not stated.")},
+    EdsFaultRow{EdsFault::unknownMapping,
+                QT_TRANSLATE_NOOP("Eds", "\"%1\" does not say whether the object can be mapped: 0 or 1 is "
+                                         "expected. It counts as 0.")},
+    EdsFaultRow{EdsFault::lowOverHigh,
+                QT_TRANSLATE_NOOP("Eds", "The low limit is above the high limit: both count as not stated.")},
+    EdsFaultRow{
+        EdsFault::nodeMissing,
+        QT_TRANSLATE_NOOP("Eds", "\"%1\" lacks the number of the node ($NODEID): it is never written.")},
+    EdsFaultRow{EdsFault::wrongCount,
+                QT_TRANSLATE_NOOP("Eds", "The list announces %1 and has %2: it is read to its end.")},
+    EdsFaultRow{
+        EdsFault::noLists,
+        QT_TRANSLATE_NOOP("Eds", "There are no lists of objects: the sections decide what there is.")},
+    EdsFaultRow{EdsFault::noSection,
+                QT_TRANSLATE_NOOP("Eds", "%1 is in the list and has no section: it is left "
+                                         "out.")},
+    EdsFaultRow{EdsFault::inNoList,
+                QT_TRANSLATE_NOOP("Eds", "%1 has a section and is in no list: it is there.")},
+    EdsFaultRow{EdsFault::inWrongList,
+                QT_TRANSLATE_NOOP("Eds", "%1 is in the wrong list: its index decides whose object it is.")},
+    EdsFaultRow{EdsFault::notInList,
+                QT_TRANSLATE_NOOP("Eds", "\"%1\" is no index of an object: it is left out.")},
+    EdsFaultRow{EdsFault::subsDiffer,
+                QT_TRANSLATE_NOOP("Eds", "%1 subindexes are announced, and %2 are there: these count.")},
+    EdsFaultRow{
+        EdsFault::subAlone,
+        QT_TRANSLATE_NOOP("Eds", "%1 has a subindex and no section of its own: the subindex is there.")},
+    EdsFaultRow{EdsFault::noSubs,
+                QT_TRANSLATE_NOOP("Eds", "%1 is to have subindexes and has none: it is left out.")},
+    EdsFaultRow{EdsFault::tooManySubs,
+                QT_TRANSLATE_NOOP("Eds", "%1 subindexes are more than there can be: it has %2.")},
+    EdsFaultRow{EdsFault::otherCommissioning,
+                QT_TRANSLATE_NOOP("Eds", "Node and rate are here twice, and differ: the first ones count.")},
+    EdsFaultRow{EdsFault::badNode,
+                QT_TRANSLATE_NOOP("Eds", "\"%1\" is no number of a node. Numbers go from 1 to 127; leave the "
+                                         "value out where it is not set.")},
+    EdsFaultRow{EdsFault::badRate,
+                QT_TRANSLATE_NOOP("Eds",
+                                  "\"%1\" is no rate of CANopen in kBd, and what was meant is not guessed. "
+                                  "Write 10, 20, 50, 100, 125, 250, 500, 800 or 1000.")},
+    EdsFaultRow{EdsFault::noObjects,
+                QT_TRANSLATE_NOOP("Eds", "There is no object in this file: it is no EDS and no DCF.")},
+    EdsFaultRow{EdsFault::tooManyObjects,
+                QT_TRANSLATE_NOOP("Eds", "This file has more than %1 objects: it is of no encoder.")},
+};
+static_assert(areInOrder(edsFaultRows, &EdsFaultRow::fault, EdsFault::tooManyObjects));
+
+} // namespace
+
+QString EdsNote::text() const
+{
+    const char *pattern = edsFaultRows.at(static_cast<std::size_t>(fault)).text;
+    return sentence(QCoreApplication::translate("Eds", pattern), parts);
+}
+
+void EdsNotes::add(EdsNote note)
+{
+    ++m_count;
+    if (m_kept.size() < mostNotes)
+        m_kept.push_back(std::move(note));
+}
+
+void EdsNotes::sort()
+{
+    std::ranges::stable_sort(m_kept, {}, &EdsNote::line);
+}
+
+} // namespace codewheel::canopen
