@@ -21,9 +21,10 @@ struct CanopenRunner::Private
 
         CanFrame frame;
         By by = By::typed;
-        int node = 0; // of transfer, driver
+        int node = 0; // of transfer, driver, scan
         Instant at{}; // when the link took it
         bool isAutomatic = false;
+        std::uint64_t number = 0; // that the client of a transfer or a configuration has given it
     };
 
     // What is kept of each number that was heard, or has a driver, or was asked by hand.

@@ -194,8 +194,8 @@ void CanopenRunner::Private::lookAtScan()
 {
     if (!scan)
         return;
-    if (scan->isDone()) {
-        endScan(false);
+    if (scan->isDone() || scan->isStuck(link.now())) {
+        endScan(!scan->isDone());
         return;
     }
     std::vector<canopen::FoundNode> found = scan->found();

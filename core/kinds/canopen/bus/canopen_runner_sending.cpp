@@ -74,7 +74,7 @@ std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextFram
         return nextCommand();
     if (scan)
         if (const auto frame = scan->next(now))
-            return Outgoing{*frame, By::scan, 0, {}, true};
+            return Outgoing{*frame, By::scan, canopen::CobId::of(frame->id)->node, {}, true};
     for (int i = 0; i < canopen::lastNode; ++i) {
         const int number = (lastAsked + i) % canopen::lastNode + 1;
         if (!nodes.at(static_cast<std::size_t>(number)) || nodeAt(number).dueAt > now)
@@ -106,7 +106,9 @@ std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextOfCo
         lss.begin(configurations.front(), now);
     }
     const auto frame = lss.isBusy() ? lss.next(now) : std::nullopt;
-    return frame ? std::optional(Outgoing{*frame, Outgoing::By::configuration}) : std::nullopt;
+    if (!frame)
+        return std::nullopt;
+    return Outgoing{.frame = *frame, .by = Outgoing::By::configuration, .number = lss.given()};
 }
 
 std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextOf(int number)
@@ -121,7 +123,7 @@ std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextOf(i
         return std::nullopt;
     }
     const bool isAutomatic = !node.isTypedUnderWay && node.device && !driver(*node.device)->busy();
-    return Outgoing{*frame, Outgoing::By::transfer, number, {}, isAutomatic};
+    return Outgoing{*frame, Outgoing::By::transfer, number, {}, isAutomatic, node.client.given()};
 }
 
 // Only where nothing is under way with the node.
@@ -234,11 +236,12 @@ void CanopenRunner::Private::fate(CanFate fate)
         wasSent(sent);
     switch (sent.by) {
     case By::transfer:
-        nodeAt(sent.node).client.fate(fate, link.now());
+        nodeAt(sent.node).client.fate(sent.number, fate, link.now());
         settle(sent.node);
         break;
     case By::driver:
-        if (nodeAt(sent.node).request)
+        if (const auto &its = nodeAt(sent.node).request;
+            its && std::holds_alternative<canopen::NmtRequest>(*its))
             answerDriver(nodeAt(sent.node),
                          {.kind = isRefused ? SdoOutcome::Kind::notSent : SdoOutcome::Kind::written});
         settle(sent.node);
@@ -247,13 +250,15 @@ void CanopenRunner::Private::fate(CanFate fate)
         tellEvent(FrameSent{sent.frame, fate, {}});
         break;
     case By::configuration:
-        lss.fate(fate, link.now());
+        lss.fate(sent.number, fate, link.now());
         break;
     case By::alarmStop:
         if (isRefused)
             stops.insert(sent.node);
         break;
     case By::scan:
+        if (scan)
+            scan->fate(sent.node, fate, link.now());
         break;
     }
     const auto isStop = [](const Outgoing &each) { return each.by == By::alarmStop; };

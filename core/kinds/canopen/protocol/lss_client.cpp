@@ -76,6 +76,7 @@ void LssClient::begin(const LssRequest &request, Instant now)
     m_result = {};
     m_outcome.reset();
     m_isBusy = true;
+    m_givenBefore = m_given;
     goOn(-m_step, now);
 }
 
@@ -95,6 +96,7 @@ std::optional<CanFrame> LssClient::next(Instant now)
     m_isWaiting = true;
     m_sentAt = now;
     m_dueAt = now + timeOut();
+    ++m_given;
     return frameNow().request();
 }
 
@@ -157,13 +159,13 @@ Instant LssClient::timeOut() const
     return m_request.kind == LssKind::store ? m_times.store : m_times.answer;
 }
 
-void LssClient::fate(CanFate fate, Instant now)
+void LssClient::fate(std::uint64_t number, CanFate fate, Instant now)
 {
-    if (!m_isBusy || !m_isWaiting)
+    if (!m_isBusy || number <= m_givenBefore)
         return;
     if (fate == CanFate::refused)
         end(LssOutcome::Kind::notSent);
-    else
+    else if (m_isWaiting && number == m_given)
         m_dueAt = now + timeOut();
 }
 

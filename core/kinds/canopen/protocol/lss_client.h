@@ -68,8 +68,10 @@ public:
     void begin(const LssRequest &request, Instant now); // while it is not busy
     // To be sent now, given once; acts on time-outs.
     std::optional<CanFrame> next(Instant now);
-    // Of the frame that next() gave last.
-    void fate(CanFate fate, Instant now);
+    // How many frames next() has given: the number of the last one.
+    std::uint64_t given() const { return m_given; }
+    // Of the frame with this number. Of one of an earlier request it says nothing that is waited for.
+    void fate(std::uint64_t number, CanFate fate, Instant now);
     // Whether it is an LSS answer. Those that nobody waits for are counted.
     bool take(const CanFrame &frame, Instant now);
     std::optional<LssOutcome> takeOutcome();
@@ -98,6 +100,8 @@ private:
     bool m_isBusy = false;
     bool m_isWaiting = false;
     int m_step = 0; // frames done
+    std::uint64_t m_given = 0;
+    std::uint64_t m_givenBefore = 0; // this request
     Instant m_sentAt{};
     Instant m_dueAt{};
     LssOutcome m_result{}; // so far

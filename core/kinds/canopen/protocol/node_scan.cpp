@@ -5,6 +5,7 @@
 #include "kinds/canopen/protocol/sdo_frames.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel::canopen {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 constexpr std::array scannedObjects{SdoObject{0x1000, 0}, SdoObject{0x1018, 1}, SdoObject{0x1018, 2},
                                     SdoObject{0x1018, 3}, SdoObject{0x1018, 4}};
 constexpr int mostTimes = 2;
+constexpr Instant longestStuck = std::chrono::seconds(2); // assumed
 constexpr int frameBits = 135; // of a frame with eight bytes and all stuff bits, with the gap behind it
 
 std::uint32_t sdoIdentifier(CobId::Service service, int node)
@@ -87,13 +89,30 @@ std::optional<CanFrame> NodeScan::next(Instant now)
 
 void NodeScan::queueFull(Instant now)
 {
-    if (m_lastAsked == 0)
-        return;
-    Asked &asked = m_nodes.at(static_cast<std::size_t>(m_lastAsked) - 1);
+    if (m_lastAsked != 0)
+        notSent(std::exchange(m_lastAsked, 0), now);
+}
+
+void NodeScan::fate(int node, CanFate fate, Instant now)
+{
+    if (fate == CanFate::refused)
+        notSent(node, now);
+    else
+        m_stuckSince.reset();
+}
+
+void NodeScan::notSent(int node, Instant now)
+{
+    Asked &asked = m_nodes.at(static_cast<std::size_t>(node) - 1);
     asked.times = std::max(asked.times - 1, 0);
     asked.until = now;
-    m_lastAsked = 0;
+    m_stuckSince = m_stuckSince.value_or(now);
     occupy(now);
+}
+
+bool NodeScan::isStuck(Instant now) const
+{
+    return m_stuckSince && now - *m_stuckSince >= longestStuck;
 }
 
 void NodeScan::occupy(Instant now)
@@ -112,6 +131,7 @@ bool NodeScan::take(const CanFrame &frame, Instant now)
     if (!answer || answer->kind == SdoFrame::Kind::unknown)
         return node != 0;
     occupy(now);
+    m_stuckSince.reset();
     Asked &asked = m_nodes.at(static_cast<std::size_t>(node) - 1);
     if (isSettled(asked) && !asked.isThere) // it was given up too early
         asked.object = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "can/can_frame.h"
+#include "can/can_link.h"
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/node_identity.h"
 
@@ -40,11 +40,15 @@ public:
     // The queue of the adapter is full: the frame that next() gave last has not been sent, and is given
     // again.
     void queueFull(Instant now);
+    // Of the frame to this node. One that was refused is given again.
+    void fate(int node, CanFate fate, Instant now);
     // Whether it is an SDO answer. What comes when all is done still counts.
     bool take(const CanFrame &frame, Instant now);
     std::optional<Instant> wakesAt() const; // empty: it is done
 
     bool isDone() const { return progress() == lastNode; }
+    // Nothing goes out any more, as where nobody acknowledges.
+    bool isStuck(Instant now) const;
     int progress() const; // numbers of which all is known, of 127
     std::vector<FoundNode> found() const;
 
@@ -59,6 +63,7 @@ private:
     };
 
     static bool isSettled(const Asked &asked);
+    void notSent(int node, Instant now);
     static void letPass(Asked &asked, Instant now);
     Asked *nextDue(Instant now);
     void occupy(Instant now);
@@ -67,6 +72,7 @@ private:
     std::array<Asked, lastNode> m_nodes{};
     int m_lastAsked = 0; // number; 0: none, or it was sent for good
     Instant m_freeAt;    // for the next frame
+    std::optional<Instant> m_stuckSince{};
 };
 
 } // namespace codewheel::canopen

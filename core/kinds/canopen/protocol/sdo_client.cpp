@@ -52,12 +52,15 @@ std::optional<CanFrame> SdoClient::next(Instant now)
     std::erase_if(m_owed, [&](const Owed &owed) { return owed.until <= now; });
     if (m_isWaiting && now >= m_dueAt)
         timedOut(now);
-    if (const auto abort = std::exchange(m_abort, std::nullopt))
+    if (const auto abort = std::exchange(m_abort, std::nullopt)) {
+        ++m_given;
         return frameOf(m_identifiers.request, *abort);
+    }
     if (!m_transfer || m_isWaiting || now < quietUntil())
         return std::nullopt;
     if (!m_transfer->isInSegments())
         ++m_attempts;
+    ++m_given;
     m_isWaiting = true;
     m_sentAt = now;
     m_dueAt = now + m_request.timeOut;
@@ -65,10 +68,12 @@ std::optional<CanFrame> SdoClient::next(Instant now)
 }
 
 // Only now the node has it, so the time for its answer begins.
-void SdoClient::fate(CanFate fate, Instant now)
+void SdoClient::fate(std::uint64_t number, CanFate fate, Instant now)
 {
-    if (!m_isWaiting)
+    if (!m_isWaiting || number != m_given) {
+        lateFate(number, fate, now);
         return;
+    }
     if (fate != CanFate::refused) {
         m_dueAt = now + m_request.timeOut;
         return;
@@ -77,6 +82,16 @@ void SdoClient::fate(CanFate fate, Instant now)
     if (isBegun)
         m_abort = sdoAbort(m_request.object, abortTimeOut);
     end({.kind = isBegun ? SdoOutcome::Kind::noAnswer : SdoOutcome::Kind::notSent}, now);
+}
+
+// Of a frame that was given up while the queue of the adapter still held it.
+void SdoClient::lateFate(std::uint64_t number, CanFate fate, Instant now)
+{
+    if (fate == CanFate::refused)
+        std::erase_if(m_owed, [&](const Owed &owed) { return owed.isOnlyOne && owed.frame == number; });
+    for (Owed &owed : m_owed)
+        if (owed.isOnlyOne && owed.frame == number)
+            owed.until = std::max(owed.until, now + m_request.timeOut);
 }
 
 void SdoClient::timedOut(Instant now)
@@ -95,7 +110,7 @@ void SdoClient::timedOut(Instant now)
 
 void SdoClient::owe(Instant until, bool isOnlyOne)
 {
-    m_owed.push_back({m_request.object, m_transfer->isInSegments(), isOnlyOne, until});
+    m_owed.push_back({m_request.object, m_transfer->isInSegments(), isOnlyOne, until, m_given});
 }
 
 // An attempt does not wait for the answers to those before it: they are of the same transfer.
@@ -146,6 +161,8 @@ void SdoClient::settle(Instant now)
         m_abort = sdoAbort(m_request.object, outcome->abortCode);
     if (m_transfer->isWrite())
         owe(now + doubledFrames, false);
+    else if (m_attempts > 1) // it may have been of an attempt before, and that of this one be still to come
+        owe(m_sentAt + 2 * m_request.timeOut, true);
     end(*outcome, now);
 }
 

@@ -41,8 +41,10 @@ public:
     void begin(SdoRequest request, Instant now); // while there is no transfer
     // To be sent now, given once; acts on time-outs.
     std::optional<CanFrame> next(Instant now);
-    // Of the frame that next() gave last.
-    void fate(CanFate fate, Instant now);
+    // How many frames next() has given: the number of the last one.
+    std::uint64_t given() const { return m_given; }
+    // Of the frame with this number.
+    void fate(std::uint64_t number, CanFate fate, Instant now);
     // Whether it is an SDO answer of this node. Late and foreign ones are, too; they are counted, never
     // believed.
     bool take(const CanFrame &frame, Instant now);
@@ -63,11 +65,13 @@ private:
         bool isSegment; // which names no object
         bool isOnlyOne; // no other one after it
         Instant until;
+        std::uint64_t frame; // the number of that which it answers
     };
 
     void timedOut(Instant now);
     void owe(Instant until, bool isOnlyOne);
     void end(const SdoOutcome &outcome, Instant now);
+    void lateFate(std::uint64_t number, CanFate fate, Instant now);
     void settle(Instant now);
     bool isOwed(const Owed &owed) const;
     Instant quietUntil() const;
@@ -77,6 +81,7 @@ private:
     SdoRequest m_request{};
     std::optional<SdoTransfer> m_transfer{};
     int m_attempts = 0;
+    std::uint64_t m_given = 0;
     bool m_isWaiting = false; // for an answer
     Instant m_sentAt{};
     Instant m_dueAt{}; // of what is to be sent, or the time-out

@@ -52,7 +52,7 @@ TEST_F(LssDialogue, TheOnlyDeviceGetsANumber)
     EXPECT_EQ(outcomeOf({.kind = LssTask::store}, "7E5# 17 ..", "7E4# 17 00 ..").kind, LssEnd::done);
     client.begin({.kind = LssTask::operateAll}, now);
     EXPECT_EQ(sent(), "7E5#0400000000000000");
-    client.fate(CanFate::done, now);
+    client.fate(client.given(), CanFate::done, now);
     EXPECT_EQ(untilSilent(), LssOutcome{.kind = LssEnd::done});
     EXPECT_FALSE(client.isBusy());
 }
@@ -113,7 +113,7 @@ TEST_F(LssDialogue, OneIsSelectedByItsIdentity)
     client.begin({.kind = LssTask::select, .identity = encoderIdentity}, now);
     EXPECT_EQ(sent(), "7E5#400D010000000000");
     EXPECT_EQ(sent(), "7E5#4178563412000000");
-    client.fate(CanFate::done, now);
+    client.fate(client.given(), CanFate::done, now);
     EXPECT_EQ(sent(), "7E5#4202000100000000");
     EXPECT_EQ(sent(), "7E5#4301000080000000");
     EXPECT_EQ(sent(), "");
@@ -130,8 +130,20 @@ TEST_F(LssDialogue, NoAnswer)
     client.begin({.kind = LssTask::store}, now);
     sent();
     EXPECT_EQ(client.wakesAt(), now + 5s);
-    client.fate(CanFate::refused, now);
+    client.fate(client.given(), CanFate::refused, now);
     EXPECT_EQ(client.takeOutcome()->kind, LssEnd::notSent);
+}
+
+TEST_F(LssDialogue, TheFateOfAnEarlierRequestIsNotThatOfTheNewOne)
+{
+    client.begin({.kind = LssTask::setNode, .number = 5}, now);
+    sent();
+    const std::uint64_t earlier = client.given();
+    EXPECT_EQ(untilSilent()->kind, LssEnd::noAnswer);
+    client.begin({.kind = LssTask::store}, now);
+    sent();
+    client.fate(earlier, CanFate::refused, now);
+    EXPECT_TRUE(client.isBusy());
 }
 
 TEST_F(LssDialogue, ASecondAnswerIsCounted)

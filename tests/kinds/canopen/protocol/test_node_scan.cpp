@@ -150,5 +150,34 @@ TEST(NodeScan, AFullQueueMeansWait)
     EXPECT_EQ(textOf(*scan.next(now)), "602#4000100000000000");
 }
 
+TEST(NodeScan, WhatWasRefusedIsAskedAgain)
+{
+    NodeScan scan({}, 1s);
+    Instant now = 1s;
+    for (int each = 0; each < 3; ++each) { // more often than a number is asked
+        EXPECT_EQ(textOf(*scan.next(now)), "601#4000100000000000");
+        scan.fate(1, CanFate::refused, now);
+        now = scan.wakesAt().value();
+    }
+    EXPECT_EQ(textOf(*scan.next(now)), "601#4000100000000000");
+    scan.fate(1, CanFate::done, now);
+    now = scan.wakesAt().value();
+    EXPECT_EQ(textOf(*scan.next(now)), "602#4000100000000000");
+}
+
+TEST(NodeScan, IsStuckWhereNothingGoesOutAnyMore)
+{
+    NodeScan scan({}, 1s);
+    Instant now = 1s;
+    for (; now < 3s; now = scan.wakesAt().value()) {
+        EXPECT_FALSE(scan.isStuck(now));
+        if (scan.next(now))
+            scan.queueFull(now);
+    }
+    EXPECT_TRUE(scan.isStuck(now));
+    scan.fate(1, CanFate::done, now);
+    EXPECT_FALSE(scan.isStuck(now));
+}
+
 } // namespace
 } // namespace codewheel::canopen

@@ -176,7 +176,7 @@ TEST_F(SdoDialogue, TheTimeForTheAnswerBeginsOnTheBus)
     read(sdoPosition);
     EXPECT_EQ(sent(), "605#4004600000000000");
     now += 400ms;
-    client.fate(CanFate::done, now);
+    client.fate(client.given(), CanFate::done, now);
     now += 499ms;
     EXPECT_EQ(sent(), "");
     now += 1ms;
@@ -187,13 +187,63 @@ TEST_F(SdoDialogue, WhatIsRefusedWasNotSent)
 {
     write(sdoPreset, {1, 0, 0, 0});
     sent();
-    client.fate(CanFate::refused, now);
+    client.fate(client.given(), CanFate::refused, now);
     EXPECT_EQ(outcome(), SdoOutcome{.kind = OutcomeKind::notSent});
     write(sdoName, bytesOf("TWK-TRN4"));
     passes({"605# 21 08 10 00 08 ..", "585# 60 08 10 00 ..", "605# 00 54 57 4B 2D 54 52 4E"});
-    client.fate(CanFate::refused, now);
+    client.fate(client.given(), CanFate::refused, now);
     EXPECT_EQ(outcome(), SdoOutcome{.kind = OutcomeKind::noAnswer});
     EXPECT_EQ(sent(), "605#8008100000000405");
+}
+
+TEST_F(SdoDialogue, TheFateOfAnEarlierFrameIsNotThatOfTheNewOne)
+{
+    write(sdoPreset, {1, 0, 0, 0});
+    sent();
+    const std::uint64_t earlier = client.given();
+    now += 500ms;
+    sent();
+    EXPECT_EQ(outcome()->kind, OutcomeKind::noAnswer);
+    read(sdoPosition);
+    EXPECT_EQ(sent(), "605#4004600000000000");
+    client.fate(earlier, CanFate::refused, now);
+    EXPECT_FALSE(outcome()) << "the new request was sent";
+    comes("585# 43 04 60 00 88 13 00 00");
+    EXPECT_EQ(outcome(), wasRead({0x88, 0x13, 0, 0}));
+}
+
+TEST_F(SdoDialogue, AFrameThatLeavesTheQueueLateIsAnsweredLate)
+{
+    write(sdoPreset, {1, 0, 0, 0});
+    sent();
+    const std::uint64_t earlier = client.given();
+    now += 500ms;
+    sent();
+    EXPECT_EQ(outcome()->kind, OutcomeKind::noAnswer);
+    read(sdoPreset);
+    now += 400ms;
+    client.fate(earlier, CanFate::done, now);
+    now += 499ms;
+    EXPECT_EQ(sent(), "") << "its answer may still come";
+    now += 1ms;
+    EXPECT_EQ(sent(), "605#4003600000000000");
+}
+
+// Of two reads one is answered before the write, the other behind it.
+TEST_F(SdoDialogue, WhatIsReadBackWasAskedForAfterTheWrite)
+{
+    read(sdoPreset);
+    sent();
+    now += 500ms;
+    EXPECT_EQ(sent(), "605#4003600000000000");
+    now += 300ms;
+    comes("585# 43 03 60 00 00 00 00 00"); // of the first one
+    EXPECT_TRUE(outcome());
+    now += 201ms;
+    write(sdoPreset, {1, 0, 0, 0});
+    EXPECT_EQ(sent(), "") << "the answer to the second one may still come";
+    comes("585# 43 03 60 00 00 00 00 00");
+    EXPECT_EQ(sent(), "605#2303600001000000");
 }
 
 TEST_F(SdoDialogue, ALateAnswerBelongsToTheOldRequest)
