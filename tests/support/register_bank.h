@@ -24,7 +24,8 @@ struct RegisterBank
     std::size_t mostWritten = 123; // in one request; more is exception 3
     // The register that acknowledges its watchdog, which has tripped: every other write is exception 4.
     std::optional<int> tripped{};
-    std::function<void()> onWrite; // after each one
+    std::optional<int> blockException{}; // of each write of more than one word
+    std::function<void()> onWrite;       // after each one
 
     std::map<int, Register> &of(RegisterArea area) { return area == RegisterArea::input ? input : holding; }
     int endOf(RegisterArea area) const { return area == RegisterArea::input ? inputEnd : holdingEnd; }
@@ -65,6 +66,8 @@ public:
         if (m_bank->tripped.value_or(first) != first)
             return exception(4);
         m_bank->tripped.reset();
+        if (m_bank->blockException && from.size() > 2)
+            return exception(*m_bank->blockException);
         put(first, from);
         return {};
     }

@@ -167,54 +167,6 @@ Result<ProcessDataLink::ZerosSent> GatewayLink::sendZeros(std::span<Word> in)
     return there;
 }
 
-// Each block once: a write needs no answer to be carried out. A refusal is one; of what an OUT area that ends
-// too early refuses, each device gets its own.
-bool GatewayLink::sendZerosUnheard()
-{
-    close();
-    const auto map = GatewayMap::of(m_ring, m_settings);
-    if (!map || !m_port->open())
-        return false;
-    m_counter.connected();
-    m_zeros.send(m_port->now());
-    std::vector<RegisterPort::Done> ends;
-    for (const RegisterBlock &block : map->outBlocks())
-        ends.push_back(writeZerosOnce(block));
-    const auto isRefused = [](const RegisterPort::Done &done) {
-        return !done && isNotCarriedOut(done.error());
-    };
-    std::vector<std::size_t> refusedBy;
-    if (std::ranges::any_of(ends, [](const auto &done) { return !done && isOfMap(done.error()); }))
-        for (std::size_t i = 0; i < map->devices(); ++i)
-            if (map->out(i).count > 0) {
-                ends.push_back(writeZerosOnce(map->out(i)));
-                if (isRefused(ends.back()))
-                    refusedBy.push_back(i);
-            }
-    const bool mayHaveArrived = std::ranges::any_of(ends, [&](const RegisterPort::Done &done) {
-        return done || (!isRefused(done) && done.error().isSent);
-    });
-    const auto isAnswered = [&](const RegisterPort::Done &done) { return done || isRefused(done); };
-    if (std::ranges::all_of(ends, &RegisterPort::Done::has_value))
-        m_zeros.acknowledged(m_port->now());
-    else if (mayHaveArrived && !refusedBy.empty() && std::ranges::all_of(ends, isAnswered))
-        m_zeros.refusedBy(std::move(refusedBy));
-    else if (mayHaveArrived)
-        m_zeros.unanswered();
-    else if (std::ranges::any_of(ends, isRefused))
-        m_zeros.refused();
-    else
-        m_zeros.notSent();
-    m_port->close();
-    return mayHaveArrived;
-}
-
-RegisterPort::Done GatewayLink::writeZerosOnce(const RegisterBlock &block)
-{
-    const std::vector<Register> zeros(static_cast<std::size_t>(block.count));
-    return transact([&] { return m_port->write(block.first, zeros); }, false);
-}
-
 std::vector<QString> GatewayLink::outPlaces() const
 {
     std::vector<QString> places;

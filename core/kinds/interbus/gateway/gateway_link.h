@@ -119,8 +119,20 @@ private:
                                    Overwrites overwrites);
     void claimAll();
     Result<void> writeZeros();
-    bool writeZerosOneByOne();
+    // What came of zeros that were sent once.
+    struct ZerosByDevice
+    {
+        bool isTaken = false; // by some
+        bool isCut = false;   // not all were answered
+        bool mayHaveArrived = false;
+        std::vector<std::size_t> refusedBy{};
+
+        bool areAllTaken() const { return isTaken && !isCut && refusedBy.empty(); }
+        void take(const RegisterPort::Done &done);
+    };
+    ZerosByDevice writeZerosOneByOne(const GatewayMap &map);
     RegisterPort::Done writeZerosOnce(const RegisterBlock &block);
+    void noteZeros(const ZerosByDevice &all);
     Result<ZerosSent> areZerosThere();
 
     // Transactions (gateway_link_words.cpp).

@@ -372,38 +372,96 @@ Result<void> GatewayLink::writeZeros()
     const auto writtenBefore = m_lastWriteAt;
     m_zeros.send(m_port->now());
     auto done = writeOut(std::vector<Word>(m_devices.size()), Overwrites::anything);
-    if (done)
+    if (done) {
         m_zeros.acknowledged(m_port->now());
-    else if (isOfMap(done.error()) && writeZerosOneByOne())
-        return done;
-    else if (isNotCarriedOut(done.error()))
-        m_zeros.refused();
-    else if (m_lastWriteAt == writtenBefore)
+    } else if (isNotCarriedOut(done.error())) {
+        const ZerosByDevice all = writeZerosOneByOne(*m_map);
+        noteZeros(all);
+        if (all.areAllTaken())
+            done = {};
+    } else if (m_lastWriteAt == writtenBefore) {
         m_zeros.notSent();
-    else
+    } else {
         m_zeros.unanswered();
+    }
     return done;
 }
 
-// An OUT area that ends too early refuses a whole block; what is there of it gets its zeros. False: none of
-// it, or nobody is there any more.
-bool GatewayLink::writeZerosOneByOne()
+// Each block once: a write needs no answer to be carried out, and a refusal is one.
+bool GatewayLink::sendZerosUnheard()
 {
-    std::vector<std::size_t> refusedBy;
-    bool isTaken = false;
-    for (std::size_t i = 0; i < m_devices.size(); ++i) {
-        if (m_map->out(i).count == 0)
-            continue;
-        const auto written = writeBlock(m_map->out(i), Overwrites::anything);
-        if (!written && !isNotCarriedOut(written.error()))
-            return false;
-        isTaken = isTaken || written;
-        if (!written)
-            refusedBy.push_back(i);
+    close();
+    const auto map = GatewayMap::of(m_ring, m_settings);
+    if (!map || !m_port->open())
+        return false;
+    m_counter.connected();
+    m_zeros.send(m_port->now());
+    ZerosByDevice all; // as if each block were one
+    bool isRefused = false;
+    for (const RegisterBlock &block : map->outBlocks()) {
+        const auto done = writeZerosOnce(block);
+        isRefused |= !done && isNotCarriedOut(done.error());
+        all.take(done);
     }
-    if (isTaken)
-        m_zeros.refusedBy(std::move(refusedBy));
-    return isTaken;
+    if (isRefused) {
+        const ZerosByDevice each = writeZerosOneByOne(*map);
+        all = {.isTaken = all.isTaken || each.isTaken,
+               .isCut = all.isCut || each.isCut,
+               .mayHaveArrived = all.mayHaveArrived || each.mayHaveArrived,
+               .refusedBy = each.refusedBy};
+    }
+    noteZeros(all);
+    m_port->close();
+    return all.mayHaveArrived;
+}
+
+void GatewayLink::ZerosByDevice::take(const RegisterPort::Done &done)
+{
+    isTaken |= done.has_value();
+    const bool isUnanswered = !done && !isNotCarriedOut(done.error());
+    isCut |= isUnanswered;
+    mayHaveArrived |= done || (isUnanswered && done.error().isSent);
+}
+
+// Of what is refused as a whole block each device gets its own: an OUT area may end too early, and a gateway
+// may block some outputs only. None after one that is not answered.
+GatewayLink::ZerosByDevice GatewayLink::writeZerosOneByOne(const GatewayMap &map)
+{
+    ZerosByDevice all;
+    for (std::size_t i = 0; i < map.devices(); ++i) {
+        if (map.out(i).count == 0)
+            continue;
+        const auto done = writeZerosOnce(map.out(i));
+        all.take(done);
+        if (all.isCut)
+            break;
+        if (!done)
+            all.refusedBy.push_back(i);
+    }
+    return all;
+}
+
+RegisterPort::Done GatewayLink::writeZerosOnce(const RegisterBlock &block)
+{
+    const std::vector<Register> zeros(static_cast<std::size_t>(block.count));
+    auto done = transact([&] { return m_port->write(block.first, zeros); }, false);
+    if (m_map)
+        noteSent(done, block);
+    return done;
+}
+
+void GatewayLink::noteZeros(const ZerosByDevice &all)
+{
+    if (all.areAllTaken())
+        m_zeros.acknowledged(m_port->now());
+    else if (all.isCut && all.mayHaveArrived)
+        m_zeros.unanswered();
+    else if (all.isTaken)
+        m_zeros.refusedBy(all.refusedBy);
+    else if (!all.refusedBy.empty())
+        m_zeros.refused();
+    else
+        m_zeros.notSent();
 }
 
 Result<ProcessDataLink::ZerosSent> GatewayLink::areZerosThere()

@@ -258,6 +258,25 @@ TEST_F(GatewayLinkTest, ZerosOverALostLinkReachTheDevicesOfAnOutAreaThatEndsTooE
         EXPECT_EQ(bank->holding[i], 0) << "register " << i;
 }
 
+// Some outputs may be blocked, and not the others.
+TEST_F(GatewayLinkTest, ZerosRefusedAsABlockAreTriedDeviceByDevice)
+{
+    for (const int code : {4, 6})
+        for (const bool isUnheard : {false, true}) {
+            bank->blockException = code;
+            makeOpen(3);
+            for (int i = 0; i < 3; ++i)
+                setOut(i, 0x8000'0000);
+            if (isUnheard)
+                EXPECT_TRUE(link->sendZerosUnheard());
+            else
+                EXPECT_EQ(link->sendZeros(in).value().areThere, true);
+            EXPECT_TRUE(link->sentZeros().acknowledgedAt);
+            for (int i = 0; i < 6; ++i)
+                EXPECT_EQ(bank->holding[i], 0) << "register " << i << ", exception " << code;
+        }
+}
+
 TEST_F(GatewayLinkTest, ABusyGatewayIsWaitedForUntilThePatienceEnds)
 {
     for (const int code : {5, 6, 10, 11}) {
