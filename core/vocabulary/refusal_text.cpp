@@ -380,9 +380,7 @@ constexpr std::array refusalRows{
                 QT_TRANSLATE_NOOP("Refusal", "%1 cannot be reached: no answer within %2 s. Check address, "
                                              "cable and supply.")},
     SentenceRow{RefusalId::connectionClosed, "connectionClosed",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "%1 has closed the connection. It may serve only a few clients at "
-                                  "once.")},
+                QT_TRANSLATE_NOOP("Refusal", "%1 has closed the connection.")},
     SentenceRow{
         RefusalId::serverPortTaken, "serverPortTaken",
         QT_TRANSLATE_NOOP("Refusal", "Port %1 is used by another program. End it, or take another port.")},

@@ -67,6 +67,17 @@ TEST(CliVelocity, AnEncoderInCamModeThatWasToldToBeInPositionModeIsNotSwitched)
     EXPECT_THAT(run.err, testing::Not(HasSubstr("Switch it back"))) << "which keeps what was changed";
 }
 
+TEST(CliVelocity, AModeThatWasOnlyToldIsNoAnswer)
+{
+    SharedBus shared;
+    shared.runLine(QStringLiteral("words 1.0 020000FF"));
+    shared.bus().close();
+    ASSERT_TRUE(shared.bus().open(RingSession::Start::operating)); // after which nothing is known
+    const CliRun run = shared.runLine(QStringLiteral("velocity 1.0 on --in-position-mode --json"));
+    EXPECT_EQ(errorKey(run), "inParameterization");
+    EXPECT_TRUE(run.json()[u"mode"].isNull()) << run.out;
+}
+
 TEST(CliVelocity, RefusesWhatMakesNoSense)
 {
     EXPECT_EQ(errorKey(runLine(QStringLiteral("velocity 1.0 fast --json"))), "onOrOff");

@@ -194,6 +194,13 @@ std::map<std::string, std::function<std::string()>> peersOfTable()
              }));
          }},
         {"has closed the connection",
+         [] {
+             return saidOverTcp([](const SeenRequest &request) {
+                 return request.message[0] == writesHolding ? Reaction{.hangsUp = true}
+                                                            : rightOverTcp(request);
+             });
+         }},
+        {"closes the connection without an answer",
          [] { return saidOverTcp([](const SeenRequest &) { return Reaction{.hangsUp = true}; }); }},
         {"refuses the connection", saidOfNobody},
         {"is gone", saidOfUnplugged},
@@ -226,6 +233,14 @@ TEST(GatewaySentences, AreSaidOfAPeerWithJustThisFault)
         for (const QString &part : QString::fromStdString(sentence).split(QStringLiteral(", ")))
             EXPECT_THAT(text, HasSubstr(part.toStdString()));
     }
+}
+
+// Only where it has answered nothing.
+TEST(GatewaySentences, FewClientsAreNoCauseWhereAnswersCameBefore)
+{
+    const std::string closed = peersOfTable().at("has closed the connection")();
+    EXPECT_THAT(closed, testing::Not(HasSubstr("few clients")));
+    EXPECT_THAT(peersOfTable().at("closes the connection without an answer")(), HasSubstr("few clients"));
 }
 
 // Whatever number it is: one of our own requests', or none.

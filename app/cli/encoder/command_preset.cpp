@@ -105,7 +105,7 @@ Checked<Answer> runPreset(const Call &call, EncoderSession &encoder)
     if (!preset)
         return tl::unexpected(preset.error());
 
-    tellMode(encoder, call.arguments);
+    (void)tellMode(encoder, call.arguments);
     const auto allowed = eepromConsent(call, encoder, *preset, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());

@@ -8,6 +8,7 @@
 #include "cli/encoder/position_text.h"
 #include "cli/encoder/told_mode.h"
 #include "cli/encoder/trace.h"
+#include "jobs/job_report.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
@@ -42,13 +43,20 @@ QString readingText(const Reading &reading)
     return sentence(CommandLine::tr("Position mode: %1"), {positionText(reading.position, reading)}) + u'\n';
 }
 
+// What was only told is no answer of the encoder, nor is what it was in before its link was lost.
+std::optional<Mode> modeProven(const Outcome &outcome, const Reading &reading, bool isTold)
+{
+    const bool isAsBefore = isTold && reading.mode == Mode::position;
+    return !outcome.result && (isAsBefore || endedOutOfSight(outcome)) ? std::nullopt : reading.mode;
+}
+
 Checked<Answer> runVelocity(const Call &call, EncoderSession &encoder)
 {
     const auto wanted = modeJob(call.arguments.rest[1]);
     if (!wanted)
         return tl::unexpected(wanted.error());
 
-    tellMode(encoder, call.arguments);
+    const bool isTold = tellMode(encoder, call.arguments);
     const auto allowed = eepromConsent(call, encoder, *wanted, AsksAnyway::no);
     if (!allowed)
         return tl::unexpected(allowed.error());
@@ -56,7 +64,7 @@ Checked<Answer> runVelocity(const Call &call, EncoderSession &encoder)
     const Reading &reading = encoder.latest();
     Answer answer;
     answer.json = {{QStringLiteral("eepromWrites"), job.outcome.eepromWrites},
-                   {QStringLiteral("mode"), modeJson(reading.mode)},
+                   {QStringLiteral("mode"), modeJson(modeProven(job.outcome, reading, isTold))},
                    {QStringLiteral("velocity"), numberJson(reading.velocity)},
                    {QStringLiteral("position"), numberJson(reading.position)}};
     addDoubt(answer.json, encoder, job.outcome.inDoubt);

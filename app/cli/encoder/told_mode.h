@@ -15,11 +15,13 @@ inline constexpr Option inPositionModeOption{
     "--in-position-mode", nullptr,
     QT_TRANSLATE_NOOP("codewheel::CommandLine",
                       "say that the encoder is in position mode: in cam mode the same word sets a cam")};
-// The user says so with that option. Only needed if the mode is not known.
-inline void tellMode(EncoderSession &encoder, const Arguments &arguments)
+// The user says so with that option. Only needed if the mode is not known; whether it was.
+inline bool tellMode(EncoderSession &encoder, const Arguments &arguments)
 {
-    if (arguments.has(inPositionModeOption.name) && !encoder.latest().mode)
+    const bool isTold = arguments.has(inPositionModeOption.name) && !encoder.latest().mode;
+    if (isTold)
         tellPositionMode(encoder);
+    return isTold;
 }
 
 // With how to say so, where a mode that is not known was refused.

@@ -54,9 +54,10 @@ private:
 class ZerosSayer
 {
 public:
-    ZerosSayer(const Call &call, const GatewayAccess &access)
+    ZerosSayer(const Call &call, const GatewayAccess &access, bool namesIt)
         : m_call(call)
         , m_access(access)
+        , m_whose(namesIt ? access.name() + QStringLiteral(": ") : QString())
     {}
 
     void say(const QString &text)
@@ -64,13 +65,14 @@ public:
         if (text.isEmpty() || m_said.contains(text))
             return;
         m_said << text;
-        m_call.terminal.complain(text);
+        m_call.terminal.complain(m_whose + text);
     }
     void sayHowTheyStand() { say(unfinishedZerosText(m_access.sentZeros())); }
 
 private:
     const Call &m_call;
     const GatewayAccess &m_access;
+    const QString m_whose;
     QStringList m_said;
 };
 
@@ -243,10 +245,10 @@ Checked<GatewayStop> notOpened(const GatewayAccess &access, const Complaint &why
 } // namespace
 
 Checked<GatewayStop> alarmStopBehindGateway(const Call &call, GatewayAccess &access,
-                                            std::chrono::seconds patience)
+                                            std::chrono::seconds patience, bool isOneOfSeveral)
 {
     Patience lasts(patience);
-    ZerosSayer sayer(call, access);
+    ZerosSayer sayer(call, access, isOneOfSeveral);
     if (const auto opened = openForZeros(access, sayer, lasts); !opened)
         return notOpened(access, opened.error(), lasts);
     const ZerosOnTheirWay zeros(access, sayer);

@@ -26,8 +26,9 @@ struct GatewayStop
 };
 
 // A gateway repeats its outputs until it gets others, so it is tried until the zeros are acknowledged and,
-// where that is possible, read back. What hinders it is said as it happens, each sentence once.
+// where that is possible, read back. What hinders it is said as it happens, each sentence once, with the ring
+// if it is one of several.
 Checked<GatewayStop> alarmStopBehindGateway(const Call &call, GatewayAccess &access,
-                                            std::chrono::seconds patience);
+                                            std::chrono::seconds patience, bool isOneOfSeveral);
 
 } // namespace codewheel

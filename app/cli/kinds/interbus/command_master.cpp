@@ -64,6 +64,7 @@ struct MasterWish
     Action action;
     int after = 0; // ms
     std::chrono::seconds patience{};
+    bool isForSeveral = false; // rings
 };
 
 tl::unexpected<Complaint> unknownAction(const QString &text)
@@ -229,9 +230,9 @@ Checked<Told> toldAfter(const Call &call, RingAccess &access, const MasterWish &
     return carryOutAction(call, access.ring(), wish);
 }
 
-Checked<Answer> stopBehindGateway(const Call &call, GatewayAccess &access, std::chrono::seconds patience)
+Checked<Answer> stopBehindGateway(const Call &call, GatewayAccess &access, const MasterWish &wish)
 {
-    const auto stop = alarmStopBehindGateway(call, access, patience);
+    const auto stop = alarmStopBehindGateway(call, access, wish.patience, wish.isForSeveral);
     if (!stop)
         return tl::unexpected(stop.error());
     const QString told = stop->unsaid.empty() ? QString() : messageLines(stop->unsaid) + u'\n';
@@ -247,7 +248,7 @@ Checked<Answer> stopBehindGateway(const Call &call, GatewayAccess &access, std::
 Checked<Answer> answerOf(const Call &call, BusAccess &access, const MasterWish &wish)
 {
     if (auto *gateway = dynamic_cast<GatewayAccess *>(&access); gateway != nullptr && wish.action.sendsZeros)
-        return stopBehindGateway(call, *gateway, wish.patience);
+        return stopBehindGateway(call, *gateway, wish);
     auto &ringAccess = static_cast<RingAccess &>(access); // of its kind
     const auto told = toldAfter(call, ringAccess, wish);
     if (!told)
@@ -279,8 +280,10 @@ Checked<Answer> answerOfAll(const Call &call, const std::vector<BusAccess *> &ri
     QJsonArray buses;
     for (BusAccess *ring : rings) {
         const auto its = answerOf(call, *ring, wish);
-        if (!all.complaint)
-            all.complaint = its ? its->complaint : std::optional(its.error());
+        if (auto why = its ? its->complaint : std::optional(its.error()); why && !all.complaint) {
+            why->text.prepend(ring->name() + QStringLiteral(": "));
+            all.complaint = std::move(why);
+        }
         if (!its)
             continue;
         all.text += (all.text.isEmpty() ? QString() : QStringLiteral("\n")) + ring->name() +
@@ -302,9 +305,10 @@ Checked<Answer> runMaster(const Call &call)
     const auto patience = call.arguments.number("--patience", usualPatience, 1, longestPatience);
     if (!patience)
         return tl::unexpected(patience.error());
-    const MasterWish wish{*action, *after, std::chrono::seconds(*patience)};
+    MasterWish wish{*action, *after, std::chrono::seconds(*patience)};
     return ringsMeant(call, *action).and_then([&](const std::vector<BusAccess *> &rings) {
-        return rings.size() == 1 ? answerOf(call, *rings.front(), wish) : answerOfAll(call, rings, wish);
+        wish.isForSeveral = rings.size() > 1;
+        return wish.isForSeveral ? answerOfAll(call, rings, wish) : answerOf(call, *rings.front(), wish);
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/kinds/interbus/ring_access.h"
 
+#include "bus/data_check.h"
 #include "bus/word_channel.h"
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
@@ -192,11 +193,24 @@ std::optional<Exchange> RingAccess::currentRow(const EncoderSession &encoder) co
                     reading.mode,          reading.coding,     channel.outIsKnown()};
 }
 
-void RingAccess::addFigures(const Call &, const EncoderSession &, Answer &answer) const
+// What the encoder cannot have sent is of other registers.
+QString RingAccess::doubtOfRegisters(const EncoderSession &encoder) const
+{
+    const RingStructure &devices = m_ring.structure();
+    const auto its = std::ranges::find(devices, encoder.place().node, &RingDevice::number);
+    const auto check = m_ring.checkWord(static_cast<std::size_t>(its - devices.begin()));
+    return check && check->outcome == DataCheck::Outcome::differs
+               ? check->remedy + u' ' +
+                     CommandLine::tr("Test the registers of the gateway with codewheel-cli gateway.") + u'\n'
+               : QString();
+}
+
+void RingAccess::addFigures(const Call &, const EncoderSession &encoder, Answer &answer) const
 {
     const auto counted = figures();
     if (!counted)
         return;
+    answer.text += doubtOfRegisters(encoder);
     answer.text += u'\n' + figuresText(*counted);
     answer.json.insert(QStringLiteral("figures"), figuresJson(*counted));
     const auto &told = m_ring.latest().told;

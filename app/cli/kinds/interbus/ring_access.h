@@ -42,6 +42,8 @@ protected:
     virtual std::shared_ptr<const LinkFigures> figures() const { return m_ring.latest().figures; }
 
 private:
+    QString doubtOfRegisters(const EncoderSession &encoder) const;
+
     TrainingSession m_owned; // empty: it has another owner; without controls: it is no training
     RingSession &m_ring;
 };

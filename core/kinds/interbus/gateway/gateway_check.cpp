@@ -108,7 +108,8 @@ GatewayFinding GatewayCheck::passed(const QString &sentence) const
 
 GatewayFinding GatewayCheck::failed(const Refusal &why, const QString &more)
 {
-    m_isOver |= why.kind == RefusalKind::stopped || why.id == RefusalId::connectionClosed;
+    m_isOver |= why.kind == RefusalKind::stopped || why.id == RefusalId::connectionClosed ||
+                why.id == GatewayRefusalId::closedUnanswered;
     const QString sentence = refusalText(why);
     GatewayFinding failed =
         withOutcome(CheckOutcome::failed, more.isEmpty() ? sentence : sentence + u' ' + more);

@@ -60,6 +60,10 @@ constexpr std::array gatewayRefusalRows{
     SentenceRow{GatewayRefusalId::closedRingNotOffered, "closedRingNotOffered",
                 QT_TRANSLATE_NOOP("Refusal", "The ring of this window is not connected. Connect it, or give "
                                              "each seat a ring of its own.")},
+    SentenceRow{GatewayRefusalId::closedUnanswered, "closedUnanswered",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "%1 closes the connection without an answer. It may serve only a few "
+                                  "clients at once.")},
     SentenceRow{GatewayRefusalId::registersUnanswered, "registersUnanswered",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1 does not answer (%2, tries: %3). Check unit number, settings "

@@ -22,6 +22,7 @@ enum class GatewayRefusalId : std::uint8_t {
     ringFailedAt,         // status register of the gateway, text of the place
     realRingNotOffered,   //
     closedRingNotOffered, //
+    closedUnanswered,     // link
     registersUnanswered,  // link, registers (registersKey()), tries
     registersLate,        // the same; answers come too late
     registersRefused,     // link, registers, code of the exception

@@ -33,10 +33,11 @@ struct RegisterError
     };
 
     Kind kind = Kind::noAnswer;
-    int exception = 0;   // its code, 1..11
-    QString text{};      // what the system says, or what was wrong (wrongAnswerKey()); may be empty
-    bool isSent = true;  // false: closed before a write was sent
-    bool isLate = false; // noAnswer: answers do come, but to earlier requests
+    int exception = 0;     // its code, 1..11
+    QString text{};        // what the system says, or what was wrong (wrongAnswerKey()); may be empty
+    bool isSent = true;    // false: closed before a write was sent
+    bool isLate = false;   // noAnswer: answers do come, but to earlier requests
+    bool isAtOnce = false; // closed: without any answer in this connection, or it was refused
 
     friend bool operator==(const RegisterError &, const RegisterError &) = default;
 };

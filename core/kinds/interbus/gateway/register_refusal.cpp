@@ -82,6 +82,8 @@ Refusal registerRefusal(const RegisterError &error, const QString &port, int fun
     case RegisterError::Kind::wrongAnswer:
         return {RefusalKind::link, GatewayRefusalId::registersGarbled, {port, registers, error.text}};
     case RegisterError::Kind::closed:
+        if (error.isAtOnce)
+            return {RefusalKind::link, GatewayRefusalId::closedUnanswered, {port}};
         return {RefusalKind::link, RefusalId::connectionClosed, {port}};
     case RegisterError::Kind::unplugged:
         return {RefusalKind::link, RefusalId::portLost, {port}};

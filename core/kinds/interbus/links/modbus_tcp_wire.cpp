@@ -85,8 +85,10 @@ Result<void> ModbusTcpWire::connect(Instant timeOut)
 
 ModbusTcpWire::Failed ModbusTcpWire::failed(RegisterError error)
 {
-    if (error.kind == ErrorKind::closed)
+    if (error.kind == ErrorKind::closed) {
+        error.isAtOnce = error.isAtOnce || m_answers == 0;
         close();
+    }
     return tl::unexpected(std::move(error));
 }
 
@@ -132,7 +134,8 @@ RegisterPort::Done ModbusTcpWire::connectAnew()
         return {};
     }
     const bool isStopped = connected.error().kind == RefusalKind::stopped;
-    return tl::unexpected(RegisterError{.kind = isStopped ? ErrorKind::stopped : ErrorKind::closed});
+    return tl::unexpected(RegisterError{.kind = isStopped ? ErrorKind::stopped : ErrorKind::closed,
+                                        .isAtOnce = connected.error().id == RefusalId::connectionRefused});
 }
 
 tl::expected<Pdu, RegisterError> ModbusTcpWire::ask(const Pdu &request)

@@ -279,6 +279,9 @@ TEST(CliAlarmStop, AMuteRingDoesNotKeepTheOthersWaiting)
     EXPECT_EQ(run.exit, 1);
     EXPECT_TRUE(cameMeanwhile) << run.err;
     EXPECT_EQ(writesBeforeItWasRead, 1);
+    EXPECT_THAT(run.err,
+                HasSubstr("Ring 1: The zeros of the ALARM STOP were sent, but are not acknowledged"));
+    EXPECT_THAT(run.err, HasSubstr("codewheel-cli: Ring 1: "));
 }
 
 } // namespace

@@ -34,6 +34,15 @@ TEST(CliGatewayRing, AMonitorShowsWordsAndFiguresAndWritesNothing)
     EXPECT_EQ(peer.writes(), 0);
 }
 
+TEST(CliGatewayRing, AMonitorOfOtherRegistersPointsToTheTestOfTheGateway)
+{
+    GatewayPeer peer;
+    const CliRun run = RingProject(2).run(line("monitor 1.0 --for 1"), peer.link(line("in=1")));
+    EXPECT_THAT(run.out, HasSubstr("Test the registers of the gateway with codewheel-cli gateway."));
+    const CliRun right = RingProject(2).run(line("monitor 1.0 --for 1"), peer.link());
+    EXPECT_THAT(right.out, Not(HasSubstr("codewheel-cli gateway")));
+}
+
 TEST(CliGatewayRing, FiguresAreForProgramsToo)
 {
     GatewayPeer peer(line("--devices 1"));
