@@ -9,6 +9,7 @@ namespace codewheel {
 namespace {
 
 constexpr const char *serveExamples[] = {"serve esc --corrupted 10 --seed 7",
+                                         "serve canopen --slcan --quirk autostart",
                                          "serve modbus-tcp --address 0.0.0.0 --seats 12",
                                          "serve modbus-tcp --port 1502 --project crane.codewheel --read-only",
                                          "serve modbus-rtu --port ttyUSB0,baud=9600,unit=5"};
@@ -55,15 +56,23 @@ const Subcommand serveCommand{
     .name = "serve",
     .usage = "esc [--lost N] [--corrupted N] [--doubled N] [--delayed N] [--delay MS] [--answer-delay MS] "
              "[--echo] [--silent ADDRESS] [--seed N] | "
+             "canopen [--slcan] [--interface NAME] [--rate BD] [--lost N] [--damaged N] [--doubled N] "
+             "[--delayed N] [--delay MS] [--silent ADDRESS] [--quirk QUIRK] [--seed N] | "
              "modbus-tcp [--address ADDRESS] [--port PORT] [--seats N] [--read-only] | "
              "modbus-rtu [--port PORT] [--seats N] [--read-only]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                                 "offer the simulated serial line or a simulated ring to other programs"),
+                                 "offer the simulated serial line, CAN bus or ring to other programs"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
         "esc: prints the path of a pseudo terminal, which any program on this computer opens as a serial "
         "port, and\nserves the encoders 03, 05 and 12 there, at the speed of a real line. Baud rates other "
         "than that of the\nencoders give junk.\n\n"
+        "canopen: serves the nodes 5, 6 and 7, and an encoder without a number, in real time, behind an "
+        "SLCAN "
+        "adapter\non a pseudo terminal, the path of which is printed, or on an interface. An adapter opened "
+        "at another rate\nthan that of the encoders disturbs the bus, as a real one does. Quirks: autostart, "
+        "fixed-mapping,\nhighest-range, keeps-identifiers, keeps-preset, lss-forgets, lss-stopped, "
+        "restore-at-once, silent-store,\nspeed-off, switches, writes-pre-operational.\n\n"
         "modbus-tcp, modbus-rtu: offers the process image of the training ring, or of the rings of --project "
         "that are\nlinked to it, as Modbus registers, as a gateway does; several clients at once over TCP. A "
         "write is\nconfirmed once it was on the bus. The ring runs in real time, in Operate.\n\n"

@@ -130,10 +130,10 @@ QByteArray PseudoTerminal::read()
     return count > 0 ? QByteArray(bytes.data(), count) : QByteArray();
 }
 
-void PseudoTerminal::write(const QByteArray &bytes)
+qsizetype PseudoTerminal::write(const QByteArray &bytes)
 {
-    [[maybe_unused]] const auto count =
-        ::write(m_ours, bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    const auto count = ::write(m_ours, bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    return std::max(qsizetype{count}, qsizetype{0});
 }
 
 Complaint noPseudoTerminal()

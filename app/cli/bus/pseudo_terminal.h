@@ -31,9 +31,10 @@ public:
     // Since the last call the last program that had it open has closed it. Ask before read(): then what the
     // next one writes has not been read yet.
     bool clientLeft();
-    QByteArray read();                   // what is there now, in pieces
-    void write(const QByteArray &bytes); // what nobody reads is dropped once the system's buffer is full
-    void dropUnfetched();                // what was written and not read
+    QByteArray read(); // what is there now, in pieces
+    // What nobody reads is dropped once the system's buffer is full. How many bytes it took.
+    qsizetype write(const QByteArray &bytes);
+    void dropUnfetched(); // what was written and not read
 
 private:
     PseudoTerminal(int ours, int theirs, int watch, QString path);

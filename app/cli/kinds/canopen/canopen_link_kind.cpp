@@ -8,6 +8,7 @@
 #include "cli/kinds/canopen/canopen_scan.h"
 #include "cli/kinds/canopen/device_file_check.h"
 #include "cli/kinds/canopen/device_on_node.h"
+#include "cli/kinds/canopen/serve_can_bus.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 #include "links/can_interface.h"
 
@@ -56,6 +57,7 @@ public:
     MakeLink training(const Project *) const override { return {}; }
     std::span<const Subcommand *const> commands() const override { return canopenCommands; }
     std::span<const Option> scanOptions() const override { return scanCanOptions; }
+    std::span<const Service> services() const override { return {&canBusService, 1}; }
     QStringList ends(const QString &scheme) const override;
     QStringList settingKeys(const QString &scheme) const override { return canopenSettingKeys(scheme); }
     std::vector<KnownDevice> trainingDevices(const Catalog &catalog) const override;

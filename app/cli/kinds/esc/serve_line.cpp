@@ -2,6 +2,7 @@
 #include "cli/kinds/esc/serve_line.h"
 
 #include "cli/bus/pseudo_terminal.h"
+#include "cli/bus/serve_options.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/esc/served_line.h"
@@ -14,28 +15,21 @@
 namespace codewheel {
 namespace {
 
-constexpr int ofThousand = 1'000;
-constexpr int longestDelay = 10'000; // ms
 constexpr Instant longestWait{500'000};
 
 constexpr std::array serveLineOptions{
-    Option{"--lost", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are lost")},
+    lostOption,
     Option{"--corrupted", "N",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many are wrong in one bit")},
-    Option{"--doubled", "N",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes, so many come twice")},
-    Option{"--delayed", "N",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "of 1000 bytes, so many come later, with all that follow them")},
-    Option{"--delay", "MS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "how much later (20)")},
+    doubledOption,
+    delayedOption,
+    delayOption,
     Option{"--answer-delay", "MS",
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "from a request to its answer (0)")},
     Option{"--echo", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "send back what comes in, as a half-duplex adapter")},
-    Option{"--silent", "ADDRESS",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "an encoder that does not answer; several as 03,12; all for all of them")},
-    Option{"--seed", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "another run of the same faults (1)")},
+    silentOption,
+    seedOption,
 };
 
 struct ServePlan
@@ -80,13 +74,13 @@ Checked<void> takeNumbers(const Arguments &arguments, ServePlan &plan)
         int maximum;
         int &value;
     } rows[] = {
-        {"--lost", 0, 0, ofThousand, plan.faults.lost},
-        {"--corrupted", 0, 0, ofThousand, plan.faults.corrupted},
-        {"--doubled", 0, 0, ofThousand, plan.faults.doubled},
-        {"--delayed", 0, 0, ofThousand, plan.faults.delayed},
-        {"--delay", 20, 1, longestDelay, delay},
-        {"--answer-delay", 0, 0, longestDelay, answerDelay},
-        {"--seed", 1, 0, 1'000'000'000, seed},
+        {"--lost", 0, 0, mostOfThousand, plan.faults.lost},
+        {"--corrupted", 0, 0, mostOfThousand, plan.faults.corrupted},
+        {"--doubled", 0, 0, mostOfThousand, plan.faults.doubled},
+        {"--delayed", 0, 0, mostOfThousand, plan.faults.delayed},
+        {"--delay", usualServedDelay, 1, longestServedDelay, delay},
+        {"--answer-delay", 0, 0, longestServedDelay, answerDelay},
+        {"--seed", 1, 0, largestSeed, seed},
     };
     for (const auto &row : rows) {
         const auto number = arguments.number(row.option, row.otherwise, row.minimum, row.maximum);

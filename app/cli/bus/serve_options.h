@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/call/arguments.h"
+
+#include <QtGlobal>
+
+namespace codewheel {
+
+// Options of more than one service.
+inline constexpr Option lostOption{
+    "--lost", "N",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes (esc) or frames (canopen), so many are lost")};
+inline constexpr Option doubledOption{
+    "--doubled", "N",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine", "of 1000 bytes or frames, so many come twice")};
+inline constexpr Option delayedOption{
+    "--delayed", "N",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "of 1000 bytes or frames, so many come later, with all that follow them")};
+inline constexpr Option delayOption{"--delay", "MS",
+                                    QT_TRANSLATE_NOOP("codewheel::CommandLine", "how much later (20)")};
+inline constexpr Option silentOption{
+    "--silent", "ADDRESS",
+    QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                      "an encoder that does not answer; several as 03,12; all for all of them")};
+inline constexpr Option seedOption{
+    "--seed", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "another run of the same faults (1)")};
+
+inline constexpr int mostOfThousand = 1'000;
+inline constexpr int longestServedDelay = 10'000; // ms
+inline constexpr int usualServedDelay = 20;       // ms
+inline constexpr int largestSeed = 1'000'000'000;
+
+} // namespace codewheel

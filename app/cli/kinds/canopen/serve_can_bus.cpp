@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/kinds/canopen/serve_can_bus.h"
+
+#include "can/can_bridge.h"
+#include "cli/call/stop_signals.h"
+#include "cli/call/texts.h"
+#include "cli/kinds/canopen/serve_can_plan.h"
+#include "cli/kinds/canopen/served_can_bus.h"
+#include "links/socket_can_link.h"
+
+#include <QCanBusDevice>
+
+#include <algorithm>
+#include <chrono>
+
+namespace codewheel {
+namespace {
+
+constexpr Instant longestPause{500'000};   // at the port
+constexpr Instant longestListenTo{20'000}; // at an interface, which no signal wakes
+
+class RealTime
+{
+public:
+    Instant operator()() const
+    {
+        using std::chrono::steady_clock;
+        return std::chrono::duration_cast<Instant>(steady_clock::now() - m_begin);
+    }
+
+private:
+    std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+};
+
+canopen::SimulatedCanopenPlant plantOf(ServeCanPlan plan)
+{
+    for (canopen::CanopenEncoderPlan &encoder : plan.encoders)
+        encoder.rate = plan.rate;
+    canopen::SimulatedCanopenPlant plant(plan.encoders, plan.seed);
+    plant.bus()->setFaults(plan.faults);
+    for (const std::size_t which : plan.silent)
+        plant.withEncoder(which, [](canopen::SimulatedNode &node) { node.setOn(false); });
+    return plant;
+}
+
+Instant pauseUntil(std::optional<Instant> next, Instant now, Instant longest)
+{
+    return std::clamp(next.value_or(now + longest) - now, Instant{}, longest);
+}
+
+Checked<Answer> serveAtPort(const Call &call, const ServeCanPlan &plan)
+{
+    auto port = PseudoTerminal::make();
+    if (!port)
+        return tl::unexpected(noPseudoTerminal());
+    const canopen::SimulatedCanopenPlant plant = plantOf(plan);
+    SimulatedSlcanAdapter adapter(plant.bus());
+    ServedCanBus served(*plant.bus(), adapter, *port);
+    StopSignals stop;
+    call.terminal.print(port->path() + u'\n');
+    const RealTime clock;
+    while (call.terminal.canPrint() && !stop.came()) { // otherwise nobody knows the port
+        const Instant now = clock();
+        port->wait(stop.descriptor(), pauseUntil(served.serve(now), now, longestPause));
+    }
+    return Answer{{}, {{QStringLiteral("port"), port->path()}}};
+}
+
+// At the rate of the interface, where the system tells it.
+Checked<Answer> serveAtInterface(const Call &call, ServeCanPlan plan)
+{
+    SocketCanLink link(*plan.interface);
+    if (const auto opened = link.open(CanUse::operate); !opened)
+        return tl::unexpected(complaintAbout(opened.error()));
+    if (!call.arguments.has("--rate"))
+        plan.rate = link.status().rate.value_or(plan.rate);
+    const canopen::SimulatedCanopenPlant plant = plantOf(plan);
+    SimulatedCanLink near(plant.bus(), plan.rate, RealTime());
+    if (const auto opened = near.open(CanUse::operate); !opened)
+        return tl::unexpected(complaintAbout(opened.error()));
+    CanBridge bridge(link, near);
+    StopSignals stop;
+    call.terminal.print(*plan.interface + u'\n');
+    while (call.terminal.canPrint() && !stop.came()) {
+        const Instant pause = pauseUntil(plant.bus()->nextEvent(), plant.bus()->now(), longestListenTo);
+        if (const auto carried = bridge.carry(pause); !carried)
+            return tl::unexpected(complaintAbout(carried.error()));
+    }
+    return Answer{{}, {{QStringLiteral("interface"), *plan.interface}}};
+}
+
+Checked<Answer> serveCanBus(const Call &call)
+{
+    return serveCanPlan(call.arguments).and_then([&](const ServeCanPlan &plan) {
+        return plan.interface ? serveAtInterface(call, plan) : serveAtPort(call, plan);
+    });
+}
+
+} // namespace
+
+const Service canBusService{"canopen", serveCanOptions(), serveCanBus};
+
+} // namespace codewheel
