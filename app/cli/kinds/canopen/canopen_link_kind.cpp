@@ -54,7 +54,10 @@ public:
             return canBusAt(link, bus);
         });
     }
-    MakeLink training(const Project *) const override { return {}; }
+    MakeLink training(const Project *project) const override
+    {
+        return canBusAt({}, numberOf(*this, project));
+    }
     std::span<const Subcommand *const> commands() const override { return canopenCommands; }
     std::span<const Option> scanOptions() const override { return scanCanOptions; }
     std::span<const Service> services() const override { return {&canBusService, 1}; }

@@ -11,6 +11,7 @@
 namespace codewheel {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 TEST(CliCanScan, ListensToWhoTellsOfItself)
@@ -89,7 +90,19 @@ TEST(CliCanScan, ItsOptionsAreForCanBuses)
 {
     SharedCanBus bus;
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("scan --listen 0 --json"))), "optionOutOfRange");
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --ask --json"))), "optionOfOtherBus");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("scan --ask --json --link esc:training"))), "optionOfOtherBus");
+}
+
+TEST(CliCanScan, TheTrainingBusesEndWithTheCanBus)
+{
+    const CliRun run = runLine(QStringLiteral("scan"));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.out, EndsWith("CAN: CAN bus (CANopen)\n"
+                                  "place  state            PDO  errors\n"
+                                  "can:5  -                -    -\n"
+                                  "can:6  pre-operational  -    -\n"
+                                  "can:7  pre-operational  -    -\n"));
+    EXPECT_THAT(runLine(QStringLiteral("read can:6 serial-number")).out, HasSubstr("1234340"));
 }
 
 } // namespace
