@@ -34,6 +34,17 @@ constexpr std::array canRefusalRows{
     SentenceRow{CanRefusalId::rateBySystem, "canRateBySystem",
                 QT_TRANSLATE_NOOP("Refusal", "The rate of %1 is set in the system, not here. Leave it out; "
                                              "\"ip link\" sets it.")},
+    SentenceRow{CanRefusalId::logEmpty, "canLogEmpty",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "There is no CAN frame in %1. See with codewheel-cli frames what "
+                                  "is in it.")},
+    SentenceRow{CanRefusalId::logHasNoTimes, "canLogHasNoTimes",
+                QT_TRANSLATE_NOOP("Refusal", "The frames in %1 have no times, so it is not known when they "
+                                             "came. codewheel-cli frames lists them.")},
+    SentenceRow{CanRefusalId::logHasNotThat, "canLogHasNotThat",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "There is no frame of %2 in %1. Name another interface, or leave "
+                                  "it out for that of the first frame.")},
     SentenceRow{CanRefusalId::watchNotSure, "canWatchNotSure",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1 is not set to listen only, so it acknowledges what others send. Set it "
@@ -87,9 +98,12 @@ constexpr std::array canRefusalRows{
     SentenceRow{CanRefusalId::pluginMissing, "canPluginMissing",
                 QT_TRANSLATE_NOOP("Refusal", "Qt's plugin for CAN interfaces is missing. Install the package "
                                              "libqt6serialbus6.")},
+    SentenceRow{CanRefusalId::onlyLogged, "canOnlyLogged",
+                QT_TRANSLATE_NOOP("Refusal", "%1 is a log: what is in it is over, and nobody can be asked or "
+                                             "told anything there.")},
 };
 
-static_assert(areInOrder(canRefusalRows, &SentenceRow::id, CanRefusalId::pluginMissing));
+static_assert(areInOrder(canRefusalRows, &SentenceRow::id, CanRefusalId::onlyLogged));
 
 QString canRefusalText(const Refusal &refusal)
 {

@@ -15,6 +15,9 @@ enum class CanRefusalId : std::uint8_t {
     rateWrong,         // the text given, the rates there are
     rateMissing,       // the text given
     rateBySystem,      // interface
+    logEmpty,          // file
+    logHasNoTimes,     // file
+    logHasNotThat,     // file, interface
     // link
     watchNotSure,     // name; and the command that makes a SocketCAN interface only listen
     rateRefused,      // name, rate
@@ -29,6 +32,7 @@ enum class CanRefusalId : std::uint8_t {
     interfaceLost,    // name
     notInKernel,      // name
     pluginMissing,    //
+    onlyLogged,       // file
 };
 extern const RefusalFamily canRefusals;
 constexpr const RefusalFamily &familyOf(CanRefusalId)

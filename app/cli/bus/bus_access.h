@@ -129,6 +129,8 @@ public:
     virtual void keepFound(const Call &call, Project &project) const;
 
     virtual Refusal whatIsLost() const; // why its link is gone, in its own words if it gave any
+    // How long what it shows is, such as a log; empty: as long as somebody looks.
+    virtual std::optional<Instant> length() const { return std::nullopt; }
 
 private:
     EncoderBus &m_bus;

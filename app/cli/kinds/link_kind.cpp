@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "cli/call/texts.h"
+#include "cli/kinds/canopen/can_log_link_kind.h"
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/esc/esc_line_link_kind.h"
 #include "cli/kinds/interbus/gateway_link_kind.h"
@@ -28,6 +29,7 @@ std::vector<std::unique_ptr<const LinkKind>> kindsOfTheProgram()
     kinds.push_back(gatewayLinkKind());
     kinds.push_back(lineLinkKind());
     kinds.push_back(canopenLinkKind());
+    kinds.push_back(canLogLinkKind());
     return kinds;
 }
 

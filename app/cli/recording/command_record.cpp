@@ -34,6 +34,16 @@ constexpr const char *recordExamples[] = {
 constexpr Instant longestSettling = std::chrono::seconds(2);
 constexpr Instant betweenWrites = std::chrono::seconds(1); // in virtual time
 
+// What is over tells by itself who was there.
+Checked<void> showAll(const Call &call, BusAccess &link)
+{
+    if (link.length())
+        for (const Place place : link.knownPlaces())
+            if (const auto shown = link.encoder(call, place.node, false); !shown)
+                return tl::unexpected(shown.error());
+    return {};
+}
+
 // Lets each show its position. A serial line knows only the encoders that somebody names.
 Checked<std::set<Place>> allEncoders(const Call &call)
 {
@@ -43,6 +53,8 @@ Checked<std::set<Place>> allEncoders(const Call &call)
     std::set<Place> places;
     for (BusAccess *link : call.links) {
         const std::size_t before = places.size();
+        if (const auto shown = showAll(call, *link); !shown)
+            return tl::unexpected(shown.error());
         for (const Place place : link->bus().places())
             if (link->bus().isOpen() && link->bus().encoder(place) != nullptr)
                 places.insert(place);
@@ -70,6 +82,19 @@ void noteWhatIsNotShown(const Call &call, const RecordingTrigger &trigger)
                      {threshold->place.shown()}));
 }
 
+// Empty: one of the buses goes on for ever.
+std::optional<Instant> lengthOfAll(const Call &call)
+{
+    Instant longest{};
+    for (const BusAccess *link : call.links) {
+        const auto its = link->length();
+        if (!its)
+            return std::nullopt;
+        longest = std::max(longest, *its);
+    }
+    return longest;
+}
+
 Checked<RecordWish> completeWish(const Call &call)
 {
     auto wish = RecordWish::of(call.arguments);
@@ -86,6 +111,8 @@ Checked<RecordWish> completeWish(const Call &call)
     if (!places)
         return tl::unexpected(places.error());
     wish->encoders = *places;
+    if (!call.arguments.has("--for") && !wish->plan.trigger)
+        wish->duration = wish->plan.extent.after = lengthOfAll(call);
     if (!isOfAll)
         wish->plan.places = *places;
     if (wish->plan.trigger)

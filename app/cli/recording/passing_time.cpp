@@ -17,9 +17,11 @@ bool isOpenBus(const BusAccess *bus)
     return bus->bus().isOpen();
 }
 
-// They may have waited for each other's encoders.
+// They may have waited for each other's encoders. One alone keeps its own, as that of a log.
 void setSimulatedTime(const Call &call)
 {
+    if (call.buses.open().size() < 2)
+        return;
     QDateTime latest = QDateTime::currentDateTimeUtc();
     for (const EncoderBus *bus : call.buses.open())
         latest = std::max(latest, bus->dateTime(bus->now()));

@@ -150,7 +150,9 @@ Checked<Answer> runMonitor(const Call &call, EncoderSession &encoder)
 
     BusAccess &bus = call.busOf(encoder.place());
     const auto watched = bus.currentRow(encoder) ? watchWords : watchReadings;
-    watched(call, bus, encoder, {std::chrono::seconds(*seconds), std::chrono::milliseconds(*interval)});
+    const bool isWhole = bus.length() && !call.arguments.has("--for");
+    const Instant duration = isWhole ? *bus.length() : std::chrono::seconds(*seconds);
+    watched(call, bus, encoder, {duration, std::chrono::milliseconds(*interval)});
     Answer answer{.hasBegunJson = isInJson(call)};
     bus.addFigures(call, encoder, answer);
     if (!bus.isConnected())

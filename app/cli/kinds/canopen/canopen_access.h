@@ -22,7 +22,7 @@ struct NodeOnBus
 
 // A CAN bus of a call. It is opened, in Watch, when it is first needed, and switched to Operate, which is
 // said, for what sends. The simulated bus has virtual time.
-class CanopenAccess final : public BusAccess
+class CanopenAccess : public BusAccess
 {
 public:
     // The catalog must outlive it.
@@ -73,7 +73,7 @@ public:
     Refusal whatIsLost() const override;
 
     // The link for programs; "training" for the simulated bus.
-    QString linkKey() const;
+    virtual QString linkKey() const;
     // By hand, in Operate, each to its end.
     Checked<canopen::SdoOutcome> transfer(const canopen::SdoRequest &request);
     Checked<canopen::LssOutcome> configure(const canopen::LssRequest &request);
@@ -85,9 +85,11 @@ public:
     // False: the link is gone, nobody acknowledges, or it did not become so.
     bool waitUntil(const std::function<bool()> &isDone, Instant atMost);
 
+protected:
+    CanopenAccess(const CanopenLink &settings, std::unique_ptr<CanopenSession> session);
+
 private:
     Checked<void> whetherHeldBack() const;
-    CanopenAccess(const CanopenLink &settings, std::unique_ptr<CanopenSession> session);
     Checked<void> open(CanopenSession::Start start);
     Complaint aboutOpening(const Refusal &why) const;
     QString howToAgree(const Refusal &why) const;

@@ -121,7 +121,7 @@ void CanopenAccess::addFigures(const Call &, const EncoderSession &, Answer &ans
 
 Checked<void> CanopenAccess::checkScan(const Call &call) const
 {
-    return secondsToListen(call).map([](int) {});
+    return timeToListen(call, *this).map([](Instant) {});
 }
 
 Checked<Answer> CanopenAccess::scan(const Call &call)

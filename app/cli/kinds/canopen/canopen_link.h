@@ -16,8 +16,9 @@ struct CanopenLink
     bool sendsBesideOthers = false;    // that frames are sent beside another master
     bool mayStopNodes = false;         // that a running node is stopped where it takes something only then
     std::optional<Complaint> whyNot{}; // if it cannot be opened
+    bool isLog = false;
 
-    bool isSimulated() const { return settings.link.isEmpty(); }
+    bool isSimulated() const { return settings.link.isEmpty() && !isLog; }
 };
 
 // What may stand behind it, each "yes".

@@ -174,21 +174,24 @@ Answer answerOf(const CanopenAccess &bus, const std::vector<NodeOnBus> &nodes, b
 
 } // namespace
 
-Checked<int> secondsToListen(const Call &call)
+Checked<Instant> timeToListen(const Call &call, const CanopenAccess &bus)
 {
-    return call.arguments.number("--listen", usualListening, 1, longestListeningAsked);
+    const auto whole = call.arguments.has("--listen") ? std::nullopt : bus.length();
+    return call.arguments.number("--listen", usualListening, 1, longestListeningAsked).map([&](int seconds) {
+        return whole.value_or(std::chrono::seconds(seconds));
+    });
 }
 
 Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
 {
-    const auto seconds = secondsToListen(call);
-    if (!seconds)
-        return tl::unexpected(seconds.error());
+    const auto time = timeToListen(call, bus);
+    if (!time)
+        return tl::unexpected(time.error());
     const bool asks = call.arguments.has("--ask");
     if (const auto opened = asks ? bus.openToSend(call) : bus.open(); !opened)
         return tl::unexpected(opened.error());
     StopSignals stop;
-    bool isWhole = listen(bus, stop, std::chrono::seconds(*seconds));
+    bool isWhole = listen(bus, stop, *time);
     std::vector<canopen::FoundNode> asked;
     if (isWhole && asks) {
         const auto result = ask(call, bus, stop);

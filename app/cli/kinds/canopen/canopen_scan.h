@@ -18,7 +18,8 @@ inline constexpr std::array scanCanOptions{
     Option{"--listen", "SECONDS", QT_TRANSLATE_NOOP("codewheel::CommandLine", "CAN bus: listen so long (3)")},
 };
 
-Checked<int> secondsToListen(const Call &call);
+// As long as the whole of a log, unless --listen says how long.
+Checked<Instant> timeToListen(const Call &call, const CanopenAccess &bus);
 
 // Who is on the bus: listens, and with --ask asks. Ctrl+C ends it, keeping what was found so far.
 struct ScannedCan

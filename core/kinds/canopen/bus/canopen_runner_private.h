@@ -103,6 +103,7 @@ struct CanopenRunner::Private
     void receive(Instant until);
     Instant wakesAt(Instant until) const;
     void take(const CanFrame &frame);
+    void hear(const Node &node, const CanFrame &frame, bool isAnswer);
     void takeError(const CanFrame &frame);
     void takeAnswer(int number, const CanFrame &frame);
     void takeOfOthers(const CanFrame &frame);

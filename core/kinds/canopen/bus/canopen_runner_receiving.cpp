@@ -99,12 +99,23 @@ void CanopenRunner::Private::take(const CanFrame &frame)
             if (each)
                 each->watch.take(frame, now);
     }
+    if (isAnswer || (cob && cob->service == Service::sdoRequest))
+        hear(nodeAt(number), frame, isAnswer);
     if (isAnswer)
         takeAnswer(number, frame);
     else if (cob && cob->service == Service::lssAnswer)
         lss.take(frame, now);
     else
         showToDrivers(frame, number);
+}
+
+// Transfers of others tell of the node as well.
+void CanopenRunner::Private::hear(const Node &node, const CanFrame &frame, bool isAnswer)
+{
+    const auto sdo =
+        isAnswer ? canopen::SdoFrame::answer(frame.data()) : canopen::SdoFrame::request(frame.data());
+    if (sdo && node.device && driver(*node.device) != nullptr)
+        driver(*node.device)->hear(*sdo);
 }
 
 void CanopenRunner::Private::takeError(const CanFrame &frame)

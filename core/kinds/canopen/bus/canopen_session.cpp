@@ -95,7 +95,10 @@ Result<void> CanopenSession::mayAdd(NodeId node) const
 
 void CanopenSession::startAsking(NodeId node, const DeviceDescription &device)
 {
-    post(canopen_command::AddNode{canopen::makeNodeDriver(device, CanopenAddress::of(node).node)});
+    auto driver = canopen::makeNodeDriver(device, CanopenAddress::of(node).node);
+    if (m_isUsuallyMapped)
+        driver->takeUsualMapping();
+    post(canopen_command::AddNode{std::move(driver)});
 }
 
 Result<void> CanopenSession::mayStart(const Job & /*job*/, const QString &place) const

@@ -31,6 +31,8 @@ public:
     // The user agrees: the bus is watched although the adapter may acknowledge frames; a stopped link is
     // opened so at once, a closed one by open().
     void takeUnsureWatch();
+    // The user says so of all nodes that are added from now on: NodeDriver::takeUsualMapping().
+    void takeUsualMapping() { m_isUsuallyMapped = true; }
     // The user agrees: frames are sent although another master is at work.
     void sendBesideOthers() { post(canopen_command::SendBesideOthers{}); }
     // The user agrees: the next job of this encoder may stop its node for a moment.
@@ -86,6 +88,7 @@ private:
     const CanopenOutline m_outline;
     CanopenSettings m_settings;
     CanopenTraffic m_traffic;
+    bool m_isUsuallyMapped = false; // the user says so
 };
 
 } // namespace codewheel

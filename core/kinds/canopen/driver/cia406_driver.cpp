@@ -5,10 +5,12 @@
 #include "kinds/canopen/protocol/canopen_profile.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
+#include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
 #include "kinds/canopen/protocol/nmt_job.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace codewheel::canopen {
@@ -16,6 +18,18 @@ namespace {
 
 constexpr int predefinedPdos = 4;
 constexpr SdoObject heartbeatTime{0x1017, 0};
+
+// TPDO1 with 6004h:0 in front.
+PdoMapping usualMapping(int node)
+{
+    const std::uint32_t identifier = CobId{CobId::Service::tpdo, node, 1}.identifier();
+    PdoMapping pdo(PdoDirection::transmit, 1);
+    pdo.take({0x1800, 1},
+             std::array{static_cast<std::uint8_t>(identifier), static_cast<std::uint8_t>(identifier >> 8)});
+    pdo.take({0x1A00, 0}, std::array<std::uint8_t, 1>{1});
+    pdo.take({0x1A00, 1}, std::array<std::uint8_t, 4>{0x20, 0x00, 0x04, 0x60});
+    return pdo;
+}
 
 } // namespace
 
@@ -35,6 +49,7 @@ void Cia406Driver::getToKnow()
 {
     m_pdos.clear();
     m_read.clear();
+    m_heard.restarted(node());
     for (int number = 1; number <= predefinedPdos; ++number)
         m_pdos.emplace_back(PdoDirection::transmit, number);
     m_toKnow = {heartbeatTime};
@@ -302,15 +317,37 @@ void Cia406Driver::take(const CanFrame &frame, Instant now)
         if (!mayBeSilent())
             m_encoder.tell(now, Severity::attention, CanopenMessageId::nodeBooted);
     }
-    const auto typeOf = [this](const SdoObject &object) { return m_encoder.pdoType(object); };
-    for (const PdoMapping &pdo : m_read) {
-        if (!pdo.isOf(frame))
-            continue;
-        for (const PdoValue &value : pdo.values(frame, typeOf)) {
-            m_encoder.take(value, now);
-            if (value.object == object::position)
-                m_pdoAt = now;
+    takePdo(frame, now);
+}
+
+void Cia406Driver::takeUsualMapping()
+{
+    m_usual = usualMapping(node());
+}
+
+void Cia406Driver::takePdo(const CanFrame &frame, Instant now)
+{
+    bool isKnown = false;
+    for (const PdoMapping &pdo : m_read)
+        if (pdo.isOf(frame)) {
+            takeValues(pdo, frame, now);
+            isKnown = true;
         }
+    if (isKnown)
+        return;
+    if (const auto heard = m_heard.of(frame); heard && heard->direction == PdoDirection::transmit)
+        takeValues(heard->mapping, frame, now);
+    else if (m_usual && m_usual->isOf(frame))
+        takeValues(*m_usual, frame, now);
+}
+
+void Cia406Driver::takeValues(const PdoMapping &pdo, const CanFrame &frame, Instant now)
+{
+    const auto typeOf = [this](const SdoObject &object) { return m_encoder.pdoType(object); };
+    for (const PdoValue &value : pdo.values(frame, typeOf)) {
+        m_encoder.take(value, now);
+        if (value.object == object::position)
+            m_pdoAt = now;
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/canopen/driver/node_job.h"
+#include "kinds/canopen/protocol/pdo_mappings_heard.h"
 
 #include <optional>
 #include <vector>
@@ -30,6 +31,8 @@ public:
     std::optional<NodeRequest> next(Instant now) override;
     void answered(const NodeRequest &request, const SdoOutcome &outcome, Instant now) override;
     void take(const CanFrame &frame, Instant now) override;
+    void hear(const SdoFrame &sdo) override { m_heard.followSdo(node(), sdo); }
+    void takeUsualMapping() override;
     void lost(Instant now) override;
     bool mayBeSilent() const override { return m_job && m_job->mayBeSilent(); }
     int node() const override { return m_encoder.node; }
@@ -54,6 +57,8 @@ private:
     void gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now);
     void noteIdentifiers();
     void takeSerialNumber();
+    void takePdo(const CanFrame &frame, Instant now);
+    void takeValues(const PdoMapping &pdo, const CanFrame &frame, Instant now);
 
     NodeEncoder m_encoder;
     std::optional<NodeJob> m_job;
@@ -61,9 +66,11 @@ private:
     Asks m_asks = Asks::nobody; // whose request is under way
     bool m_wasPoll = false;     // the last request
     std::vector<PdoMapping> m_pdos;
-    std::vector<PdoMapping> m_read;  // those of them that were read, and are on
-    std::vector<SdoObject> m_toKnow; // once, when it answers
-    std::vector<SdoObject> m_bits;   // alarms and warnings, in turn
+    std::vector<PdoMapping> m_read; // those of them that were read, and are on
+    PdoMappingsHeard m_heard;
+    std::optional<PdoMapping> m_usual{}; // empty: the user has not said so
+    std::vector<SdoObject> m_toKnow;     // once, when it answers
+    std::vector<SdoObject> m_bits;       // alarms and warnings, in turn
     std::size_t m_nextBits = 0;
     Instant m_positionDue{};
     Instant m_bitsDue{};

@@ -61,6 +61,12 @@ public:
     // What happened since the last call, oldest first.
     virtual std::vector<Event> takeEvents() = 0;
     virtual std::vector<Message> takeMessages() = 0;
+
+    // An SDO frame from or to this node, whoever sent it: it may tell what its PDOs hold.
+    virtual void hear(const SdoFrame &sdo) = 0;
+    // The user says that its first PDO holds the position in front, as CiA 406 has it. What was read or heard
+    // goes before.
+    virtual void takeUsualMapping() = 0;
 };
 
 // Null: the device is not for CANopen. The description must outlive the driver.

@@ -40,6 +40,37 @@ TEST(NodeDriver, AsksForThePositionWhereNoPdoBringsIt)
     EXPECT_EQ(std::ranges::count(bench.log, std::string("1800:1")), 0) << "what it has is known";
 }
 
+// As in Watch, and in a log.
+TEST(NodeDriver, TakesThePositionByAMappingThatOthersRead)
+{
+    DriverBench bench;
+    bench.hear(0x185, {0x10, 0x27, 0, 0});
+    EXPECT_FALSE(bench.driver.reading().position);
+    constexpr std::array<std::uint8_t, 8> answers[] = {
+        {0x43, 0x00, 0x18, 1, 0x85, 0x01, 0, 0},
+        {0x4F, 0x00, 0x1A, 0, 1, 0, 0, 0},
+        {0x43, 0x00, 0x1A, 1, 0x20, 0, 0x04, 0x60},
+    };
+    for (const auto &octets : answers)
+        bench.driver.hear(*SdoFrame::answer(octets));
+    bench.hear(0x185, {0x11, 0x27, 0, 0});
+    EXPECT_EQ(bench.driver.reading().position, 10001);
+    bench.hear(0x705, {0}); // it may map something else now
+    bench.hear(0x185, {0x12, 0x27, 0, 0});
+    EXPECT_NE(bench.driver.reading().position, 10002);
+}
+
+TEST(NodeDriver, TakesTheUsualMappingOnlyOnTheUsersWord)
+{
+    DriverBench bench;
+    bench.driver.takeUsualMapping();
+    bench.hear(0x185, {0x10, 0x27, 0, 0});
+    EXPECT_EQ(bench.driver.reading().position, 10000);
+    bench.hear(0x285, {0x11, 0x27, 0, 0});
+    bench.hear(0x185, {0x12, 0x27});
+    EXPECT_EQ(bench.driver.reading().position, 10000) << "another PDO, and a short one";
+}
+
 TEST(NodeDriver, TakesThePositionByTheMappingThatWasRead)
 {
     DriverBench bench;
