@@ -73,7 +73,7 @@ TEST_F(CliCanLog, ScanListsWhoIsInIt)
 TEST_F(CliCanLog, MonitorShowsPositionsByAMappingThatIsInIt)
 {
     const CliRun monitor = run(QStringLiteral("monitor can:6 --every 1000"));
-    EXPECT_THAT(monitor.out, HasSubstr("      1196  operational"));
+    EXPECT_THAT(monitor.out, HasSubstr("      1194  operational"));
     EXPECT_THAT(run(QStringLiteral("monitor can:5 --every 1000")).out,
                 HasSubstr("if it is mapped as CiA 406"));
     EXPECT_EQ(errorKey(run(QStringLiteral("monitor can:9 --json"))), "nodeSilent");
