@@ -45,14 +45,6 @@ QString joined(const QString &sentence, const QString &next)
     return next.isEmpty() ? sentence : sentence + u' ' + next;
 }
 
-DataCheck remarkOf(DataCheck check, const QString &remedy, DataCheck::Action action = DataCheck::Action::none)
-{
-    check.outcome = DataCheck::Outcome::remark;
-    check.remedy = remedy;
-    check.action = action;
-    return check;
-}
-
 const Freshness *freshnessOf(const EncoderBus &bus, NodeId node)
 {
     if (const EncoderSession *encoder = bus.encoder(node))
@@ -149,6 +141,14 @@ DataCheck leftModeCheck(const QString &what, const QString &expected, const QStr
 }
 
 } // namespace
+
+DataCheck remarkOf(DataCheck check, const QString &remedy, DataCheck::Action action)
+{
+    check.outcome = DataCheck::Outcome::remark;
+    check.remedy = remedy;
+    check.action = action;
+    return check;
+}
 
 DataChecks asFarAsKnown(DataChecks checks)
 {

@@ -77,6 +77,8 @@ const DataCheck *findCheck(const DataChecks &checks, DataCheck::Id id); // null:
 DataCheck passedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came);
 DataCheck failedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came,
                       const QString &remedy, DataCheck::Action action = DataCheck::Action::none);
+DataCheck remarkOf(DataCheck check, const QString &remedy,
+                   DataCheck::Action action = DataCheck::Action::none);
 
 // The steps that every bus has.
 //

@@ -4,6 +4,7 @@
 #include "bus/bus_outline.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_faults.h"
+#include "kinds/canopen/bus/canopen_pdo_check.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -25,13 +26,6 @@ struct CanopenCheckText
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::CanopenChecks)
 };
-
-DataCheck remark(DataCheck check, const QString &remedy)
-{
-    check.outcome = DataCheck::Outcome::remark;
-    check.remedy = remedy;
-    return check;
-}
 
 DataCheck canLinkCheck(const CanopenSession &bus)
 {
@@ -56,7 +50,7 @@ DataCheck askingCheck(const CanopenSession &bus)
                            DataCheck::Action::start);
     const CanopenSnapshot &latest = bus.latest();
     if (latest.isHeldBack())
-        return remark(
+        return remarkOf(
             passedCheck(DataCheck::Id::running, what, expected, came),
             refusalText(
                 {RefusalKind::busy, CanopenBusRefusalId::otherMaster, {latest.otherMaster.argument()}}));
@@ -107,9 +101,10 @@ DataCheck framesCheck(const CanopenSession &bus)
     DataCheck passed = passedCheck(DataCheck::Id::bytes, what, expected, received);
     if (load < muchLoad)
         return passed;
-    return remark(std::move(passed), sentence(CanopenCheckText::tr("The bus is %1 % full: what has a high "
-                                                                   "identifier may come late or not at all."),
-                                              {QLocale().toString(std::lround(load * 100))}));
+    return remarkOf(std::move(passed),
+                    sentence(CanopenCheckText::tr("The bus is %1 % full: what has a high "
+                                                  "identifier may come late or not at all."),
+                             {QLocale().toString(std::lround(load * 100))}));
 }
 
 DataCheck protocolCheck(const CanopenSession &bus)
@@ -181,33 +176,6 @@ DataCheck nodeStateCheck(const CanopenSession &bus, int number)
     return passedCheck(DataCheck::Id::state, what, expected, stateText(state));
 }
 
-DataCheck pdoCheck(const CanopenSession &bus, int number)
-{
-    const QString what = CanopenCheckText::tr("Positions by PDO");
-    const QString expected = CanopenCheckText::tr("they come");
-    const CanopenSnapshot &latest = bus.latest();
-    const CanopenSnapshot::Node *node = latest.heard(number);
-    DataCheck check = passedCheck(DataCheck::Id::answer, what, expected, CanopenCheckText::tr("none"));
-    if (node != nullptr && node->otherIdentifier != 0)
-        return remark(check,
-                      sentence(CanopenCheckText::tr("A PDO of the node has the identifier %1, which is "
-                                                    "not the predefined one."),
-                               {hexNumber(node->otherIdentifier, 3)}));
-    if (node != nullptr && node->sendsPdos)
-        return passedCheck(DataCheck::Id::answer, what, expected, expected);
-    if (bus.isOperating()) // they are asked for
-        return remark(check, CanopenCheckText::tr("The position is asked for (SDO)."));
-    return failedCheck(
-        DataCheck::Id::answer, what, expected, check.came,
-        latest.otherMaster.isHeard(OtherMaster::Sign::sync)
-            ? CanopenCheckText::tr("The PDOs of the node may be switched off, have another identifier, or be "
-                                   "sent only when the shaft turns. In Operate its settings are read.")
-            : CanopenCheckText::tr("The PDOs of the node may be switched off, wait for a SYNC, of which none "
-                                   "was heard, have another identifier, or be sent only when the shaft "
-                                   "turns. In Operate its settings are read."),
-        DataCheck::Action::operate);
-}
-
 DataCheck nodeAlarmCheck(const CanopenSession &bus, Place place)
 {
     const QString what = CanopenCheckText::tr("Alarms and warnings");
@@ -229,7 +197,7 @@ void addOfNode(DataChecks &checks, const CanopenSession &bus, NodeId node,
     if (isAdded) {
         checks.push_back(heardCheck(bus, number));
         checks.push_back(nodeStateCheck(bus, number));
-        checks.push_back(pdoCheck(bus, number));
+        checks.push_back(canopenPdoCheck(bus, number));
     }
     checks.push_back(kindCheck(bus, node, planned));
     if (!isAdded)

@@ -2,6 +2,7 @@
 #include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_runner_private.h"
 #include "kinds/canopen/protocol/canopen_address.h"
+#include "kinds/canopen/protocol/encoder_objects.h"
 #include "vocabulary/port_text.h"
 
 #include <algorithm>
@@ -114,7 +115,9 @@ void CanopenRunner::Private::publish()
              .sendsPdos = node->sendsPdos,
              .bootUps = watch.bootUps(),
              .error = watch.standing().empty() ? std::nullopt : std::optional(watch.standing().back()),
-             .otherIdentifier = node->otherIdentifier,
+             .position = node->device ? canopen::termsOf(driver(*node->device)->transmitPdos(),
+                                                         canopen::object::position)
+                                      : std::nullopt,
              .heardAt = *node->heardAt});
     }
     mail.note(tap.noted());

@@ -45,7 +45,6 @@ struct CanopenRunner::Private
         Instant dueAt = Instant::max();                // it may want to send something
         bool answers = true;                           // the last request was answered
         bool sendsPdos = false;                        //
-        std::uint32_t otherIdentifier = 0;             //
         std::optional<Instant> heardAt{};
         canopen::Heartbeat heartbeat = canopen::Heartbeat::notHeard; // as told
         bool isDoubledTold = false;                                  // since it has booted

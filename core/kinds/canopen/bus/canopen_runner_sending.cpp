@@ -217,8 +217,6 @@ void CanopenRunner::Private::learn(Node &node, const canopen::SdoRequest &reques
     const auto cob = canopen::CobId::of(identifier);
     if (cob && cob->node == 0) // NMT and SYNC are no PDOs, whatever it says
         return;
-    if (!cob || cob->node != request.node)
-        node.otherIdentifier = identifier;
     if (node.device)
         listeners[identifier].insert(*node.device);
 }

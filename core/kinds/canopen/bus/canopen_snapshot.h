@@ -5,6 +5,7 @@
 #include "can/can_link.h"
 #include "kinds/canopen/bus/other_master.h"
 #include "kinds/canopen/protocol/node_watch.h"
+#include "kinds/canopen/protocol/pdo_mapping.h"
 
 #include <cstdint>
 #include <vector>
@@ -57,7 +58,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
         bool sendsPdos = false;
         int bootUps = 0;
         std::optional<canopen::Emcy> error{}; // the newest that stands
-        std::uint32_t otherIdentifier = 0;    // of a PDO, as read, where it is not predefined
+        std::optional<canopen::PdoTerms> position{}; // when the PDO with its position comes, as read
         Instant heardAt{};
     };
 

@@ -123,6 +123,11 @@ void PdoMapping::place()
     m_hasAllEntries = !m_entries.empty();
 }
 
+bool PdoMapping::holds(const SdoObject &object) const
+{
+    return std::ranges::find(m_entries, object, &PdoEntry::object) != m_entries.end();
+}
+
 bool PdoMapping::isThere() const
 {
     return m_identifier && number(mappingObject(0));
@@ -190,6 +195,25 @@ std::vector<PdoValue> PdoMapping::values(const CanFrame &frame,
                               type.isSigned ? withSign(raw, entry.bits) : static_cast<std::int64_t>(raw)});
     }
     return values;
+}
+
+std::optional<PdoTerms> termsOf(std::span<const PdoMapping> pdos, const SdoObject &object)
+{
+    if (!std::ranges::all_of(pdos, &PdoMapping::isRead))
+        return std::nullopt;
+    auto found = std::ranges::find_if(pdos, [&](const PdoMapping &pdo) { return pdo.holds(object); });
+    const bool holdsIt = found != pdos.end();
+    if (!holdsIt)
+        found = std::ranges::find_if(pdos, &PdoMapping::isThere);
+    if (found == pdos.end())
+        return std::nullopt;
+    return PdoTerms{.number = found->number(),
+                    .identifier = found->identifier(),
+                    .isOff = found->isOff(),
+                    .type = found->type(),
+                    .eventTimer = found->eventTimer(),
+                    .inhibitTime = found->inhibitTime(),
+                    .holdsIt = holdsIt};
 }
 
 } // namespace codewheel::canopen

@@ -5,6 +5,7 @@
 #include "kinds/canopen/protocol/sdo.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace codewheel::canopen {
@@ -50,6 +51,9 @@ public:
 
     PdoMapping(PdoDirection direction, int number); // 1 to 512
 
+    int number() const { return m_number; }
+    bool holds(const SdoObject &object) const; // as far as it was read
+
     // What has not been told yet, to be read in this order; which entries there are follows from their count.
     std::vector<SdoObject> missing() const;
     // Whether the object belongs to this PDO. One that the node does not have has no octets.
@@ -94,5 +98,24 @@ private:
     std::vector<PdoEntry> m_entries{};
     bool m_hasAllEntries = false;
 };
+
+// When the PDO with an object comes, as its node told it.
+struct PdoTerms
+{
+    int number = 0;
+    std::uint32_t identifier = 0;
+    bool isOff = false;
+    std::optional<int> type{};           // 0 acyclic, 1..240 each n-th SYNC, 252 to 255
+    std::optional<Instant> eventTimer{}; // 0: it is sent on change alone
+    std::optional<Instant> inhibitTime{};
+    bool holdsIt = false; // otherwise none does, and these are those of the first one
+
+    bool isSynchronous() const { return type && *type <= 240; }
+    bool isAskedFor() const { return type && (*type == 252 || *type == 253); }
+    bool isOnChange() const { return !isSynchronous() && !isAskedFor() && eventTimer == Instant::zero(); }
+};
+
+// Empty: they are not all read, or there is none.
+std::optional<PdoTerms> termsOf(std::span<const PdoMapping> pdos, const SdoObject &object);
 
 } // namespace codewheel::canopen

@@ -287,6 +287,62 @@ TEST_F(CanopenBusFaults, WhyThereIsNoDataSaysWhatWasHeard)
     EXPECT_EQ(stopped->came, QStringLiteral("stopped"));
 }
 
+// Each of these keeps a PDO from coming, and is told with what helps.
+struct NoPdoRow
+{
+    const char *name;
+    canopen::SdoObject object;
+    std::vector<std::uint8_t> value;
+    const char *came;
+    const char *helps;
+};
+
+const NoPdoRow noPdoRows[] = {
+    {"as delivered", {0x1800, 5}, {0, 0}, "none: the shaft is at rest", "1800h:5"},
+    {"bit 31", {0x1800, 1}, {0x85, 1, 0, 0x80}, "TPDO1 is switched off", "1800h:1"},
+    {"each SYNC", {0x1800, 2}, {1}, "TPDO1 waits for SYNC", "1800h:2"},
+    {"remote frames", {0x1800, 2}, {253}, "TPDO1 waits to be asked for", "1800h:2"},
+};
+
+TEST_F(CanopenBusFaults, WhyNoPdoComesIsSaid)
+{
+    for (const NoPdoRow &row : noPdoRows) {
+        connectTo(canopen::trainingEncoders());
+        operate();
+        bus->transfer({.node = 5, .object = row.object, .value = row.value});
+        bus->advance(200ms);
+        bus->close();
+        operate(6s);
+        const DataChecks checks = bus->dataChecks(five.node, {});
+        const auto pdo = std::ranges::find(checks, QStringLiteral("Positions by PDO"), &DataCheck::what);
+        ASSERT_NE(pdo, checks.end()) << row.name;
+        EXPECT_EQ(pdo->outcome, DataCheck::Outcome::remark) << row.name; // it is asked for
+        EXPECT_EQ(pdo->came.toStdString(), row.came);
+        EXPECT_TRUE(pdo->remedy.contains(QLatin1String(row.helps))) << pdo->remedy.toStdString();
+    }
+}
+
+TEST_F(CanopenBusFaults, PdosUnderUnusualTermsAreNoted)
+{
+    operate();
+    bus->transfer({.node = 5, .object = {0x1800, 5}, .value = std::vector<std::uint8_t>{50, 0}});
+    bus->advance(200ms);
+    bus->close();
+    operate(3s);
+    const auto pdo = [&] {
+        const DataChecks checks = bus->dataChecks(five.node, {});
+        return *std::ranges::find(checks, QStringLiteral("Positions by PDO"), &DataCheck::what);
+    };
+    EXPECT_EQ(pdo().outcome, DataCheck::Outcome::asExpected) << pdo().remedy.toStdString();
+    bus->transfer({.node = 5, .object = {0x1800, 3}, .value = std::vector<std::uint8_t>{0xD0, 7}}); // 200 ms
+    bus->advance(200ms);
+    bus->close();
+    operate(3s);
+    EXPECT_EQ(pdo().outcome, DataCheck::Outcome::remark);
+    EXPECT_TRUE(pdo().remedy.startsWith(QStringLiteral("Positions come each 200 ms at the most")))
+        << pdo().remedy.toStdString();
+}
+
 TEST_F(CanopenBusFaults, NobodyThereIsSaid)
 {
     connectTo({});

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bus/data_check.h"
+
+namespace codewheel {
+
+class CanopenSession;
+
+// Whether the node sends its position by itself, or why not, by what it told of its PDO (CiA 301, 7.5.2.37;
+// CiA 406).
+DataCheck canopenPdoCheck(const CanopenSession &bus, int number);
+
+} // namespace codewheel
