@@ -114,8 +114,9 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     rules.readDialect(json, device);
     device.vendor = json.textOr("vendor", {});
     rules.readPlaceOnBus(json, device);
-    if (json.has("vendorNumber") && !rules.hasObjects())
-        json.report("vendorNumber", tr("Only an encoder on CANopen has one. Leave it out."));
+    for (const char *key : {"vendorNumber", "productNumber", "revisionNumber"})
+        if (json.has(key) && !rules.hasObjects())
+            json.report(key, tr("Only an encoder on CANopen has one. Leave it out."));
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
     device.physicalTurns = static_cast<int>(json.number("physicalTurns", 0, mostTurns));
     readCoding(json, device);
@@ -337,11 +338,11 @@ DeviceDescription readDescription(const Json::Value &root, const Catalog &catalo
 {
     const JsonObject json(
         root, QString(),
-        {"key",           "vendor",     "name",       "manual",  "notes",        "profile",
-         "dialect",       "idCode",     "deviceCode", "inWords", "outWords",     "physicalStepsPerTurn",
-         "physicalTurns", "coding",     "parameters", "errors",  "capabilities", "quirks",
-         "tablesOf",      "connectors", "leds",       "supply",  "limits",       "orderingKey",
-         "vendorNumber"},
+        {"key",           "vendor",        "name",          "manual",  "notes",        "profile",
+         "dialect",       "idCode",        "deviceCode",    "inWords", "outWords",     "physicalStepsPerTurn",
+         "physicalTurns", "coding",        "parameters",    "errors",  "capabilities", "quirks",
+         "tablesOf",      "connectors",    "leds",          "supply",  "limits",       "orderingKey",
+         "vendorNumber",  "productNumber", "revisionNumber"},
         faults);
     DeviceDescription device;
     DescriptionReader::readIdentity(json, device);

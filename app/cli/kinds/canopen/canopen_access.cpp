@@ -248,10 +248,31 @@ Checked<QString> CanopenAccess::deviceAt(const Call &call, CanopenAddress addres
         return tl::unexpected(told.error());
     if (told->kind == canopen::SdoOutcome::Kind::noAnswer)
         return tl::unexpected(aboutSilentNode(address, true));
-    const QString its = told->kind == canopen::SdoOutcome::Kind::read
-                            ? deviceOfType(canopen::numberOf(told->value))
-                            : QString();
+    const auto identity = identityOf(call, address.node);
+    if (!identity)
+        return tl::unexpected(identity.error());
+    const auto type = told->kind == canopen::SdoOutcome::Kind::read
+                          ? std::optional(canopen::numberOf(told->value))
+                          : std::nullopt;
+    const QString its = deviceOfNode(call.catalog, type, *identity);
     return its.isEmpty() ? usualDeviceOnNode() : its;
+}
+
+// Only as far as a description needs it.
+Checked<canopen::ToldIdentity> CanopenAccess::identityOf(const Call &call, int node)
+{
+    canopen::ToldIdentity identity{};
+    if (!canopen::describesNodes(call.catalog.devices()))
+        return identity;
+    constexpr std::uint16_t index = 0x1018;
+    for (std::uint8_t sub = 1; sub < canopen::NodeIdentity::size; ++sub) {
+        const auto told = transfer({.node = node, .object = {index, sub}});
+        if (!told)
+            return tl::unexpected(told.error());
+        if (told->kind == canopen::SdoOutcome::Kind::read)
+            identity.at(sub - 1U) = static_cast<std::uint32_t>(canopen::numberOf(told->value));
+    }
+    return identity;
 }
 
 Checked<void> CanopenAccess::contact(const Call &call, const ProjectDevice &planned)

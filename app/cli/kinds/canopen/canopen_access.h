@@ -4,6 +4,7 @@
 #include "cli/bus/bus_access.h"
 #include "cli/kinds/canopen/canopen_link.h"
 #include "kinds/canopen/bus/canopen_session.h"
+#include "kinds/canopen/protocol/described_node.h"
 
 #include <functional>
 #include <map>
@@ -94,6 +95,7 @@ private:
     Complaint aboutOpening(const Refusal &why) const;
     QString howToAgree(const Refusal &why) const;
     Checked<QString> deviceAt(const Call &call, CanopenAddress address);
+    Checked<canopen::ToldIdentity> identityOf(const Call &call, int node);
     Checked<EncoderSession *> heard(EncoderSession *encoder);
     Checked<EncoderSession *> inContact(EncoderSession *encoder);
     int showing(const Reading &reading) const; // the node; 0: none of this bus

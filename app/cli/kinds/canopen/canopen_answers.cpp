@@ -147,8 +147,9 @@ void CanopenAccess::keepFound(const Call &call, Project &project) const
         devices.push_back(planned);
     for (const NodeOnBus &found : m_found) {
         const Place place = bus().placeOf(CanopenAddress{found.heard.node}.place());
-        const QString type =
-            found.asked && found.asked->deviceType ? deviceOfType(*found.asked->deviceType) : QString();
+        const QString type = found.asked
+                                 ? deviceOfNode(call.catalog, found.asked->deviceType, found.asked->identity)
+                                 : QString();
         const bool isOtherDevice = found.asked && found.asked->deviceType && type.isEmpty();
         if (findDevice(project, place) != nullptr || isOtherDevice)
             continue;

@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array canopenCommands{&odCommand, &nmtCommand, &lssCommand};
+constexpr std::array canopenCommands{&odCommand, &nmtCommand, &lssCommand, &edsCommand};
 
 MakeLink canBusAt(const CanopenLink &link, BusId id)
 {

@@ -8,6 +8,7 @@ namespace codewheel {
 extern const Subcommand odCommand;
 extern const Subcommand nmtCommand;
 extern const Subcommand lssCommand;
+extern const Subcommand edsCommand;
 
 std::unique_ptr<const LinkKind> canopenLinkKind();
 

@@ -80,12 +80,12 @@ std::vector<NodeOnBus> together(const CanopenSnapshot &heard, const std::vector<
     return all;
 }
 
-QString typeText(const NodeOnBus &node)
+QString typeText(const Catalog &catalog, const NodeOnBus &node)
 {
-    if (!node.asked || !node.asked->deviceType)
+    if (!node.asked)
         return {};
-    const QString device = deviceOfType(*node.asked->deviceType);
-    return device.isEmpty() ? hexNumber(*node.asked->deviceType, 8) : device;
+    const QString device = deviceOfNode(catalog, node.asked->deviceType, node.asked->identity);
+    return device.isEmpty() && node.asked->deviceType ? hexNumber(*node.asked->deviceType, 8) : device;
 }
 
 QString wordText(const NodeOnBus &node, std::size_t word)
@@ -94,7 +94,7 @@ QString wordText(const NodeOnBus &node, std::size_t word)
     return number ? hexNumber(*number) : QString();
 }
 
-QString tableOf(const std::vector<NodeOnBus> &nodes, bool wasAsked)
+QString tableOf(const Catalog &catalog, const std::vector<NodeOnBus> &nodes, bool wasAsked)
 {
     TextTable table;
     QStringList head{CommandLine::tr("place"), CommandLine::tr("state"), QStringLiteral("PDO")};
@@ -107,7 +107,7 @@ QString tableOf(const std::vector<NodeOnBus> &nodes, bool wasAsked)
                           orDash(stateText(node.heard.state)),
                           node.heard.sendsPdos ? CommandLine::tr("sends") : orDash({})};
         if (wasAsked) {
-            cells << orDash(typeText(node));
+            cells << orDash(typeText(catalog, node));
             for (std::size_t word = 0; word + 1 < canopen::NodeIdentity::size; ++word)
                 cells << orDash(wordText(node, word));
             const auto serial = node.asked ? node.asked->identity.back() : std::nullopt;
@@ -148,7 +148,8 @@ QString aboutNobody(bool wasAsked)
                                       "itself: codewheel-cli scan --ask asks each.");
 }
 
-Answer answerOf(const CanopenAccess &bus, const std::vector<NodeOnBus> &nodes, bool wasAsked)
+Answer answerOf(const Catalog &catalog, const CanopenAccess &bus, const std::vector<NodeOnBus> &nodes,
+                bool wasAsked)
 {
     const CanopenSnapshot &now = bus.session().latest();
     QJsonArray json;
@@ -160,7 +161,7 @@ Answer answerOf(const CanopenAccess &bus, const std::vector<NodeOnBus> &nodes, b
                    {QStringLiteral("otherMaster"), now.otherMaster.isHeard()},
                    {QStringLiteral("errorFrames"), static_cast<qint64>(now.figures.errorFrames)},
                    {QStringLiteral("link"), bus.linkKey()}};
-    answer.text = nodes.empty() ? aboutNobody(wasAsked) + u'\n' : tableOf(nodes, wasAsked);
+    answer.text = nodes.empty() ? aboutNobody(wasAsked) + u'\n' : tableOf(catalog, nodes, wasAsked);
     if (now.otherMaster.isHeard())
         answer.text += sentence(CommandLine::tr("Another master is at work (heard: %1)."),
                                 {OtherMaster::textOf(now.otherMaster.argument())}) +
@@ -201,7 +202,7 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
     if (!bus.isConnected() || bus.isAlone())
         return tl::unexpected(bus.whyNothingCame());
     ScannedCan scanned{.answer = {}, .nodes = together(bus.session().latest(), asked)};
-    scanned.answer = answerOf(bus, scanned.nodes, asks);
+    scanned.answer = answerOf(call.catalog, bus, scanned.nodes, asks);
     if (!isWhole)
         scanned.answer.complaint =
             Complaint{ExitCode::refused, QStringLiteral("scanCancelled"),

@@ -22,7 +22,7 @@ using canopen::EdsNote;
 using canopen::FileObject;
 
 constexpr qint64 mostMegabytes = 16; // far larger than any EDS
-constexpr qint64 bytesOfMegabyte = 1 << 20;
+constexpr qint64 bytesInMegabyte = 1 << 20;
 
 QJsonValue keyJson(const std::optional<canopen::DataType> &type)
 {
@@ -144,10 +144,10 @@ Checked<QByteArray> bytesOf(const QString &path)
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return tl::unexpected(fileComplaint(RefusalId::fileNotReadable, {path, file.errorString()}));
-    const QByteArray bytes = file.read(mostMegabytes * bytesOfMegabyte + 1);
-    if (bytes.size() > mostMegabytes * bytesOfMegabyte)
+    const QByteArray bytes = file.read(mostMegabytes * bytesInMegabyte + 1);
+    if (bytes.size() > mostMegabytes * bytesInMegabyte)
         return tl::unexpected(fileComplaint(
-            RefusalId::fileTooLarge, {path, std::int64_t{file.size() / bytesOfMegabyte}, mostMegabytes}));
+            RefusalId::fileTooLarge, {path, std::int64_t{file.size() / bytesInMegabyte}, mostMegabytes}));
     if (bytes.isEmpty() && file.error() != QFileDevice::NoError) // a folder
         return tl::unexpected(fileComplaint(RefusalId::fileNotReadable, {path, file.errorString()}));
     return bytes;

@@ -68,6 +68,7 @@ struct DeviceFile
     std::vector<FileObject> objects; // by index and subindex
     std::map<std::uint16_t, FileGroup> groups;
     FileIdentity identity;
+    std::vector<std::pair<QString, QString>> deviceInfo; // all of it, as it is written
     Commissioning commissioning;
     EdsNotes notes;
     std::vector<EdsNote> refused; // what is not guessed: node and rate

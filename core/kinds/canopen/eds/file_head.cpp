@@ -143,8 +143,11 @@ void readHead(const FileLayout &layout, DeviceFile &file)
         file.fileVersion = info.text("FileVersion");
         file.fileRevision = info.text("FileRevision");
     }
-    if (layout.deviceInfo != nullptr)
+    if (layout.deviceInfo != nullptr) {
         readIdentity(SectionReader(*layout.deviceInfo, file.notes), file.identity);
+        for (const IniEntry &entry : layout.deviceInfo->entries)
+            file.deviceInfo.emplace_back(textOf(entry.key), textOf(entry.value));
+    }
     readCommissioning(layout, file);
 }
 

@@ -10,9 +10,9 @@
 namespace codewheel::canopen {
 namespace {
 
-using Form = DataTypeFacts::Form;
+using TypeForm = DataTypeFacts::Form;
 constexpr int widestBits = 64;
-constexpr std::uint64_t largestSigned = ~std::uint64_t{0} >> 1;
+constexpr std::uint64_t largestWithoutType = ~std::uint64_t{0} >> 1;
 
 QString unsignedText(std::int64_t bits)
 {
@@ -25,13 +25,13 @@ QString shownNumber(std::int64_t number, std::optional<DataType> type)
 }
 
 // The number as the type has it. Empty: it does not fit.
-std::optional<std::int64_t> fitted(const ReadNumber &number, Form form, int bits)
+std::optional<std::int64_t> fitted(const ReadNumber &number, TypeForm form, int bits)
 {
     const std::uint64_t all = bits == widestBits ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
     const std::uint64_t signBit = std::uint64_t{1} << (bits - 1);
     const std::uint64_t magnitude = *number.magnitude;
     const auto negative = static_cast<std::int64_t>(~magnitude + 1);
-    if (form == Form::isUnsigned)
+    if (form == TypeForm::isUnsigned)
         return magnitude <= all && (!number.isNegative || magnitude == 0)
                    ? std::optional(static_cast<std::int64_t>(magnitude))
                    : std::nullopt;
@@ -51,7 +51,7 @@ ReadValue asInteger(std::string_view text, std::optional<DataType> type, bool ad
     if (!number.magnitude && !number.isTooLarge)
         return {{}, EdsFault::notANumber, {written}};
     const DataTypeFacts &facts = factsOf(type.value_or(DataType::i64));
-    const auto value = number.magnitude && (type || *number.magnitude <= largestSigned)
+    const auto value = number.magnitude && (type || *number.magnitude <= largestWithoutType)
                            ? fitted(number, facts.form, facts.bits)
                            : std::nullopt;
     if (!value)
@@ -122,11 +122,11 @@ ReadValue readFileValue(std::string_view text, std::optional<DataType> type)
     text = trimmed(text);
     if (text.empty())
         return {};
-    if (type && factsOf(*type).form == Form::text)
+    if (type && factsOf(*type).form == TypeForm::text)
         return asText(text);
     if (const auto added = addedToNode(text))
         return asInteger(*added, type, true);
-    if (type && factsOf(*type).form == Form::real)
+    if (type && factsOf(*type).form == TypeForm::real)
         return asReal(text);
     ReadValue read = asInteger(text, type, false);
     return type || read.fault != EdsFault::notANumber ? read : asText(text);

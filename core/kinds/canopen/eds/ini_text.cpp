@@ -15,7 +15,7 @@ char lowered(char letter)
     return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
 
-bool isUtf8(const QByteArray &bytes)
+bool isWholeUtf8(const QByteArray &bytes)
 {
     QStringDecoder decoder(QStringDecoder::Utf8);
     [[maybe_unused]] const QString text = decoder(bytes);
@@ -42,7 +42,7 @@ QByteArray asUtf8(const QByteArray &bytes, EdsNotes &notes)
         QStringDecoder decoder(*marked);
         return QString(decoder(bytes)).toUtf8();
     }
-    if (!isUtf8(bytes)) {
+    if (!isWholeUtf8(bytes)) {
         notes.add({firstLineBeyondAscii(bytes), {}, EdsFault::notUtf8});
         return QString::fromLatin1(bytes).toUtf8();
     }

@@ -42,7 +42,7 @@ bool isOfNoNode(SdoObject object, const std::optional<FileValue> &value)
 }
 
 // "3=..." of [3004Name] and [3004Value]
-const IniEntry *entryOf(const IniSection *section, std::uint64_t sub)
+const IniEntry *listedEntry(const IniSection *section, std::uint64_t sub)
 {
     return section != nullptr ? section->find(std::to_string(sub)) : nullptr;
 }
@@ -127,7 +127,7 @@ void ObjectReader::addCompact(std::uint16_t index, const ObjectSections &section
                     .access = FileAccess::readOnly,
                     .factory = FileValue{static_cast<std::int64_t>(count)},
                     .line = like.line};
-        } else if (const IniEntry *name = entryOf(sections.names, sub); name != nullptr) {
+        } else if (const IniEntry *name = listedEntry(sections.names, sub); name != nullptr) {
             made.name = textOf(name->value);
         } else {
             made.name += QStringLiteral(" %1").arg(sub);

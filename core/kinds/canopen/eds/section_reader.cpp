@@ -25,7 +25,7 @@ constexpr std::array accessRows{
 };
 
 // CiA 301, table 42: 0 null, 2 domain, 5 and 6 definitions of types, 7 variable, 8 array, 9 record.
-constexpr std::array<std::uint64_t, 7> objectTypes{0, 2, 5, 6, 7, 8, 9};
+constexpr std::array<std::uint64_t, 7> objectTypeNumbers{0, 2, 5, 6, 7, 8, 9};
 
 bool isNumberKey(std::string_view key)
 {
@@ -122,7 +122,7 @@ int SectionReader::objectType() const
     const auto type = number("ObjectType");
     if (!type)
         return variableType;
-    if (std::ranges::find(objectTypes, *type) != objectTypes.end())
+    if (std::ranges::find(objectTypeNumbers, *type) != objectTypeNumbers.end())
         return static_cast<int>(*type);
     note(*entry("ObjectType"), EdsFault::unknownObjectType, {textOf(entry("ObjectType")->value)});
     return variableType;

@@ -32,7 +32,9 @@ inline const CanopenReach *canopenReach(const ParameterDescription &parameter)
 struct CanopenDevice
 {
     bool isLinear = false;
-    std::optional<std::uint32_t> vendor{}; // as 1018h:1 tells it; empty: of any make
+    std::optional<std::uint32_t> vendor{};   // as 1018h:1 tells it; empty: of any make
+    std::optional<std::uint32_t> product{};  // 1018h:2
+    std::optional<std::uint32_t> revision{}; // 1018h:3
 
     friend bool operator==(const CanopenDevice &, const CanopenDevice &) = default;
 };
@@ -47,6 +49,15 @@ inline CanopenDevice canopenDevice(const DeviceDescription &device)
 inline bool isMakers(canopen::SdoObject object)
 {
     return object.index >= 0x2000 && object.index < 0x6000;
+}
+
+// Writing it does something else than giving a value, or may leave a device that answers no more: program
+// control (1F50h on), restoring, storing, identifiers of SDO, position.
+inline bool isNoValue(canopen::SdoObject object)
+{
+    const std::uint16_t index = object.index;
+    return index == 0x1010 || index == 0x1011 || index == 0x1200 || index == 0x1280 || index == 0x6003 ||
+           index == 0x6010 || (index >= 0x1F00 && index < 0x2000);
 }
 
 } // namespace codewheel

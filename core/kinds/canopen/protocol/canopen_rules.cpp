@@ -35,15 +35,6 @@ constexpr std::array objectRows{
     ObjectRow{Parameter::operatingTime, 0x6508},   ObjectRow{Parameter::deviceCode, 0x1000},
 };
 
-// Writing them does something else than giving a value, or may leave a device that answers no more: program
-// control (1F50h on), restoring, storing, identifiers of SDO, position.
-bool isNoValue(SdoObject object)
-{
-    constexpr std::array indices{0x1010, 0x1011, 0x1200, 0x1280, 0x6003, 0x6010};
-    return std::ranges::find(indices, object.index) != indices.end() ||
-           (object.index >= 0x1F00 && object.index < 0x2000);
-}
-
 std::optional<SdoObject> objectOf(const QString &text)
 {
     const qsizetype colon = text.indexOf(u':');
@@ -115,8 +106,12 @@ void CanopenRules::readDialect(const JsonObject &json, DeviceDescription &device
     constexpr NamedValue<bool> dialects[] = {{"rotary", false}, {"linear", true}};
     CanopenDevice its;
     its.isLinear = json.has("dialect") && json.oneOf("dialect", dialects);
-    if (json.has("vendorNumber"))
-        its.vendor = json.hexNumber("vendorNumber");
+    const auto numberOf = [&json](const char *key) {
+        return json.has(key) ? std::optional(json.hexNumber(key)) : std::nullopt;
+    };
+    its.vendor = numberOf("vendorNumber");
+    its.product = numberOf("productNumber");
+    its.revision = numberOf("revisionNumber");
     device.ofKind = KindData(its);
 }
 
