@@ -3,6 +3,9 @@
 
 #include "can/slcan_codec.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace codewheel {
 
 using namespace std::chrono_literals;
@@ -10,18 +13,33 @@ using namespace std::chrono_literals;
 Instant SlcanClock::timeOf(int stamp, Instant arrival)
 {
     constexpr Instant round = std::chrono::milliseconds(slcanStampRange);
-    constexpr Instant longestWay = 250ms; // beyond it the two clocks have parted
     Instant counted = std::chrono::milliseconds(stamp);
     if (m_last) { // of all rounds, the one next to the time that has passed here
         const Instant expected = m_last->stamp + (arrival - m_last->arrival);
         const Instant behind = expected - counted + round / 2;
         counted += std::max(behind / round, std::int64_t{}) * round;
     }
-    const Instant offset = arrival - counted;
-    if (!m_last || offset < m_offset || offset > m_offset + longestWay)
-        m_offset = offset;
+    note(arrival - counted, arrival);
     m_last = {counted, arrival};
-    return counted + m_offset;
+    // The stamp has no fractions of its ms.
+    const Instant at = counted + std::min(m_offset, m_offsetBefore) + 1ms;
+    m_told = std::max(m_told, std::min(at, arrival));
+    return m_told;
+}
+
+void SlcanClock::note(Instant offset, Instant arrival)
+{
+    constexpr Instant longestWay = 250ms; // beyond it the two clocks have parted
+    constexpr Instant compared = 1s;      // at 100 ppm they part by 0.1 ms
+    const bool isOld = !m_last || arrival - m_since >= 2 * compared;
+    if (isOld || offset > std::min(m_offset, m_offsetBefore) + longestWay) {
+        m_offset = m_offsetBefore = offset;
+        m_since = arrival;
+    } else if (arrival - m_since >= compared) {
+        m_offsetBefore = std::exchange(m_offset, offset);
+        m_since = arrival;
+    }
+    m_offset = std::min(m_offset, offset);
 }
 
 } // namespace codewheel

@@ -126,6 +126,8 @@ std::optional<Refusal> SocketCanLink::openingRefusal(const std::optional<CanInte
         return Refusal{RefusalKind::link,
                        CanRefusalId::interfaceDown,
                        {m_interface, switchOnCommand(*found, proposedRate)}};
+    if (found->status.state == CanState::busOff)
+        return Refusal{RefusalKind::link, CanRefusalId::busOff, {m_interface, restartCommand(m_interface)}};
     const bool isSure = found->status.listensOnly.value_or(false) || found->isVirtual;
     if (use == CanUse::watch && !isSure && !m_takesUnsureWatch)
         return Refusal{RefusalKind::link,

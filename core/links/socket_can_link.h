@@ -30,8 +30,8 @@ public:
         Look look = [](const QString &name) { return canInterface(name); });
     ~SocketCanLink() override;
 
-    // Refused: interfaceMissing, interfaceDown, watchNotSure, pluginMissing, notInKernel, linkFailed (what
-    // the system says). Bus off remains, unless the system ends it.
+    // Refused: interfaceMissing, interfaceDown, busOff (until the system ends it), watchNotSure, pluginMissing,
+    // notInKernel, linkFailed (what the system says).
     Result<void> open(CanUse use) override;
     void close() override;
     void takeUnsureWatch() override { m_takesUnsureWatch = true; }

@@ -175,6 +175,16 @@ TEST_F(SocketCan, AfterBusOffNothingIsSent)
                        {QStringLiteral("can7"), QStringLiteral("sudo ip link set can7 type can restart")}}));
 }
 
+TEST_F(SocketCan, WhatIsOffTheBusIsNotOpened)
+{
+    told() = {.state = CanState::busOff};
+    const auto opened = m_link.open(CanUse::operate);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().id, CanRefusalId::busOff);
+    told() = {.state = CanState::active};
+    EXPECT_TRUE(m_link.open(CanUse::operate));
+}
+
 TEST_F(SocketCan, WhatTheSystemSaysOfTheStateIsTaken)
 {
     operate();
