@@ -85,11 +85,6 @@ int canBits(const CanFrame &frame)
     return bits.count() + bits.stuffed() + unstuffed;
 }
 
-int canStuffBits(const CanFrame &frame)
-{
-    return upToCrc(frame).stuffed();
-}
-
 std::uint16_t canCrc(const CanFrame &frame)
 {
     return upToData(frame).crc();

@@ -11,8 +11,6 @@ inline constexpr int canIntermission = 3;
 // A data or remote frame on the wire, from its start of frame to its end of frame (ISO 11898-1, 10.4), with
 // the stuff bits that its data and CRC make.
 int canBits(const CanFrame &frame);
-// The stuff bits alone.
-int canStuffBits(const CanFrame &frame);
 // The CRC sequence of 15 bits.
 std::uint16_t canCrc(const CanFrame &frame);
 

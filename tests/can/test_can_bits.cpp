@@ -11,46 +11,34 @@ struct BitsRow
 {
     CanFrame frame;
     std::uint16_t crc;
-    int stuffed;
     int bits;
 };
 
 // The remainders are those of a long division by 1100010110011001 of the bits, written out.
 const BitsRow bitsRows[] = {
-    {{.id = 0x000}, 0x0000, 6, 50},
-    {{.id = 0x080}, 0x1C05, 4, 48},
-    {{.id = 0x014, .length = 1, .bytes = {0x01}}, 0x7753, 3, 55},
-    {{.id = 0x705, .length = 1, .bytes = {0x05}}, 0x68BF, 4, 56},
-    {{.id = 0x705, .isRemote = true, .length = 1}, 0x3435, 2, 46},
-    {{.id = 0x123, .length = 4, .bytes = {0xDE, 0xAD, 0xBE, 0xEF}}, 0x4E6B, 2, 78},
-    {{.id = 0x185, .length = 4, .bytes = {0x88, 0x13}}, 0x65F9, 5, 81},
-    {{.id = 0x605, .length = 8, .bytes = {0x40, 0x18, 0x10, 0x01}}, 0x3798, 11, 119},
-    {{.id = 0x000, .length = 8}, 0x145B, 16, 124},
-    {{.id = 0x7FF, .length = 8, .bytes = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}}, 0x4C89, 15, 123},
-    {{.id = 0x555, .length = 8, .bytes = {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55}}, 0x1B04, 1, 109},
-    {{.id = 0x15555555, .isExtended = true}, 0x3196, 1, 65},
-    {{.id = 0x15555555, .isExtended = true, .isRemote = true, .length = 8}, 0x3654, 0, 64},
-    {{.id = 0x0CFFE0E0, .isExtended = true, .length = 8, .bytes = {1, 2, 3, 4, 5, 6, 7, 8}}, 0x221B, 12, 140},
-    {{.id = 0x00000000, .isExtended = true, .length = 8}, 0x3DAF, 19, 147},
+    {{.id = 0x000}, 0x0000, 50},
+    {{.id = 0x080}, 0x1C05, 48},
+    {{.id = 0x014, .length = 1, .bytes = {0x01}}, 0x7753, 55},
+    {{.id = 0x705, .length = 1, .bytes = {0x05}}, 0x68BF, 56},
+    {{.id = 0x705, .isRemote = true, .length = 1}, 0x3435, 46},
+    {{.id = 0x123, .length = 4, .bytes = {0xDE, 0xAD, 0xBE, 0xEF}}, 0x4E6B, 78},
+    {{.id = 0x185, .length = 4, .bytes = {0x88, 0x13}}, 0x65F9, 81},
+    {{.id = 0x605, .length = 8, .bytes = {0x40, 0x18, 0x10, 0x01}}, 0x3798, 119},
+    {{.id = 0x000, .length = 8}, 0x145B, 124},
+    {{.id = 0x7FF, .length = 8, .bytes = {0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}}, 0x4C89, 123},
+    {{.id = 0x555, .length = 8, .bytes = {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55}}, 0x1B04, 109},
+    {{.id = 0x15555555, .isExtended = true}, 0x3196, 65},
+    {{.id = 0x15555555, .isExtended = true, .isRemote = true, .length = 8}, 0x3654, 64},
+    {{.id = 0x0CFFE0E0, .isExtended = true, .length = 8, .bytes = {1, 2, 3, 4, 5, 6, 7, 8}}, 0x221B, 140},
+    {{.id = 0x00000000, .isExtended = true, .length = 8}, 0x3DAF, 147},
 };
 
-TEST(CanBits, CrcAndStuffBitsAreThoseOfTheWire)
+TEST(CanBits, CrcAndBitsAreThoseOfTheWire)
 {
     for (const BitsRow &row : bitsRows) {
         SCOPED_TRACE(testing::Message() << std::hex << row.frame.id << " [" << int(row.frame.length) << ']');
         EXPECT_EQ(canCrc(row.frame), row.crc);
-        EXPECT_EQ(canStuffBits(row.frame), row.stuffed);
         EXPECT_EQ(canBits(row.frame), row.bits);
-    }
-}
-
-TEST(CanBits, WithoutStuffBitsAFrameHasItsFields)
-{
-    for (std::uint8_t length = 0; length <= 8; ++length) {
-        const CanFrame standard{.id = 0x2AA, .length = length, .bytes = {0x5A, 0xA5, 0x33, 0xCC}};
-        const CanFrame extended{.id = 0x12A'55A5, .isExtended = true, .length = length};
-        EXPECT_EQ(canBits(standard) - canStuffBits(standard), 44 + 8 * length);
-        EXPECT_EQ(canBits(extended) - canStuffBits(extended), 64 + 8 * length);
     }
 }
 

@@ -6,10 +6,7 @@
 namespace codewheel::canopen {
 namespace {
 
-enum SettingsSub : std::uint8_t { identifierSub = 1, typeSub = 2, inhibitSub = 3, eventTimerSub = 5 };
-
 constexpr std::uint32_t offBit = 0x8000'0000;
-constexpr std::uint32_t noRemoteBit = 0x4000'0000;
 constexpr std::uint32_t extendedBit = 0x2000'0000;
 constexpr int longestEntry = 64;
 constexpr int bitsOfOctet = 8;
@@ -46,21 +43,18 @@ bool fits(const PdoEntry &entry, const PdoType &type)
 
 } // namespace
 
-PdoMapping::PdoMapping(PdoDirection direction, int number)
-    : m_direction(direction)
-    , m_number(number)
+PdoMapping::PdoMapping(int number)
+    : m_number(number)
 {}
 
-SdoObject PdoMapping::settingsObject(int sub) const
+SdoObject PdoMapping::identifierObject() const
 {
-    const int first = m_direction == PdoDirection::transmit ? 0x1800 : 0x1400;
-    return {static_cast<std::uint16_t>(first + m_number - 1), static_cast<std::uint8_t>(sub)};
+    return {static_cast<std::uint16_t>(0x1800 + m_number - 1), 1};
 }
 
 SdoObject PdoMapping::mappingObject(int sub) const
 {
-    const int first = m_direction == PdoDirection::transmit ? 0x1A00 : 0x1600;
-    return {static_cast<std::uint16_t>(first + m_number - 1), static_cast<std::uint8_t>(sub)};
+    return {static_cast<std::uint16_t>(0x1A00 + m_number - 1), static_cast<std::uint8_t>(sub)};
 }
 
 std::vector<SdoObject> PdoMapping::missing() const
@@ -70,8 +64,7 @@ std::vector<SdoObject> PdoMapping::missing() const
         if (told(object) == nullptr)
             wanted.push_back(object);
     };
-    for (const int sub : {identifierSub, typeSub, inhibitSub, eventTimerSub})
-        want(settingsObject(sub));
+    want(identifierObject());
     for (int sub = 0; sub <= count(); ++sub)
         want(mappingObject(sub));
     return wanted;
@@ -79,12 +72,12 @@ std::vector<SdoObject> PdoMapping::missing() const
 
 bool PdoMapping::take(const SdoObject &object, Octets value)
 {
-    if (object.index != settingsObject(0).index && object.index != mappingObject(0).index)
+    if (object.index != identifierObject().index && object.index != mappingObject(0).index)
         return false;
     std::erase_if(m_told, [&](const Told &each) { return each.object == object; });
     const Octets octets = value.first(std::min(value.size(), sizeof(std::uint32_t)));
     m_told.push_back({object, octets.empty() ? std::nullopt : std::optional(numberOf(octets))});
-    m_identifier = number(settingsObject(identifierSub));
+    m_identifier = number(identifierObject());
     place();
     return true;
 }
@@ -138,11 +131,6 @@ bool PdoMapping::isOff() const
     return (m_identifier.value_or(offBit) & offBit) != 0;
 }
 
-bool PdoMapping::isRemoteAllowed() const
-{
-    return (m_identifier.value_or(noRemoteBit) & noRemoteBit) == 0;
-}
-
 bool PdoMapping::isExtended() const
 {
     return (m_identifier.value_or(0) & extendedBit) != 0;
@@ -151,24 +139,6 @@ bool PdoMapping::isExtended() const
 std::uint32_t PdoMapping::identifier() const
 {
     return m_identifier.value_or(0) & (isExtended() ? largestExtendedId : largestStandardId);
-}
-
-std::optional<int> PdoMapping::type() const
-{
-    const auto type = number(settingsObject(typeSub));
-    return type ? std::optional(static_cast<int>(*type & 0xFF)) : std::nullopt;
-}
-
-std::optional<Instant> PdoMapping::inhibitTime() const
-{
-    const auto time = number(settingsObject(inhibitSub));
-    return time ? std::optional(Instant(100) * (*time & 0xFFFF)) : std::nullopt;
-}
-
-std::optional<Instant> PdoMapping::eventTimer() const
-{
-    const auto time = number(settingsObject(eventTimerSub));
-    return time ? std::optional<Instant>(std::chrono::milliseconds(*time & 0xFFFF)) : std::nullopt;
 }
 
 bool PdoMapping::isOf(const CanFrame &frame) const
