@@ -10,7 +10,8 @@ constexpr int usualUnseen = 4; // intervals
 
 bool showsPosition(const Reading &reading)
 {
-    return reading.state == EncoderState::operation && !reading.suspect && reading.position;
+    const bool shows = reading.state == EncoderState::operation || reading.state == EncoderState::waiting;
+    return shows && !reading.suspect && reading.position;
 }
 
 } // namespace

@@ -203,8 +203,9 @@ bool isThere(Became became)
 bool EncoderAccount::isDone() const
 {
     const auto done = [](const auto &row) { return isThere(row.became); };
-    const bool mayShowPosition = leftIn == EncoderState::operation || leftIn == EncoderState::notSeen;
-    return !why && mayShowPosition && std::ranges::all_of(rows, done) && std::ranges::all_of(cams, done) &&
+    const bool isInOrder = leftIn == EncoderState::operation || leftIn == EncoderState::waiting ||
+                           leftIn == EncoderState::notSeen;
+    return !why && isInOrder && std::ranges::all_of(rows, done) && std::ranges::all_of(cams, done) &&
            (!positionWanted || positionSet);
 }
 

@@ -112,6 +112,7 @@ void CanopenRunner::Private::publish()
              .state = watch.state(),
              .heartbeat = node->heartbeat,
              .isDoubled = watch.isDoubled(),
+             .secondAnswers = watch.secondAnswers(),
              .sendsPdos = node->sendsPdos,
              .bootUps = watch.bootUps(),
              .error = watch.standing().empty() ? std::nullopt : std::optional(watch.standing().back()),

@@ -2,6 +2,7 @@
 #include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_runner_private.h"
 #include "kinds/canopen/protocol/canopen_address.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
 
 #include <QStringList>
 
@@ -35,6 +36,8 @@ void CanopenRunner::Private::carryOut(canopen_command::StartJob &c)
     auto taken = mayStart(state, place);
     if (taken && its->busy())
         taken = refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
+    if (taken && nodeAt(its->node()).watch.isDoubled())
+        taken = tl::unexpected(canopen::nodeIsDoubled(its->node()));
     if (taken)
         taken = its->begin(c.id, c.job, c.pace, link.now());
     its->mayStopNode(false); // it was agreed to for this one
@@ -272,7 +275,10 @@ void CanopenRunner::Private::breakOff(int number)
     if (!node.request)
         return;
     std::erase_if(commands, [&](const Outgoing &command) { return command.node == number; });
-    if (waiting && waiting->by == Outgoing::By::transfer && waiting->node == number)
+    const auto isItsOwn = [&](const Outgoing &its) {
+        return its.node == number && (its.by == Outgoing::By::transfer || its.by == Outgoing::By::driver);
+    };
+    if (waiting && isItsOwn(*waiting))
         waiting.reset();
     node.client.cancel(link.now());
     node.client.takeOutcome();

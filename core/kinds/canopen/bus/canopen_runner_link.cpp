@@ -85,10 +85,13 @@ void CanopenRunner::Private::linkIsGone(const Refusal &why)
             collect(device);
         }
     for (int number = 1; number <= canopen::lastNode; ++number)
-        if (auto &node = nodes.at(static_cast<std::size_t>(number)))
+        if (auto &node = nodes.at(static_cast<std::size_t>(number))) {
             node->watch = canopen::NodeWatch(number);
+            node->pdos.clear();
+        }
     started.clear();
     listeners.clear();
+    pdoSenders.clear();
     status = {};
     link.close();
     publish();

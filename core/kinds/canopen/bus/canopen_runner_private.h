@@ -45,6 +45,7 @@ struct CanopenRunner::Private
         Instant dueAt = Instant::max();                // it may want to send something
         bool answers = true;                           // the last request was answered
         bool sendsPdos = false;                        //
+        std::map<int, std::uint32_t> pdos{};           // identifiers that were read; 0: it is off
         std::optional<Instant> heardAt{};
         canopen::Heartbeat heartbeat = canopen::Heartbeat::notHeard; // as told
         bool isDoubledTold = false;                                  // since it has booted
@@ -93,6 +94,7 @@ struct CanopenRunner::Private
     void ended(Node &node, const canopen::SdoOutcome &outcome);
     void answerDriver(Node &node, const canopen::SdoOutcome &outcome);
     void learn(Node &node, const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome);
+    void learnPdo(Node &node, int number, int pdo, std::uint32_t told);
     void fate(CanFate fate);
     void wasSent(const Outgoing &sent);
     void noteRequest(const Outgoing &request);
@@ -103,6 +105,7 @@ struct CanopenRunner::Private
     Instant wakesAt(Instant until) const;
     void take(const CanFrame &frame);
     void hear(const Node &node, const CanFrame &frame, bool isAnswer);
+    int senderOf(const canopen::CobId &cob, std::uint32_t identifier) const;
     void takeError(const CanFrame &frame);
     void takeAnswer(int number, const CanFrame &frame);
     void takeOfOthers(const CanFrame &frame);
@@ -144,6 +147,7 @@ struct CanopenRunner::Private
     std::vector<std::unique_ptr<canopen::NodeDriver>> drivers; // null: removed
     std::array<std::unique_ptr<Node>, canopen::lastNode + 1> nodes{};
     std::map<std::uint32_t, std::set<std::size_t>> listeners{}; // devices whose PDOs have these identifiers
+    std::map<std::uint32_t, int> pdoSenders{};                  // by identifier, as the nodes have told
     int lastAsked = 0;
 
     std::deque<CanFrame> typed{};

@@ -3,6 +3,7 @@
 #include "can/can_refusals.h"
 #include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_runner_private.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,13 +67,12 @@ void CanopenRunner::Private::take(const CanFrame &frame)
     load.add(frame);
     const auto cob = frame.isExtended || frame.isError ? std::nullopt : canopen::CobId::of(frame.id);
     const bool isAnswer = cob && cob->service == Service::sdoAnswer;
-    const int number = cob ? cob->node : 0;
+    const bool isPdo = cob && cob->service == Service::tpdo;
+    const int number = isPdo ? senderOf(*cob, frame.id) : cob ? cob->node : 0;
     const Node *node = number != 0 ? nodes.at(static_cast<std::size_t>(number)).get() : nullptr;
     const bool isPolled = isAnswer && node != nullptr && node->device && !node->isTypedUnderWay &&
                           !driver(*node->device)->busy();
-    tellRow(frame, now,
-            {.isAutomatic =
-                 isPolled || (cob && (cob->service == Service::tpdo || cob->service == Service::sync))});
+    tellRow(frame, now, {.isAutomatic = isPolled || isPdo || (cob && cob->service == Service::sync)});
     if (frame.isError) {
         takeError(frame);
         return;
@@ -92,7 +92,7 @@ void CanopenRunner::Private::take(const CanFrame &frame)
         compareNode(number);
         if (cob->service != Service::sdoRequest && cob->service != Service::rpdo && !frame.isRemote)
             its.heardAt = now;
-        if (cob->service == Service::tpdo && !frame.isRemote)
+        if (isPdo && !frame.isRemote)
             its.sendsPdos = its.answers = true;
     } else if (cob && cob->service == Service::nmt) {
         for (const auto &each : nodes)
@@ -114,8 +114,19 @@ void CanopenRunner::Private::hear(const Node &node, const CanFrame &frame, bool 
 {
     const auto sdo =
         isAnswer ? canopen::SdoFrame::answer(frame.data()) : canopen::SdoFrame::request(frame.data());
-    if (sdo && node.device && driver(*node.device) != nullptr)
-        driver(*node.device)->hear(*sdo);
+    if (!sdo || !node.device || driver(*node.device) == nullptr)
+        return;
+    driver(*node.device)->hear(*sdo);
+    collect(*node.device);
+}
+
+// As the nodes have told; that with this number where none has told otherwise. 0: nobody.
+int CanopenRunner::Private::senderOf(const canopen::CobId &cob, std::uint32_t identifier) const
+{
+    if (const auto told = pdoSenders.find(identifier); told != pdoSenders.end())
+        return told->second;
+    const auto &own = nodes.at(static_cast<std::size_t>(cob.node));
+    return own && own->pdos.contains(cob.number) ? 0 : cob.node;
 }
 
 void CanopenRunner::Private::takeError(const CanFrame &frame)
@@ -197,8 +208,15 @@ void CanopenRunner::Private::compareNode(int number)
             tellOfNode(number, Severity::information, CanopenBusMessageId::heartbeatBack);
         isPublishDue = true;
     }
-    if (node.watch.isDoubled() && !std::exchange(node.isDoubledTold, true))
+    if (!node.watch.isDoubled())
+        return;
+    if (!std::exchange(node.isDoubledTold, true))
         tellOfNode(number, Severity::fault, CanopenBusMessageId::nodeDoubled);
+    if (node.device && driver(*node.device)->busy()) {
+        driver(*node.device)->stop(canopen::nodeIsDoubled(number), link.now());
+        collect(*node.device);
+        breakOff(number);
+    }
 }
 
 void CanopenRunner::Private::lookAtScan()

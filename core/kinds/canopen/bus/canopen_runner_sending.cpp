@@ -14,6 +14,8 @@ using canopen::SdoOutcome;
 constexpr Instant betweenQuestions = std::chrono::milliseconds(1);
 
 constexpr std::uint16_t producerTime = 0x1017;
+constexpr int firstPdoIndex = 0x1800;
+constexpr int predefinedPdos = 4;
 constexpr std::uint32_t identifierBits = 0x1FFF'FFFF;
 constexpr std::uint32_t pdoIsOff = 0x8000'0000;
 
@@ -182,6 +184,10 @@ void CanopenRunner::Private::ended(Node &node, const SdoOutcome &outcome)
         const canopen::SdoRequest request = node.typed.front();
         node.typed.pop_front();
         learn(node, request, outcome);
+        if (node.device) {
+            driver(*node.device)->observe(request, outcome, link.now());
+            collect(*node.device);
+        }
         tellEvent(TransferEnded{request, outcome});
     } else if (node.request) {
         if (const auto *request = std::get_if<canopen::SdoRequest>(&*node.request))
@@ -211,11 +217,30 @@ void CanopenRunner::Private::learn(Node &node, const canopen::SdoRequest &reques
     const std::uint32_t number = canopen::numberOf(isRead ? outcome.value : *request.value);
     if (request.object.index == producerTime)
         node.watch.setProducerTime(std::chrono::milliseconds(number), link.now());
-    if (!isPdoIdentifier(request.object) || (number & pdoIsOff) != 0)
-        return;
-    const std::uint32_t identifier = number & identifierBits;
+    if (isPdoIdentifier(request.object))
+        learnPdo(node, request.node, request.object.index - firstPdoIndex + 1, number);
+}
+
+void CanopenRunner::Private::learnPdo(Node &node, int number, int pdo, std::uint32_t told)
+{
+    const std::uint32_t identifier = told & identifierBits;
     const auto cob = canopen::CobId::of(identifier);
-    if (cob && cob->node == 0) // NMT and SYNC are no PDOs, whatever it says
+    const bool isOff = (told & pdoIsOff) != 0;
+    if (!isOff && cob && cob->node == 0) // NMT and SYNC are no PDOs, whatever it says
+        return;
+    node.pdos[pdo] = isOff ? 0 : identifier;
+    std::vector<std::uint32_t> identifiers;
+    for (int each = 1; each <= predefinedPdos; ++each)
+        if (!node.pdos.contains(each))
+            identifiers.push_back(canopen::CobId{canopen::CobId::Service::tpdo, number, each}.identifier());
+    std::erase_if(pdoSenders, [number](const auto &its) { return its.second == number; });
+    for (const auto &[each, its] : node.pdos)
+        if (its != 0) {
+            identifiers.push_back(its);
+            pdoSenders[its] = number;
+        }
+    node.watch.setTpdos(std::move(identifiers));
+    if (isOff)
         return;
     if (node.device)
         listeners[identifier].insert(*node.device);
@@ -272,6 +297,8 @@ void CanopenRunner::Private::wasSent(const Outgoing &sent)
     tellRow(frame, sent.at,
             {.isSent = true, .isTyped = sent.by == Outgoing::By::typed, .isAutomatic = sent.isAutomatic});
     const auto cob = canopen::CobId::of(frame.id);
+    if (cob && cob->service == canopen::CobId::Service::sdoRequest && sent.by == Outgoing::By::typed)
+        hear(nodeAt(cob->node), frame, false);
     if (cob && cob->service == canopen::CobId::Service::nmt) {
         if (const auto command = canopen::NmtRequest::read(frame.data()))
             noteCommand(*command, true);

@@ -16,7 +16,7 @@ CanopenSession::CanopenSession(std::unique_ptr<CanLink> link, const Catalog &cat
                   .profile = profile::cia406,
                   .name = "CANopen",
                   .closed = CanopenBusRefusalId::closed,
-                  .hexadecimalLabels = false,
+                  .hexadecimalLabels = true,
                   .address = [](NodeId node) { return CanopenAddress::of(node).shown(); }},
                  std::move(link), catalog, parent)
     , m_outline(*this)

@@ -55,6 +55,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
         std::optional<canopen::NmtState> state{};
         canopen::Heartbeat heartbeat = canopen::Heartbeat::notHeard;
         bool isDoubled = false;
+        int secondAnswers = 0; // more SDO answers than requests
         bool sendsPdos = false;
         int bootUps = 0;
         std::optional<canopen::Emcy> error{}; // the newest that stands

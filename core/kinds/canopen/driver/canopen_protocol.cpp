@@ -39,6 +39,7 @@ constexpr std::array stepTextRows{
     StepTextRow{StepTask::store, QT_TRANSLATE_NOOP("CanopenStep", "store what is in force (%1 := \"save\")")},
     StepTextRow{StepTask::restore,
                 QT_TRANSLATE_NOOP("CanopenStep", "restore the factory values (%1 := \"load\")")},
+    StepTextRow{StepTask::started, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node runs again")},
     StepTextRow{StepTask::bootUp, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node reports again")},
 };
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace codewheel::canopen {
@@ -50,6 +51,7 @@ void Cia406Driver::getToKnow()
     m_pdos.clear();
     m_read.clear();
     m_heard.restarted(node());
+    m_mute.reset();
     for (int number = 1; number <= predefinedPdos; ++number)
         m_pdos.emplace_back(PdoDirection::transmit, number);
     m_toKnow = {heartbeatTime};
@@ -102,6 +104,9 @@ void Cia406Driver::stop(const Refusal &why, Instant /*now*/)
         return;
     m_job->stop(why);
     endJob();
+    if (why.id == CanopenRefusalId::nodeDoubled)
+        forgetValues(); // they may be of either
+    m_encoder.flush();
 }
 
 // After that, an answer still awaited belongs to nobody.
@@ -189,6 +194,8 @@ std::optional<SdoObject> Cia406Driver::polled(Instant now)
             return std::nullopt;
         m_silenceUntil = now + m_encoder.settings.silenceInterval;
     }
+    if (m_mute) // whether it answers at all
+        return object::position;
     if (const auto object = toGetToKnow())
         return object;
     if (now >= m_positionDue && !isPositionByPdo(now)) {
@@ -250,15 +257,20 @@ void Cia406Driver::fallSilent(Instant now, int tries)
     m_encoder.tell(now, Severity::fault, MessageId::encoderSilent, {std::int64_t{tries}});
 }
 
-// What the encoder does not have is not asked for again.
+// What the encoder does not have is not asked for again, nor what it does not answer for while it answers for
+// its position.
 void Cia406Driver::pollAnswered(SdoObject object, const SdoOutcome &outcome, Instant now)
 {
     using Kind = SdoOutcome::Kind;
     const bool isRead = outcome.kind == Kind::read;
     if (isRead)
         m_encoder.take(object, outcome, now);
+    if (outcome.kind == Kind::noAnswer && toGetToKnow() == object)
+        m_mute = object;
     if (!isRead && outcome.kind != Kind::aborted)
         return;
+    if (const auto mute = std::exchange(m_mute, std::nullopt); mute && mute != object)
+        gotToKnow(*mute, {}, now);
     if (toGetToKnow() == object)
         gotToKnow(object, outcome, now);
     else if (!isRead)
@@ -267,13 +279,8 @@ void Cia406Driver::pollAnswered(SdoObject object, const SdoOutcome &outcome, Ins
 
 void Cia406Driver::gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now)
 {
-    const auto pdo =
-        std::ranges::find_if(m_pdos, [&](PdoMapping &each) { return each.take(object, outcome.value); });
-    if (pdo != m_pdos.end()) {
-        if (pdo->isRead() && pdo->isThere() && !pdo->isOff())
-            m_read.push_back(*pdo);
-        if (pdo->isRead() && pdo == std::prev(m_pdos.end()))
-            noteIdentifiers();
+    if (std::ranges::any_of(m_pdos, [&](PdoMapping &each) { return each.take(object, outcome.value); })) {
+        noteMappings();
         return;
     }
     std::erase(m_toKnow, object);
@@ -283,8 +290,13 @@ void Cia406Driver::gotToKnow(SdoObject object, const SdoOutcome &outcome, Instan
         takeSerialNumber();
 }
 
-void Cia406Driver::noteIdentifiers()
+void Cia406Driver::noteMappings()
 {
+    m_read.clear();
+    std::ranges::copy_if(m_pdos, std::back_inserter(m_read),
+                         [](const PdoMapping &pdo) { return pdo.isRead() && pdo.isThere() && !pdo.isOff(); });
+    if (!std::ranges::all_of(m_pdos, &PdoMapping::isRead))
+        return;
     std::vector<std::uint32_t> identifiers;
     for (const PdoMapping &pdo : m_read)
         if (!pdo.isExtended())
@@ -292,13 +304,55 @@ void Cia406Driver::noteIdentifiers()
     m_encoder.watch.setTpdos(std::move(identifiers));
 }
 
+void Cia406Driver::observe(const SdoRequest &request, const SdoOutcome &outcome, Instant now)
+{
+    using Kind = SdoOutcome::Kind;
+    m_now = now;
+    if (!request.value && outcome.kind == Kind::read)
+        m_encoder.take(request.object, outcome, now);
+    const bool mayBeDone =
+        outcome.kind == Kind::written || outcome.kind == Kind::noAnswer || outcome.isOwnAbort;
+    if (request.value && mayBeDone) {
+        m_heard.restarted(node());
+        noteWrite(request.object, outcome.kind == Kind::written);
+    }
+    m_encoder.flush();
+}
+
+// By somebody else. What follows from it is read again when it is needed.
+void Cia406Driver::noteWrite(SdoObject object, bool isDone)
+{
+    constexpr int settingsIndex = 0x1800;
+    constexpr int mappingIndex = 0x1A00;
+    for (int number = 1; number <= predefinedPdos; ++number)
+        if (object.index == settingsIndex + number - 1 || object.index == mappingIndex + number - 1) {
+            m_pdos[static_cast<std::size_t>(number) - 1] = PdoMapping(PdoDirection::transmit, number);
+            m_pdoAt.reset();
+            noteMappings();
+        }
+    if (object == heartbeatTime)
+        m_toKnow.push_back(object);
+    if (object == object::store && isDone)
+        m_encoder.values.haveBeenStored();
+    else if (object == object::store)
+        m_encoder.values.mayHaveBeenStored();
+    else if (object.index == object::restore.index)
+        m_encoder.forgetWhatCanBeWritten();
+    else
+        m_encoder.mayHaveChanged(object);
+}
+
 // Another one than before: all that was known was of another encoder.
 void Cia406Driver::takeSerialNumber()
 {
     const auto number = m_encoder.values.value(Parameter::serialNumber);
     const auto before = std::exchange(m_serialNumber, number);
-    if (!number || !before || before == number)
-        return;
+    if (number && before && before != number)
+        forgetValues();
+}
+
+void Cia406Driver::forgetValues()
+{
     for (const ParameterValue &value : m_encoder.values.values())
         if (value.parameter != Parameter::serialNumber)
             m_encoder.values.forget(value.parameter);
@@ -318,6 +372,16 @@ void Cia406Driver::take(const CanFrame &frame, Instant now)
             m_encoder.tell(now, Severity::attention, CanopenMessageId::nodeBooted);
     }
     takePdo(frame, now);
+}
+
+// By another master, or by hand.
+void Cia406Driver::hear(const SdoFrame &sdo)
+{
+    m_heard.followSdo(node(), sdo);
+    if (sdo.isAnswer || (sdo.kind != SdoFrame::Kind::write && sdo.kind != SdoFrame::Kind::writeBegins))
+        return;
+    noteWrite(sdo.object, false);
+    m_encoder.flush();
 }
 
 void Cia406Driver::takeUsualMapping()

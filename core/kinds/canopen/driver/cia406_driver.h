@@ -30,13 +30,13 @@ public:
     std::optional<Instant> wakesAt() const override;
     std::optional<NodeRequest> next(Instant now) override;
     void answered(const NodeRequest &request, const SdoOutcome &outcome, Instant now) override;
+    void observe(const SdoRequest &request, const SdoOutcome &outcome, Instant now) override;
     void take(const CanFrame &frame, Instant now) override;
-    void hear(const SdoFrame &sdo) override { m_heard.followSdo(node(), sdo); }
+    void hear(const SdoFrame &sdo) override;
     void takeUsualMapping() override;
     void lost(Instant now) override;
     bool mayBeSilent() const override { return m_job && m_job->mayBeSilent(); }
     int node() const override { return m_encoder.node; }
-    std::span<const PdoMapping> transmitPdos() const override { return m_pdos; }
     std::vector<Event> takeEvents() override;
     std::vector<Message> takeMessages() override;
 
@@ -55,10 +55,12 @@ private:
     void fallSilent(Instant now, int tries);
     void pollAnswered(SdoObject object, const SdoOutcome &outcome, Instant now);
     void gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now);
-    void noteIdentifiers();
+    void noteWrite(SdoObject object, bool isDone);
+    void noteMappings();
     void takeSerialNumber();
     void takePdo(const CanFrame &frame, Instant now);
     void takeValues(const PdoMapping &pdo, const CanFrame &frame, Instant now);
+    void forgetValues();
 
     NodeEncoder m_encoder;
     std::optional<NodeJob> m_job;
@@ -70,6 +72,7 @@ private:
     PdoMappingsHeard m_heard;
     std::optional<PdoMapping> m_usual{}; // empty: the user has not said so
     std::vector<SdoObject> m_toKnow;     // once, when it answers
+    std::optional<SdoObject> m_mute{};   // of these: it has not answered for it
     std::vector<SdoObject> m_bits;       // alarms and warnings, in turn
     std::size_t m_nextBits = 0;
     Instant m_positionDue{};

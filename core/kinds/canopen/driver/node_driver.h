@@ -4,13 +4,11 @@
 #include "can/can_frame.h"
 #include "catalog/device_description.h"
 #include "kinds/canopen/protocol/nmt.h"
-#include "kinds/canopen/protocol/pdo_mapping.h"
 #include "kinds/canopen/protocol/sdo_client.h"
 #include "vocabulary/event.h"
 #include "vocabulary/message.h"
 
 #include <memory>
-#include <span>
 #include <variant>
 
 namespace codewheel::canopen {
@@ -48,7 +46,10 @@ public:
     virtual std::optional<NodeRequest> next(Instant now) = 0;
     virtual void answered(const NodeRequest &request, const SdoOutcome &outcome, Instant now) = 0;
 
-    // What this node sent that is no SDO: PDO, emergency, heartbeat, boot-up; and SYNC and NMT of others.
+    // What was asked or written by hand, and how it ended.
+    virtual void observe(const SdoRequest &request, const SdoOutcome &outcome, Instant now) = 0;
+    // What this node sent that is no SDO: PDO, emergency, heartbeat, boot-up; SDO requests to it, SYNC and
+    // NMT of others.
     virtual void take(const CanFrame &frame, Instant now) = 0;
     // The bus is gone, and what answers when it is back may be another device. Its job was stopped before.
     virtual void lost(Instant now) = 0;
@@ -56,8 +57,6 @@ public:
     virtual bool mayBeSilent() const = 0;
 
     virtual int node() const = 0;
-    // The PDOs that it sends, as far as they were read from it.
-    virtual std::span<const PdoMapping> transmitPdos() const = 0;
     // What happened since the last call, oldest first.
     virtual std::vector<Event> takeEvents() = 0;
     virtual std::vector<Message> takeMessages() = 0;

@@ -47,6 +47,11 @@ bool isCamHysteresis(SdoObject object)
     return object.index >= 0x6330 && object.index < 0x6338;
 }
 
+bool isOfCams(SdoObject object)
+{
+    return object.index >= 0x6301 && object.index < 0x6338;
+}
+
 ObjectType typeOf(const DeviceDescription &device, SdoObject object)
 {
     for (const ParameterDescription &its : device.parameters)
@@ -248,6 +253,26 @@ void NodeEncoder::mayHaveChanged(const NodeStep &step)
     values.forget(Parameter::offset);
     values.forget(Parameter::operatingParameters);
     forgetPosition();
+}
+
+void NodeEncoder::mayHaveChanged(SdoObject object)
+{
+    NodeStep step;
+    step.task = object == object::preset ? NodeStep::Task::preset : NodeStep::Task::write;
+    for (const ParameterDescription &its : device.parameters)
+        if (const CanopenReach *reach = canopenReach(its); reach != nullptr && reach->object == object)
+            step.parameters.push_back(its.parameter);
+    mayHaveChanged(step);
+    if (isOfCams(object))
+        takeCams({});
+}
+
+void NodeEncoder::forgetWhatCanBeWritten()
+{
+    for (const ParameterDescription &its : device.parameters)
+        if (its.canBeWritten)
+            values.forget(its.parameter);
+    takeCams({});
 }
 
 void NodeEncoder::takeCams(const std::optional<KnownCams> &known)

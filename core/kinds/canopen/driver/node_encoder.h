@@ -55,6 +55,8 @@ public:
 
     // What was written may have changed more than itself.
     void mayHaveChanged(const NodeStep &step);
+    void mayHaveChanged(SdoObject object);
+    void forgetWhatCanBeWritten(); // the factory values are there, or will be
     void forgetPosition();
     void takeCams(const std::optional<KnownCams> &known); // empty: not known any more
 

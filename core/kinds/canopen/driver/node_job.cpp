@@ -15,7 +15,7 @@ namespace codewheel::canopen {
 bool changesSomething(const NodeStep &step)
 {
     return step.effect != Effect::reads && step.effect != Effect::readsCams &&
-           step.task != NodeStep::Task::bootUp;
+           step.task != NodeStep::Task::bootUp && step.task != NodeStep::Task::started;
 }
 
 NodeJob::NodeJob(JobId id, Job job, Pace pace, bool mayStop, NodeEncoder &encoder)
@@ -33,8 +33,8 @@ NodeJob::NodeJob(JobId id, Job job, Pace pace, bool mayStop, NodeEncoder &encode
 std::optional<NodeRequest> NodeJob::next(Instant now)
 {
     settle();
-    while (!isDone() && m_steps.current().task == Task::bootUp) {
-        if (!isBackAfterReset(now))
+    while (waitsForNode()) {
+        if (!(m_steps.current().task == Task::bootUp ? isBackAfterReset(now) : isStarted(now)))
             return std::nullopt;
         settle();
     }
@@ -76,10 +76,36 @@ bool NodeJob::isBackAfterReset(Instant now)
     return true;
 }
 
+// Nobody answers the command.
+bool NodeJob::isStarted(Instant now)
+{
+    const auto shown = m_encoder.watch.state();
+    if (shown == NmtState::operational) {
+        m_steps.goOn();
+        return true;
+    }
+    if (now < m_begunAt + m_encoder.settings.startTimeOut)
+        return false;
+    fail({RefusalKind::device,
+          shown ? CanopenRefusalId::notStartedAgain : CanopenRefusalId::startNotSeen,
+          {std::int64_t{m_encoder.node}}});
+    return true;
+}
+
+bool NodeJob::waitsForNode() const
+{
+    if (isDone() || m_steps.atEnd())
+        return false;
+    const Task task = m_steps.current().task;
+    return task == Task::bootUp || task == Task::started;
+}
+
 std::optional<Instant> NodeJob::waitsUntil() const
 {
-    const bool isWaiting = !isDone() && !m_steps.atEnd() && m_steps.current().task == Task::bootUp;
-    return isWaiting ? std::optional(m_begunAt + m_encoder.settings.longTimeOut) : std::nullopt;
+    if (!waitsForNode())
+        return std::nullopt;
+    return m_begunAt + (m_steps.current().task == Task::bootUp ? m_encoder.settings.longTimeOut
+                                                               : m_encoder.settings.startTimeOut);
 }
 
 bool NodeJob::mayBeSilent() const
@@ -106,7 +132,7 @@ void NodeJob::settle()
     if (hasLeftOffNow())
         goOnAfterCancel();
     if (m_steps.atEnd() && std::exchange(m_startsAgain, false))
-        m_steps.append({NodePlan::nmt(NmtCommand::start)});
+        m_steps.append({NodePlan::nmt(NmtCommand::start), NodePlan::started()});
     if (!m_steps.atEnd())
         return;
     const bool hasNothing = m_missing && !m_failure && m_account.outcome.read.empty();
@@ -128,20 +154,11 @@ void NodeJob::nodeHasBooted()
 // What was written since it was last stored may be lost, or there all the same.
 void NodeJob::endAtRestart()
 {
-    InDoubt &doubt = m_account.outcome.inDoubt;
     if (m_unanswered)
-        noteDoubt(*m_unanswered, doubt);
+        noteDoubt(*m_unanswered, m_account.outcome.inDoubt);
     const auto done = m_steps.done();
     const auto stored = std::ranges::find(done.rbegin(), done.rend(), Task::store, &NodeStep::task);
-    for (auto step = stored.base(); step != done.end(); ++step) {
-        for (const ParameterValue &value : step->task == Task::write ? step->values : ParameterValues()) {
-            m_account.notWritten(value.parameter);
-            replaceValue(doubt.values, value);
-        }
-        doubt.position = doubt.position || step->task == Task::preset;
-        if (step->task == Task::writeCam)
-            doubt.camPrograms = {1};
-    }
+    doubtDone({stored.base(), done.end()});
     fail({RefusalKind::device, CanopenRefusalId::nodeRestarted, {std::int64_t{m_encoder.node}}});
 }
 

@@ -4,6 +4,8 @@
 #include "jobs/job_run.h"
 #include "kinds/canopen/driver/node_encoder.h"
 
+#include <span>
+
 namespace codewheel::canopen {
 
 // A job of an encoder on CANopen in progress: its requests one after the other, and what their answers mean.
@@ -36,7 +38,9 @@ private:
     void leaveOutWhatIsThere();
     void leaveOutCamsThatAreThere();
     bool mayBeLost(const ParameterValue &value) const;
+    bool waitsForNode() const;
     bool isBackAfterReset(Instant now);
+    bool isStarted(Instant now);
     void begin(Instant now);
     NodeRequest requestOf(const NodeStep &step) const;
     std::vector<std::uint8_t> bitsOf(const NodeStep &step) const;
@@ -49,6 +53,7 @@ private:
     void notePosition(const NodeStep &step);
     void checkVendor(const SdoOutcome &outcome);
     void fail(Refusal why);
+    void failUnsent(Refusal why); // so the step was not carried out
     Refusal refusalOf(const SdoOutcome &outcome) const;
 
     // node_job_writes.cpp
@@ -73,6 +78,7 @@ private:
     void leaveOffAt(Instant now) override;
     void goOnAfterCancel();
     void noteDoubt(const NodeStep &step, InDoubt &doubt) const;
+    void doubtDone(std::span<const NodeStep> steps);
 
     NodeEncoder &m_encoder;
     const bool m_mayStop;

@@ -27,10 +27,10 @@ void NodeJob::answered(const SdoOutcome &outcome, Instant now)
     if (outcome.kind == Answer::notSent && m_unanswered)
         failAsUnknown(); // it was to be read back
     else if (outcome.kind == Answer::notSent)
-        fail({RefusalKind::link,
-              CanopenRefusalId::sdoNotSent,
-              {step.task == Task::nmt ? QStringLiteral("NMT") : step.object.text(),
-               std::int64_t{m_encoder.node}}});
+        failUnsent({RefusalKind::link,
+                    CanopenRefusalId::sdoNotSent,
+                    {step.task == Task::nmt ? QStringLiteral("NMT") : step.object.text(),
+                     std::int64_t{m_encoder.node}}});
     else if (step.task == Task::readBack)
         readBack(outcome, now);
     else if (changesSomething(step))
@@ -136,6 +136,13 @@ void NodeJob::fail(Refusal why)
 {
     m_unanswered.reset();
     noteFailure(std::move(why));
+}
+
+// What was reported as begun is not done.
+void NodeJob::failUnsent(Refusal why)
+{
+    fail(std::move(why));
+    reportProgress(false);
 }
 
 Refusal NodeJob::refusalOf(const SdoOutcome &outcome) const

@@ -2,6 +2,7 @@
 // How a job ends before its end. What was sent cannot be taken back: its answer is waited for, and what was
 // written without an answer is read.
 #include "kinds/canopen/driver/node_job.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
 
 #include <algorithm>
 #include <iterator>
@@ -27,6 +28,7 @@ void NodeJob::leaveOffAt(Instant /*now*/)
     const auto first = std::find_if(m_steps.rest(), m_steps.all.end(), [this](const NodeStep &step) {
         const bool isUnderWay = &step == &m_steps.all[m_steps.index] && m_isUnderWay;
         const bool finishes = step.task == Task::readBack || step.task == Task::bootUp ||
+                              step.task == Task::started ||
                               (step.task == Task::positionAfter && hasSentPosition());
         return !isUnderWay && !(finishes && hasTaken());
     });
@@ -45,10 +47,11 @@ void NodeJob::goOnAfterCancel()
         return;
     }
     const auto done = m_steps.done();
-    const auto last = std::find_if(done.rbegin(), done.rend(), [](const NodeStep &step) {
-        return step.task == Task::write || step.task == Task::store;
+    const auto last = std::find_if(done.rbegin(), done.rend(), [this](const NodeStep &step) {
+        return step.task == Task::write || step.task == Task::store || step.task == Task::writeCam ||
+               (step.task == Task::preset && !m_encoder.device.capabilities.presetIsStored);
     });
-    const bool isToBeStored = last != done.rend() && last->task == Task::write;
+    const bool isToBeStored = last != done.rend() && last->task != Task::store;
     if (m_cancelled == OnCancel::runWithWhatItHas && isToBeStored && !m_failure)
         m_steps.append({NodePlan::store()});
 }
@@ -78,6 +81,22 @@ void NodeJob::noteDoubt(const NodeStep &step, InDoubt &doubt) const
     }
 }
 
+// What they have written was taken, and yet it is not known whether this encoder has it.
+void NodeJob::doubtDone(std::span<const NodeStep> steps)
+{
+    InDoubt &doubt = m_account.outcome.inDoubt;
+    for (const NodeStep &step : steps) {
+        for (const ParameterValue &value : step.task == Task::write ? step.values : ParameterValues()) {
+            m_account.notWritten(value.parameter);
+            replaceValue(doubt.values, value);
+        }
+        doubt.position = doubt.position || step.task == Task::preset;
+        doubt.reset = doubt.reset || step.task == Task::restore;
+        if (step.task == Task::writeCam)
+            doubt.camPrograms = {1};
+    }
+}
+
 void NodeJob::stop(const Refusal &why)
 {
     if (isDone())
@@ -93,6 +112,10 @@ void NodeJob::stop(const Refusal &why)
             m_encoder.values.mayHaveBeenStored();
         if (doubtful->task == Task::writeCam)
             m_encoder.takeCams({});
+    }
+    if (why.id == CanopenRefusalId::nodeDoubled) {
+        doubtDone(m_steps.done());
+        m_account.outcome.read.clear();
     }
     if (endsOutOfSight(why))
         leaveOutOfSight();

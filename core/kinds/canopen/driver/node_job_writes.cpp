@@ -62,10 +62,7 @@ void NodeJob::accepted(Instant now)
         break;
     case Task::restore: // what it has is known again when it is read
         m_encoder.values.countEepromWrite();
-        for (const ParameterDescription &its : m_encoder.device.parameters)
-            if (its.canBeWritten)
-                m_encoder.values.forget(its.parameter);
-        m_encoder.takeCams({});
+        m_encoder.forgetWhatCanBeWritten();
         break;
     case Task::nmt:
         m_encoder.wasCommanded(step.command, now);
@@ -109,16 +106,16 @@ void NodeJob::camAccepted(Instant now)
     m_encoder.takeCams(KnownCams{*m_camsGiven, Evidence::echoed, now});
 }
 
-// A device that has no command to store keeps what it keeps.
+// A device that has no command to store keeps what it keeps; whoever wanted nothing else has to know.
 void NodeJob::aborted(const SdoOutcome &outcome)
 {
-    const Task task = m_steps.current().task;
-    if (task == Task::store && isMissing(outcome)) {
+    const bool hasNoStore = m_steps.current().task == Task::store && isMissing(outcome);
+    if (hasNoStore)
         m_encoder.values.mayHaveBeenStored();
+    if (hasNoStore && job<StoreParameters>() == nullptr)
         m_steps.goOn();
-    } else if (!stopsForIt(outcome)) {
-        fail(refusalOf(outcome));
-    }
+    else if (!stopsForIt(outcome))
+        failUnsent(refusalOf(outcome));
 }
 
 // It was refused because of the state of the node, so it was not carried out, and may be sent again.

@@ -330,6 +330,11 @@ NodeStep NodePlan::nmt(NmtCommand command)
     return step;
 }
 
+NodeStep NodePlan::started()
+{
+    return stepOf(Task::started, Effect::none, {});
+}
+
 const CanopenReach &NodePlan::reachOf(Parameter parameter) const
 {
     static const CanopenReach none;

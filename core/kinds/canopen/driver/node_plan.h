@@ -30,6 +30,7 @@ public:
     NodeStep readBack(const NodeStep &write) const;
     static NodeStep store();
     static NodeStep nmt(NmtCommand command);
+    static NodeStep started();
 
 private:
     NodeSteps steps(const ReadParameters &job) const;

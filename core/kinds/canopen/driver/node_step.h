@@ -25,7 +25,8 @@ struct NodeStep : Step
         readCam,
         writeCam,
         nmt,
-        bootUp, // after a reset
+        bootUp,  // after a reset
+        started, // the node runs again
     };
 
     Task task = Task::read;

@@ -55,6 +55,21 @@ constexpr std::array canopenRefusalRows{
                 QT_TRANSLATE_NOOP("Refusal",
                                   "The encoder has accepted the preset, and still shows %2 instead of %1. "
                                   "Read it again before anything relies on it.")},
+    SentenceRow{CanopenRefusalId::nodeDoubled, "canopenNodeNumberDoubled",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Two devices have the node number %1: of which one an answer is, and which "
+                                  "has taken what was sent, is not known. Give one of them another number, "
+                                  "with only one of them on the bus.")},
+    SentenceRow{CanopenRefusalId::notStartedAgain, "notStartedAgain",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Node %1 was stopped for what it takes only then, and does not run again, "
+                                  "though it was started. Start it once more before anything relies on its "
+                                  "positions.")},
+    SentenceRow{CanopenRefusalId::startNotSeen, "startNotSeen",
+                QT_TRANSLATE_NOOP("Refusal",
+                                  "Node %1 was stopped for what it takes only then, and started again: "
+                                  "whether it runs is not known, as it shows neither its state nor PDOs. "
+                                  "Check that its positions come.")},
     SentenceRow{CanopenRefusalId::makeDiffers, "makeDiffers",
                 QT_TRANSLATE_NOOP("Refusal",
                                   "%1 is an object of the maker, and the encoder is of another make (vendor "

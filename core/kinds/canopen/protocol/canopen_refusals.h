@@ -18,6 +18,9 @@ enum class CanopenRefusalId : std::uint8_t {
     notBackAfterReset, // node, seconds
     nodeRestarted,     // node: during a job
     presetNotInForce,  // position wanted, position shown
+    nodeDoubled,       // node
+    notStartedAgain,   // node: stopped for a write, and started again without success
+    startNotSeen,      // node: likewise, and it does not show its state
     makeDiffers,       // object, Word vendor number of the description, Word vendor number of the device
 };
 extern const RefusalFamily canopenRefusals;
@@ -26,4 +29,13 @@ constexpr const RefusalFamily &familyOf(CanopenRefusalId)
     return canopenRefusals;
 }
 
+namespace canopen {
+
+// Nobody knows of whom an answer was, nor who has taken what was sent.
+inline Refusal nodeIsDoubled(int node)
+{
+    return {RefusalKind::link, CanopenRefusalId::nodeDoubled, {std::int64_t{node}}};
+}
+
+} // namespace canopen
 } // namespace codewheel

@@ -246,6 +246,7 @@ void LssClient::scanned(bool isAnswered, Instant now)
 void LssClient::end(LssOutcome::Kind kind)
 {
     m_result.kind = kind;
+    m_result.extraAnswers = std::exchange(m_extraAnswers, 0);
     m_outcome = m_result;
     m_isBusy = false;
     m_isWaiting = false;

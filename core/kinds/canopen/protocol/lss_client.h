@@ -43,6 +43,7 @@ struct LssOutcome
     std::uint8_t codeOfMaker = 0; // with FFh
     NodeIdentity identity{};      // inquireIdentity, fastScan
     std::optional<int> node{};    // inquireNode; empty: it has none
+    int extraAnswers = 0;         // since the outcome before: more than one device takes part
 
     friend bool operator==(const LssOutcome &, const LssOutcome &) = default;
 };
@@ -81,8 +82,6 @@ public:
     // In one fast scan, of at most mostSteps.
     int step() const { return m_step; }
     static constexpr int mostSteps = 133;
-    // More than one device takes part, or one answers late.
-    int extraAnswers() const { return m_extraAnswers; }
 
 private:
     LssFrame frameNow() const;

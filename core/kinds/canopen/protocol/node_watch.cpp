@@ -3,7 +3,6 @@
 
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/frames.h"
-#include "kinds/canopen/protocol/sdo.h"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +13,12 @@ namespace {
 constexpr std::size_t beatsCompared = 5; // of one node in four times its time, of two nodes in two
 constexpr int beatsTime = 3;
 constexpr int secondAnswersOfTwo = 3; // to requests in a row: a single one may be a doubled frame
+constexpr int firstAnswersOfOne = 3;  // without a second one between
+constexpr std::size_t mostAsked = 8;
+constexpr std::size_t statesCompared = 3;
+// Assumed: one device does not go to and fro so fast, nor boot twice.
+constexpr Instant statesTime = std::chrono::seconds(3);
+constexpr Instant bootUpsTime = std::chrono::milliseconds(500);
 
 std::uint32_t identifierOf(CobId::Service service, int node, int number = 0)
 {
@@ -54,11 +59,15 @@ bool isGone(const Emcy &error, std::uint8_t errorRegister)
            });
 }
 
+bool saysTheSame(const SdoFrame &one, const SdoFrame &other)
+{
+    return one.kind == other.kind && one.octets == other.octets && one.abortCode == other.abortCode;
+}
+
 } // namespace
 
 NodeWatch::NodeWatch(int node)
     : m_node(node)
-    , m_emcy(identifierOf(CobId::Service::emcy, node))
 {
     for (int number = 1; number <= 4; ++number)
         m_tpdos.push_back(identifierOf(CobId::Service::tpdo, node, number));
@@ -67,11 +76,6 @@ NodeWatch::NodeWatch(int node)
 void NodeWatch::setTpdos(std::vector<std::uint32_t> identifiers)
 {
     m_tpdos = std::move(identifiers);
-}
-
-void NodeWatch::setEmcy(std::uint32_t identifier)
-{
-    m_emcy = identifier;
 }
 
 void NodeWatch::setProducerTime(std::optional<Instant> time, Instant now)
@@ -102,7 +106,7 @@ void NodeWatch::take(const CanFrame &frame, Instant now)
         takeErrorControl(frame, now);
     else if (frame.isRemote)
         return;
-    else if (frame.id == m_emcy) {
+    else if (frame.id == identifierOf(CobId::Service::emcy, m_node)) {
         if (const auto emcy = Emcy::read(frame.data()))
             takeEmcy(*emcy);
     } else if (std::ranges::count(m_tpdos, frame.id) != 0)
@@ -119,6 +123,8 @@ void NodeWatch::takeCommand(const CanFrame &frame, Instant at)
     m_command = request->command;
     m_commandAt = at;
     m_state.reset();
+    m_statesTold.clear();
+    m_bootedAt.reset();
 }
 
 void NodeWatch::takeErrorControl(const CanFrame &frame, Instant now)
@@ -131,24 +137,25 @@ void NodeWatch::takeErrorControl(const CanFrame &frame, Instant now)
     if (!told)
         return;
     if (told->state == NmtState::bootUp && !told->toggle)
-        takeBootUp();
+        takeBootUp(frame.time.value_or(now));
     else
         takeBeat(*told, frame.time, now);
 }
 
 // What was set and not stored is lost, the heartbeat with it.
-void NodeWatch::takeBootUp()
+void NodeWatch::takeBootUp(Instant at)
 {
     ++m_bootUps;
+    m_hasTwoBootUps = m_bootedAt && at - *m_bootedAt < bootUpsTime;
+    m_bootedAt = at;
+    m_statesTold.clear();
     m_state.reset();
     m_command.reset();
     m_countsFrom.reset();
     m_beats.clear();
     m_isGuarded = false;
-    m_toggle.reset();
     m_standing.clear();
-    m_requests = 0;
-    m_answers = 0;
+    m_asked.clear();
 }
 
 void NodeWatch::takeBeat(const NodeState &told, std::optional<Instant> at, Instant now)
@@ -156,11 +163,9 @@ void NodeWatch::takeBeat(const NodeState &told, std::optional<Instant> at, Insta
     m_state = told.state == NmtState::bootUp ? std::nullopt : std::optional(told.state);
     m_command.reset();
     m_isGuarded = m_isGuarded || told.toggle;
-    if (m_isGuarded) {
-        m_toggleFaults += m_toggle == told.toggle ? 1 : 0;
-        m_toggle = told.toggle;
+    compareStates(told.state, at.value_or(now));
+    if (m_isGuarded)
         return;
-    }
     m_countsFrom = at.value_or(now);
     if (at && isSupervised())
         compareBeats(*at);
@@ -173,6 +178,20 @@ void NodeWatch::compareBeats(Instant at)
         return;
     m_hasTooManyBeats = at - m_beats.front() < *m_producerTime * beatsTime;
     m_beats.pop_front();
+}
+
+// One device goes from one state to another, two of them tell theirs in turn.
+void NodeWatch::compareStates(NmtState state, Instant at)
+{
+    m_statesTold.emplace_back(state, at);
+    if (m_statesTold.size() < statesCompared)
+        return;
+    const auto &[first, since] = m_statesTold.front();
+    const bool isBack = first == state && m_statesTold[1].first != state;
+    const Instant together =
+        m_producerTime.value_or(Instant()) > Instant() ? *m_producerTime * 2 : statesTime;
+    m_hasTwoStates = isBack && at - since <= together;
+    m_statesTold.pop_front();
 }
 
 void NodeWatch::takeTpdo(Instant at)
@@ -200,26 +219,55 @@ void NodeWatch::takeEmcy(const Emcy &emcy)
 // Within a block transfer requests and answers are not one to one.
 void NodeWatch::takeSdo(const CanFrame &frame)
 {
-    if (frame.id == identifierOf(CobId::Service::sdoRequest, m_node)) {
-        const auto request = SdoFrame::request(frame.data());
-        if (!request)
-            return;
-        m_isInBlocks = request->kind == SdoFrame::Kind::block;
-        m_requests = request->kind == SdoFrame::Kind::abort ? 0 : m_requests + 1;
-        if (m_answers == 1)
-            m_secondInARow = 0;
-        m_answers = 0;
-    } else if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node) && !m_isInBlocks) {
-        ++m_answers;
-        m_secondAnswers += m_requests == 0 ? 1 : 0;
-        m_secondInARow += m_requests == 0 ? 1 : 0;
-        m_requests = std::max(m_requests - 1, 0);
+    if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node) && !m_isInBlocks)
+        takeSdoAnswer(frame);
+    if (frame.id != identifierOf(CobId::Service::sdoRequest, m_node))
+        return;
+    const auto request = SdoFrame::request(frame.data());
+    if (!request)
+        return;
+    m_isInBlocks = request->kind == SdoFrame::Kind::block;
+    if (request->kind == SdoFrame::Kind::abort) {
+        m_asked.clear();
+        return;
     }
+    m_asked.push_back(request->namedObject());
+    if (m_asked.size() > mostAsked)
+        m_asked.pop_front();
+    if (m_lastAnswer && m_lastAnswer->namedObject() == request->namedObject())
+        m_lastAnswer.reset();
+}
+
+// That of the second node may come only after the next request.
+void NodeWatch::takeSdoAnswer(const CanFrame &frame)
+{
+    const auto answer = SdoFrame::answer(frame.data());
+    if (!answer)
+        return;
+    auto asked = std::ranges::find(m_asked, answer->namedObject());
+    if (asked == m_asked.end() && answer->kind == SdoFrame::Kind::abort) // within segments
+        asked = std::ranges::find(m_asked, std::optional<SdoObject>());
+    if (asked != m_asked.end()) {
+        m_asked.erase(asked);
+        if (++m_firstInARow >= firstAnswersOfOne) {
+            m_secondInARow = 0;
+            m_hasOtherAnswer = m_hasTwoBootUps = false;
+        }
+    } else {
+        m_firstInARow = 0;
+        ++m_secondAnswers;
+        ++m_secondInARow;
+        const bool isOfSame =
+            answer->namedObject() && m_lastAnswer && m_lastAnswer->namedObject() == answer->namedObject();
+        m_hasOtherAnswer = m_hasOtherAnswer || (isOfSame && !saysTheSame(*answer, *m_lastAnswer));
+    }
+    m_lastAnswer = answer;
 }
 
 bool NodeWatch::isDoubled() const
 {
-    return m_secondInARow >= secondAnswersOfTwo || m_hasTooManyBeats;
+    return m_secondInARow >= secondAnswersOfTwo || m_hasOtherAnswer || m_hasTooManyBeats || m_hasTwoStates ||
+           m_hasTwoBootUps;
 }
 
 bool NodeWatch::isSupervised() const
@@ -229,8 +277,10 @@ bool NodeWatch::isSupervised() const
 
 Heartbeat NodeWatch::heartbeat(Instant now) const
 {
-    if (!isSupervised() || !m_countsFrom)
+    if (!m_countsFrom || m_isGuarded)
         return Heartbeat::notHeard;
+    if (!isSupervised())
+        return Heartbeat::heard;
     const Instant since = now - *m_countsFrom;
     if (m_mayBeSilent || since <= lateAfter(*m_producerTime))
         return Heartbeat::present;

@@ -3,6 +3,7 @@
 
 #include "kinds/canopen/protocol/emcy.h"
 #include "kinds/canopen/protocol/nmt.h"
+#include "kinds/canopen/protocol/sdo.h"
 
 #include <deque>
 #include <vector>
@@ -10,7 +11,8 @@
 namespace codewheel::canopen {
 
 enum class Heartbeat : std::uint8_t {
-    notHeard, // since the node has booted, or with a time that is not known
+    notHeard, // since the node has booted
+    heard,    // with a time that is not known
     present,
     late, // by half of the time
     lost, // three times the time
@@ -28,7 +30,6 @@ public:
     int node() const { return m_node; }
     // As read from the node. Predefined until then.
     void setTpdos(std::vector<std::uint32_t> identifiers);
-    void setEmcy(std::uint32_t identifier);
     // Object 1017h; 0: it has no heartbeat, empty: not known.
     void setProducerTime(std::optional<Instant> time, Instant now);
     // While it stores or restores, a node may be silent.
@@ -45,30 +46,28 @@ public:
     std::optional<Instant> wakesAt(Instant now) const;
     int bootUps() const { return m_bootUps; }
 
-    bool isGuarded() const { return m_isGuarded; }      // by another master
-    int toggleFaults() const { return m_toggleFaults; } // the same toggle bit twice, while it is guarded
-
     const std::deque<Emcy> &errors() const { return m_errors; }      // that came, the last one at the end
     const std::vector<Emcy> &standing() const { return m_standing; } // that did not go yet
 
     // What one node alone does not do.
     int secondAnswers() const { return m_secondAnswers; } // more SDO answers than requests
-    bool isDoubled() const;                               // its number, by answers or by heartbeats
+    bool isDoubled() const; // its number, by answers, by heartbeats or by boot-ups
 
 private:
     void takeCommand(const CanFrame &frame, Instant at);
     void takeErrorControl(const CanFrame &frame, Instant now);
-    void takeBootUp();
+    void takeBootUp(Instant at);
     void takeBeat(const NodeState &told, std::optional<Instant> at, Instant now);
     void compareBeats(Instant at);
+    void compareStates(NmtState state, Instant at);
     void takeTpdo(Instant at);
     void takeEmcy(const Emcy &emcy);
     void takeSdo(const CanFrame &frame);
+    void takeSdoAnswer(const CanFrame &frame);
     bool isSupervised() const;
 
     int m_node;
     std::vector<std::uint32_t> m_tpdos;
-    std::uint32_t m_emcy;
     std::optional<Instant> m_producerTime{};
     bool m_mayBeSilent = false;
 
@@ -78,17 +77,21 @@ private:
     std::optional<Instant> m_countsFrom{}; // the last heartbeat, or the end of a silence
     std::deque<Instant> m_beats{};
     bool m_hasTooManyBeats = false;
+    std::deque<std::pair<NmtState, Instant>> m_statesTold{}; // since the last command
+    bool m_hasTwoStates = false;
     int m_bootUps = 0;
-    bool m_isGuarded = false;
-    std::optional<bool> m_toggle{};
-    int m_toggleFaults = 0;
+    std::optional<Instant> m_bootedAt{}; // since the last command
+    bool m_hasTwoBootUps = false;
+    bool m_isGuarded = false; // by another master
     std::deque<Emcy> m_errors{};
     std::vector<Emcy> m_standing{};
-    int m_requests = 0; // SDO, not answered
+    std::deque<std::optional<SdoObject>> m_asked{}; // by SDO, not answered yet; empty: for a segment
     bool m_isInBlocks = false;
-    int m_answers = 0; // since the last request
+    std::optional<SdoFrame> m_lastAnswer{}; // unless its object was asked for again
+    int m_firstInARow = 0;
     int m_secondAnswers = 0;
     int m_secondInARow = 0;
+    bool m_hasOtherAnswer = false; // than the first one to the same request
 };
 
 } // namespace codewheel::canopen

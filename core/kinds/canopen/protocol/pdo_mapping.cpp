@@ -43,18 +43,21 @@ bool fits(const PdoEntry &entry, const PdoType &type)
 
 } // namespace
 
-PdoMapping::PdoMapping(int number)
-    : m_number(number)
+PdoMapping::PdoMapping(PdoDirection direction, int number)
+    : m_direction(direction)
+    , m_number(number)
 {}
 
 SdoObject PdoMapping::identifierObject() const
 {
-    return {static_cast<std::uint16_t>(0x1800 + m_number - 1), 1};
+    const int first = m_direction == PdoDirection::transmit ? 0x1800 : 0x1400;
+    return {static_cast<std::uint16_t>(first + m_number - 1), 1};
 }
 
 SdoObject PdoMapping::mappingObject(int sub) const
 {
-    return {static_cast<std::uint16_t>(0x1A00 + m_number - 1), static_cast<std::uint8_t>(sub)};
+    const int first = m_direction == PdoDirection::transmit ? 0x1A00 : 0x1600;
+    return {static_cast<std::uint16_t>(first + m_number - 1), static_cast<std::uint8_t>(sub)};
 }
 
 std::vector<SdoObject> PdoMapping::missing() const

@@ -10,6 +10,11 @@
 
 namespace codewheel::canopen {
 
+enum class PdoDirection : std::uint8_t {
+    transmit, // TPDO, of the node
+    receive,  // RPDO, to the node
+};
+
 struct PdoEntry
 {
     SdoObject object{};
@@ -37,13 +42,14 @@ struct PdoValue
     std::int64_t number = 0; // of what is not signed the same as raw
 };
 
-// A PDO that a node sends as the node says, by its objects 18xxh and 1Axxh, and what a frame with it means.
+// A PDO of a node as the node says, by its objects 14xxh or 18xxh and 16xxh or 1Axxh, and what a frame with
+// it means.
 class PdoMapping
 {
 public:
     static constexpr int mostEntries = 64;
 
-    explicit PdoMapping(int number); // 1 to 512
+    PdoMapping(PdoDirection direction, int number); // 1 to 512
 
     int number() const { return m_number; }
     bool holds(const SdoObject &object) const; // as far as it was read
@@ -81,6 +87,7 @@ private:
     int count() const;
     void place();
 
+    PdoDirection m_direction;
     int m_number;
     std::vector<Told> m_told{};
     std::optional<std::uint32_t> m_identifier{}; // with its bits

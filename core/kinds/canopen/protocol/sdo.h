@@ -54,6 +54,14 @@ struct SdoFrame
     bool isLast = false;                           // segment
     std::uint32_t abortCode = 0;
 
+    bool namesObject() const
+    {
+        return kind != Kind::segment && kind != Kind::readSegment && kind != Kind::segmentWritten;
+    }
+    std::optional<SdoObject> namedObject() const
+    {
+        return namesObject() ? std::optional(object) : std::nullopt;
+    }
     Octets data() const { return Octets(octets).first(size); }
 
     // Empty: it does not have eight bytes.

@@ -15,11 +15,6 @@ constexpr std::size_t rememberedObjects = 8;
 // or the second answer would confirm what has not arrived.
 constexpr Instant doubledFrames = std::chrono::milliseconds(2);
 
-bool namesObject(const SdoFrame &answer)
-{
-    return answer.kind != SdoFrame::Kind::segment && answer.kind != SdoFrame::Kind::segmentWritten;
-}
-
 } // namespace
 
 SdoIdentifiers SdoIdentifiers::predefined(int node)
@@ -182,7 +177,7 @@ void SdoClient::end(const SdoOutcome &outcome, Instant now)
 void SdoClient::count(const std::optional<SdoFrame> &answer)
 {
     const bool isKnown = answer && answer->kind != SdoFrame::Kind::unknown;
-    const bool isSegment = isKnown && !namesObject(*answer);
+    const bool isSegment = isKnown && !answer->namesObject();
     const auto owed = std::ranges::find_if(m_owed, [&](const Owed &each) {
         return isKnown && each.isSegment == isSegment && (isSegment || each.object == answer->object);
     });

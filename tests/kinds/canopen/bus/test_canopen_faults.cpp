@@ -2,6 +2,7 @@
 #include "bus/bus_outline.h"
 #include "bus/data_check.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
 
 namespace codewheel {
@@ -221,6 +222,26 @@ TEST_F(CanopenBusFaults, TwoNodesWithOneNumberAreNoticed)
     });
     bus->advance(3s);
     EXPECT_FALSE(bus->latest().heard(6)->isDoubled);
+}
+
+TEST_F(CanopenBusFaults, AJobOfADoubledNumberIsRefusedAndOneUnderWayEnds)
+{
+    operate();
+    std::optional<Outcome> ended;
+    QObject::connect(bus->encoder(six), &EncoderSession::finished, bus.get(),
+                     [&](const Outcome &outcome) { ended = outcome; });
+    ASSERT_TRUE(bus->encoder(six)->start(WriteParameters{{{Parameter::steps, 4000}}, false, {}}));
+    plant->bus()->locked([&] { talker->answersAs = 6; });
+    bus->advance(2s);
+    ASSERT_TRUE(ended && !ended->result);
+    EXPECT_EQ(ended->result.error().id, CanopenRefusalId::nodeDoubled);
+    EXPECT_TRUE(ended->written.empty());
+    link->sent.clear();
+    const auto outcome = carryOut(six, SetPreset{.value = 5});
+    const auto why = outcome ? std::optional(outcome->result.error()) : refused;
+    ASSERT_TRUE(why);
+    EXPECT_EQ(why->id, CanopenRefusalId::nodeDoubled);
+    EXPECT_EQ(std::ranges::count_if(link->sent, isPreset), 0);
 }
 
 TEST_F(CanopenBusFaults, AnotherMasterIsNamedAndNothingIsSentUnasked)

@@ -81,6 +81,10 @@ void DriverBench::step(Instant end)
         sdo != nullptr ? answerTo(*sdo, text) : answerTo(std::get<NmtRequest>(*request));
     driver.answered(*request, answer, now);
     collect();
+    if (sdo == nullptr && isRunning && showsAfterStart) {
+        now += std::chrono::milliseconds(1);
+        hear(0x700 + driverNode, {*showsAfterStart});
+    }
 }
 
 SdoOutcome DriverBench::answerTo(const SdoRequest &request, const std::string &text)

@@ -35,6 +35,7 @@ public:
     bool isRunning = false;
     bool ignoresPresets = false; // accepts them
     bool bootsAfterReset = true;
+    std::optional<std::uint8_t> showsAfterStart = 0x05; // by its heartbeat
 
     // The next request with this text meets this fate.
     void next(const std::string &text, Fate fate) { m_next[text].push_back(fate); }

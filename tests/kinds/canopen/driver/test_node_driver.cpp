@@ -219,5 +219,68 @@ TEST(NodeDriver, CommandsOfAnotherMasterAreHeeded)
     EXPECT_EQ(bench.driver.reading().state, EncoderState::waiting);
 }
 
+TEST(NodeDriver, WhatItDoesNotAnswerForIsAskedForOnce)
+{
+    DriverBench bench;
+    for (int i = 0; i < 100; ++i)
+        for (const char *object : {"1800:1", "1A00:0", "1801:1"})
+            bench.next(object, DriverBench::Fate::lost);
+    bench.run(10s);
+    EXPECT_EQ(std::ranges::count(bench.log, std::string("1800:1")), 1);
+    EXPECT_EQ(bench.driver.reading().position, 5000);
+    EXPECT_EQ(bench.value(Parameter::serialNumber), 12345);
+    EXPECT_EQ(bench.countOf(MessageId::encoderSilent), 0);
+}
+
+void writeByHand(DriverBench &bench, SdoObject object, std::vector<std::uint8_t> value,
+                 SdoOutcome::Kind ended = SdoOutcome::Kind::written)
+{
+    bench.driver.observe({.node = 5, .object = object, .value = std::move(value)}, {.kind = ended},
+                         bench.now);
+    bench.run(1ms);
+}
+
+TEST(NodeDriver, WhatIsWrittenByHandIsNotKnownAnyMore)
+{
+    DriverBench bench;
+    bench.settle();
+    const std::vector<Parameter> all{Parameter::steps, Parameter::direction, Parameter::measuringRange,
+                                     Parameter::offset};
+    bench.finish(ReadParameters{all});
+    writeByHand(bench, {0x6001, 0}, {1, 0, 0, 0}, SdoOutcome::Kind::aborted);
+    EXPECT_TRUE(bench.value(Parameter::steps)) << "it was refused";
+    writeByHand(bench, {0x6001, 0}, {1, 0, 0, 0}, SdoOutcome::Kind::noAnswer);
+    EXPECT_FALSE(bench.value(Parameter::steps));
+    EXPECT_FALSE(bench.value(Parameter::offset)) << "it follows";
+    EXPECT_TRUE(bench.value(Parameter::direction));
+    bench.finish(ReadParameters{all});
+    writeByHand(bench, {0x6003, 0}, {0, 0, 0, 0});
+    EXPECT_FALSE(bench.value(Parameter::offset)) << "the position was set";
+    bench.driver.hear(
+        *SdoFrame::request(std::array<std::uint8_t, 8>{0x2B, 0x00, 0x60, 0})); // of another master
+    bench.run(1ms);
+    EXPECT_FALSE(bench.value(Parameter::direction));
+    bench.finish(ReadParameters{all});
+    writeByHand(bench, {0x1010, 1}, {0x73, 0x61, 0x76, 0x65});
+    EXPECT_EQ(bench.kept(Parameter::steps), Kept::stored);
+    writeByHand(bench, {0x1011, 1}, {0x6C, 0x6F, 0x61, 0x64});
+    EXPECT_FALSE(bench.value(Parameter::steps));
+}
+
+TEST(NodeDriver, AMappingWrittenByHandIsReadAnew)
+{
+    DriverBench bench;
+    mapPositionAndSpeed(bench);
+    bench.settle();
+    bench.has["1A00:0"] = {1};
+    bench.has["1A00:1"] = {0x10, 0, 0x05, 0x65};
+    writeByHand(bench, {0x1A00, 1}, {0x10, 0, 0x05, 0x65});
+    bench.hear(0x185, {0x10, 0x27, 0, 0, 0, 0});
+    EXPECT_NE(bench.driver.reading().position, 10000) << "by the old mapping";
+    bench.run(1s);
+    bench.hear(0x185, {0x02, 0});
+    EXPECT_EQ(bench.driver.reading().warnings, 2);
+}
+
 } // namespace
 } // namespace codewheel::canopen

@@ -113,6 +113,37 @@ TEST_F(NodeJobs, AnEncoderThatHasNoCommandToStoreKeepsWhatItKeeps)
     EXPECT_EQ(bench.kept(Parameter::steps), Kept::notKnown);
 }
 
+TEST_F(NodeJobs, OnlyToStoreWhatCannotBeStoredFails)
+{
+    bench.has.erase("1010:1");
+    EXPECT_FALSE(bench.finish(StoreParameters{}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoAborted);
+    EXPECT_EQ(bench.outcome->eepromWrites, 0);
+}
+
+TEST_F(NodeJobs, APresetThatWasRefusedOrNotSentHasSetNoPosition)
+{
+    bench.refuses["6003:0"] = 0x06090030;
+    EXPECT_FALSE(bench.finish(SetPreset{.value = 7}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoAborted);
+    EXPECT_FALSE(bench.progress.setsPosition);
+    bench.refuses.clear();
+    bench.next("6003:0 07 00 00 00", DriverBench::Fate::notSent);
+    EXPECT_FALSE(bench.finish(SetPreset{.value = 7}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::sdoNotSent);
+    EXPECT_FALSE(bench.progress.setsPosition);
+}
+
+TEST_F(NodeJobs, APresetThatIsCancelledIsStoredIfThatIsWanted)
+{
+    ASSERT_TRUE(bench.begin(SetPreset{.value = 7}));
+    while (std::ranges::count(bench.log, std::string("6003:0 07 00 00 00")) == 0)
+        bench.step();
+    bench.driver.cancel(OnCancel::runWithWhatItHas, bench.now);
+    EXPECT_TRUE(bench.finish().isPositionSet);
+    EXPECT_EQ(bench.jobLog().back(), "1010:1 73 61 76 65");
+}
+
 TEST_F(NodeJobs, ARefusalEndsTheJobAndNothingIsStored)
 {
     bench.refuses["6001:0"] = 0x06090030;
@@ -271,6 +302,39 @@ TEST_F(NodeJobs, ARunningNodeIsNotStoppedUnasked)
               (Rows{"6001:0 A0 0F 00 00", "NMT 80", "6001:0 A0 0F 00 00"}));
     EXPECT_EQ(rows.back(), "NMT 01") << "and started again";
     EXPECT_TRUE(bench.isRunning);
+}
+
+TEST_F(NodeJobs, WhetherANodeRunsAgainIsSeenOrSaid)
+{
+    bench.refusesWhileRunning = bench.isRunning = true;
+    for (const auto &[shows, why] :
+         {std::pair<std::optional<std::uint8_t>, CanopenRefusalId>{0x7F, CanopenRefusalId::notStartedAgain},
+          {std::nullopt, CanopenRefusalId::startNotSeen}}) {
+        bench.hear(0x705, {0x05});
+        bench.isRunning = true;
+        bench.showsAfterStart = shows;
+        bench.driver.mayStopNode(true);
+        const Instant begun = bench.now;
+        const Outcome &outcome = bench.finish(writing({{Parameter::steps, shows ? 4000 : 4001}}));
+        EXPECT_EQ(bench.refusal(), why);
+        EXPECT_EQ(outcome.written.size(), 1U) << "the value is there";
+        EXPECT_LT(bench.now - begun, std::chrono::seconds(4));
+    }
+}
+
+TEST_F(NodeJobs, OfTwoNodesWithOneNumberNothingIsKnown)
+{
+    bench.finish(ReadParameters{{Parameter::direction}});
+    ASSERT_TRUE(bench.begin(writing({{Parameter::steps, 4000}, {Parameter::measuringRange, 8'000'000}})));
+    while (!findValue(bench.progress.confirmed, Parameter::steps))
+        bench.step();
+    bench.driver.stop(nodeIsDoubled(5), bench.now);
+    bench.run(std::chrono::milliseconds(1));
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::nodeDoubled);
+    EXPECT_TRUE(bench.outcome->written.empty());
+    EXPECT_TRUE(findValue(bench.outcome->inDoubt.values, Parameter::steps));
+    EXPECT_FALSE(bench.value(Parameter::direction)) << "it may be of either";
 }
 
 TEST_F(NodeJobs, ANodeThatWasStoppedForAJobIsStartedAgainEvenIfItFails)

@@ -116,28 +116,26 @@ TEST_F(NodeWatchTest, NoHeartbeatIsMissedWhileTheNodeStores)
 
 TEST_F(NodeWatchTest, WithoutProducerTimeNothingIsMissed)
 {
+    EXPECT_EQ(watch.heartbeat(now), Heartbeat::notHeard);
     comes("705# 05");
-    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::heard);
     watch.setProducerTime(0ms, now);
-    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::heard);
 }
 
 TEST_F(NodeWatchTest, GuardingOfAnotherMasterIsNoHeartbeat)
 {
     watch.setProducerTime(100ms, now);
     comes("705#R");
-    EXPECT_TRUE(watch.isGuarded());
     comes("705# 05");
     comes("705#R");
     comes("705# 85");
     EXPECT_EQ(watch.state(), NmtState::operational);
-    EXPECT_EQ(watch.toggleFaults(), 0);
-    comes("705# 85");
-    EXPECT_EQ(watch.toggleFaults(), 1);
     EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::notHeard);
     comes("705# 00");
     EXPECT_EQ(watch.bootUps(), 1);
-    EXPECT_FALSE(watch.isGuarded());
+    comes("705# 05");
+    EXPECT_EQ(watch.heartbeat(now + 1h), Heartbeat::lost) << "guarding has ended";
 }
 
 TEST_F(NodeWatchTest, ErrorsStandUntilTheyAreGone)
@@ -163,24 +161,77 @@ TEST_F(NodeWatchTest, ErrorsStandUntilTheyAreGone)
     EXPECT_EQ(watch.errors().size(), NodeWatch::mostErrors);
 }
 
-TEST_F(NodeWatchTest, ErrorsMayHaveAnotherIdentifier)
-{
-    watch.setEmcy(0x0C5);
-    comes("085# 10 42 09 00 00 00 00 00");
-    EXPECT_TRUE(watch.errors().empty());
-    comes("0C5# 10 42 09 00 00 00 00 00");
-    EXPECT_EQ(watch.errors().size(), 1);
-}
-
 TEST_F(NodeWatchTest, TwoAnswersToEachRequestAreTwoNodes)
 {
     for (int each = 0; each < 3; ++each) {
         EXPECT_FALSE(watch.isDoubled());
         comes("605# 40 04 60 00 ..");
         comes("585# 43 04 60 00 88 13 00 00");
-        comes("585# 43 04 60 00 11 00 00 00");
+        comes("585# 43 04 60 00 88 13 00 00");
     }
     EXPECT_EQ(watch.secondAnswers(), 3);
+    EXPECT_TRUE(watch.isDoubled());
+}
+
+TEST_F(NodeWatchTest, ASecondAnswerThatSaysSomethingElseIsOfAnotherNode)
+{
+    for (const char *other : {"585# 43 04 60 00 11 00 00 00", "585# 80 04 60 00 00 00 02 06"}) {
+        comes("605# 40 04 60 00 ..");
+        comes("585# 43 04 60 00 88 13 00 00");
+        EXPECT_FALSE(watch.isDoubled());
+        comes(other);
+        EXPECT_TRUE(watch.isDoubled()) << other;
+        for (int each = 0; each < 3; ++each) {
+            comes("605# 40 04 60 00 ..");
+            comes("585# 43 04 60 00 88 13 00 00");
+        }
+        EXPECT_FALSE(watch.isDoubled()) << "one has gone";
+        comes("605# 40 04 60 00 ..");
+        comes("585# 43 04 60 00 88 13 00 00");
+        comes("605# 40 05 65 00 ..");
+        comes(other);
+        EXPECT_TRUE(watch.isDoubled()) << "after the next request " << other;
+        for (int each = 0; each < 4; ++each) {
+            comes("605# 40 04 60 00 ..");
+            comes("585# 43 04 60 00 88 13 00 00");
+        }
+    }
+    comes("605# 40 04 60 00 ..");
+    comes("605# 40 04 60 00 .."); // repeated, as nothing has come
+    comes("585# 43 04 60 00 88 13 00 00");
+    comes("585# 43 04 60 00 11 00 00 00");
+    EXPECT_FALSE(watch.isDoubled());
+}
+
+TEST_F(NodeWatchTest, TwoStatesInTurnAreTwoNodes)
+{
+    comes("705# 7F");
+    now += 100ms;
+    comes("705# 05"); // one node may have been started
+    now += 900ms;
+    EXPECT_FALSE(watch.isDoubled());
+    comes("705# 7F");
+    EXPECT_TRUE(watch.isDoubled());
+    beatsFor(5s, 1s);
+    EXPECT_FALSE(watch.isDoubled());
+    comes("000# 80 05");
+    comes("705# 7F");
+    comes("000# 01 05");
+    comes("705# 05");
+    EXPECT_FALSE(watch.isDoubled()) << "it was told to";
+}
+
+TEST_F(NodeWatchTest, TwoBootUpsAtOnceAreTwoNodes)
+{
+    comes("705# 00");
+    now += 600ms;
+    comes("705# 00");
+    EXPECT_FALSE(watch.isDoubled());
+    comes("000# 81 05");
+    comes("705# 00");
+    EXPECT_FALSE(watch.isDoubled());
+    now += 20ms;
+    comes("705# 00");
     EXPECT_TRUE(watch.isDoubled());
 }
 

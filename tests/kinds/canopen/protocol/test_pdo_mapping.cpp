@@ -34,7 +34,7 @@ std::vector<std::uint8_t> octetsOf(std::uint32_t number)
 
 PdoMapping mappingWith(std::initializer_list<std::uint32_t> entries, std::uint32_t identifier = 0x40000185)
 {
-    PdoMapping mapping(1);
+    PdoMapping mapping(PdoDirection::transmit, 1);
     mapping.take({0x1800, 1}, octetsOf(identifier));
     mapping.take({0x1A00, 0}, std::array{static_cast<std::uint8_t>(entries.size())});
     std::uint8_t sub = 0;
@@ -65,7 +65,7 @@ TEST(PdoMapping, ReadsWhatTheCountTells)
                                  {{0x1A01, 0}, {2}},
                                  {{0x1A01, 1}, {0x20, 0, 0x04, 0x60}},
                                  {{0x1A01, 2}, {0x10, 1, 0x30, 0x60}}}};
-    PdoMapping mapping(2);
+    PdoMapping mapping(PdoDirection::transmit, 2);
     EXPECT_EQ(mapping.missing(), (std::vector<SdoObject>{{0x1801, 1}, {0x1A01, 0}}));
     int reads = 0;
     while (!mapping.isRead() && ++reads < 10)
@@ -78,9 +78,15 @@ TEST(PdoMapping, ReadsWhatTheCountTells)
     EXPECT_FALSE(mapping.take({0x1800, 1}, octetsOf(1)));
 }
 
+TEST(PdoMapping, ObjectsOfAReceivePdo)
+{
+    EXPECT_EQ(PdoMapping(PdoDirection::receive, 3).missing(),
+              (std::vector<SdoObject>{{0x1402, 1}, {0x1602, 0}}));
+}
+
 TEST(PdoMapping, WhatTheNodeDoesNotHaveIsNotAskedAgain)
 {
-    PdoMapping mapping(1);
+    PdoMapping mapping(PdoDirection::transmit, 1);
     while (!mapping.isRead())
         mapping.take(mapping.missing().front(), {});
     EXPECT_FALSE(mapping.isThere());
