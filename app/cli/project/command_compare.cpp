@@ -45,11 +45,15 @@ void compareBus(const Call &call, const Project &project, const BusAccess &acces
         };
         const Participant *wanted = line.configured ? &devices[*line.configured].participant : nullptr;
         const Participant *found = line.connected ? &connected.devices[*line.connected] : nullptr;
-        all.lines.append(QJsonObject{{QStringLiteral("bus"), bus.id().number},
-                                     {QStringLiteral("busName"), planned->name},
-                                     {QStringLiteral("comparison"), comparisonKindKey(line.kind)},
-                                     {QStringLiteral("configured"), json(wanted)},
-                                     {QStringLiteral("found"), json(found)}});
+        QJsonObject row{{QStringLiteral("bus"), bus.id().number},
+                        {QStringLiteral("busName"), planned->name},
+                        {QStringLiteral("comparison"), comparisonKindKey(line.kind)},
+                        {QStringLiteral("configured"), json(wanted)},
+                        {QStringLiteral("found"), json(found)}};
+        if (const auto why = found != nullptr ? connected.others.find(found->number) : connected.others.end();
+            why != connected.others.end())
+            row.insert(QStringLiteral("why"), errorJson(complaintAbout(why->second)));
+        all.lines.append(row);
     }
     if (project.buses.size() > 1)
         all.text +=

@@ -7,6 +7,7 @@
 #include "cli/bus/present_ports.h"
 #include "cli/call/subcommand.h"
 #include "cli/call/texts.h"
+#include "cli/encoder/jobs.h"
 #include "cli/kinds/canopen/device_on_node.h"
 #include "doctor/can_hindrances.h"
 #include "doctor/port_hindrances.h"
@@ -34,6 +35,7 @@ constexpr Instant longestListening = 3s; // to a node that tells of itself once 
 constexpr Instant longestLookAtNode = 1s;
 constexpr Instant longestTransfer = 60s; // in segments
 constexpr Instant longestAlone = 500ms;  // a frame needs some of them at most
+constexpr Instant untilSecondAnswer = 50ms;
 
 // What is watched is not asked.
 bool onlyListens(const Call &call)
@@ -300,6 +302,8 @@ Checked<EncoderSession *> CanopenAccess::inContact(EncoderSession *encoder)
     waitUntil([&] { return encoder->latest().position || isSilent(); }, longestContactWithNode);
     if (!isConnected() || isAlone())
         return tl::unexpected(whyNothingCame());
+    if (const auto doubled = whetherDoubled(CanopenAddress::of(encoder->place().node).node))
+        return tl::unexpected(*doubled);
     if (isSilent() || state() == EncoderState::notSeen)
         return tl::unexpected(aboutSilentNode(CanopenAddress::of(encoder->place().node), true));
     waitUntil([&] { return encoder->known(Parameter::serialNumber).has_value(); }, longestIdentityOfNode);
@@ -322,12 +326,32 @@ void CanopenAccess::lookAgain(const EncoderSession &encoder)
               longestLookAtNode);
 }
 
-bool CanopenAccess::waitUntil(const std::function<bool()> &isDone, Instant atMost)
+bool CanopenAccess::waitUntil(const std::function<bool()> &isDone, Instant atMost, WhenStopped stopped)
 {
     for (Instant waited{}; !isDone() && waited < atMost; waited += lookInterval())
-        if (!advance(lookInterval()) || (waited >= longestAlone && isAlone()))
-            return false;
+        if (!advance(lookInterval()) || (waited >= longestAlone && isAlone()) ||
+            (stopped == WhenStopped::ends && isStopped()))
+            break;
     return isDone();
+}
+
+CanopenAccess::ByHand::ByHand(CanopenAccess &bus)
+    : m_bus(bus)
+{
+    m_bus.m_stop.emplace();
+    m_bus.m_isStopped = false;
+}
+
+CanopenAccess::ByHand::~ByHand()
+{
+    m_bus.isStopped(); // what came last is of this, too
+    m_bus.m_stop.reset();
+}
+
+bool CanopenAccess::isStopped()
+{
+    m_isStopped = m_isStopped || (m_stop && m_stop->came());
+    return m_stop && m_isStopped;
 }
 
 // A controller sends a frame again and again until it is acknowledged.
@@ -339,16 +363,36 @@ bool CanopenAccess::isAlone() const
 
 Complaint CanopenAccess::whyNothingCame() const
 {
-    if (!isConnected() || !isAlone())
-        return linkLost();
+    if (isConnected() && m_stop && m_isStopped)
+        return aboutCancelling();
+    return !isConnected() || !isAlone() ? linkLost() : aboutNobody();
+}
+
+Complaint CanopenAccess::aboutNobody() const
+{
     return {
         ExitCode::refused, QStringLiteral("nobodyAcknowledges"),
         CommandLine::tr("Nobody on the bus acknowledges what is sent: no node is there or has supply, the "
                         "rate is another one, or the wiring is interrupted.")};
 }
 
-Checked<canopen::SdoOutcome> CanopenAccess::transfer(const canopen::SdoRequest &request)
+std::optional<Complaint> CanopenAccess::whetherDoubled(int node) const
 {
+    const CanopenSnapshot::Node *heard = m_session->latest().heard(node);
+    return heard != nullptr && heard->isDoubled ? std::optional(complaint(canopen::nodeIsDoubled(node)))
+                                                : std::nullopt;
+}
+
+// A write that was sent is waited for. The answer of another one comes a little later than the first.
+Checked<canopen::SdoOutcome> CanopenAccess::transfer(const canopen::SdoRequest &request, WhenStopped stopped)
+{
+    if (stopped == WhenStopped::ends && isStopped())
+        return tl::unexpected(aboutCancelling());
+    const auto seconds = [&] {
+        const CanopenSnapshot::Node *heard = m_session->latest().heard(request.node);
+        return heard != nullptr ? heard->secondAnswers : 0;
+    };
+    const int before = seconds();
     std::optional<TransferEnded> ended;
     QObject scope;
     QObject::connect(m_session.get(), &CanopenSession::transferEnded, &scope, [&](const TransferEnded &one) {
@@ -356,24 +400,48 @@ Checked<canopen::SdoOutcome> CanopenAccess::transfer(const canopen::SdoRequest &
             ended = one;
     });
     m_session->transfer(request);
-    if (!waitUntil([&] { return ended.has_value(); }, longestTransfer))
+    if (!waitUntil([&] { return ended.has_value(); }, longestTransfer,
+                   request.value ? WhenStopped::goesOn : stopped))
         return tl::unexpected(whyNothingCame());
     if (ended->refused)
         return tl::unexpected(complaint(*ended->refused));
+    if (!request.value && stopped == WhenStopped::ends && isStopped())
+        return tl::unexpected(aboutCancelling());
+    if (ended->outcome.kind != canopen::SdoOutcome::Kind::noAnswer)
+        advance(untilSecondAnswer);
+    if (const auto doubled = whetherDoubled(request.node))
+        return tl::unexpected(*doubled);
+    if (seconds() > before)
+        return tl::unexpected(complaint(canopen::nodeIsDoubled(request.node)));
     return ended->outcome;
 }
 
-Checked<canopen::LssOutcome> CanopenAccess::configure(const canopen::LssRequest &request)
+// What was sent is waited for; a search is not.
+Checked<canopen::LssOutcome> CanopenAccess::configure(const canopen::LssRequest &request, WhenStopped stopped)
 {
+    if (stopped == WhenStopped::ends && isStopped())
+        return tl::unexpected(aboutCancelling());
     std::optional<Configured> ended;
     QObject scope;
     QObject::connect(m_session.get(), &CanopenSession::configured, &scope,
                      [&](const Configured &one) { ended = one; });
     m_session->configure(request);
-    if (!waitUntil([&] { return ended.has_value(); }, longestTransfer))
+    using Kind = canopen::LssRequest::Kind;
+    const bool isSearch = request.kind == Kind::fastScan;
+    const bool isWrite =
+        request.kind == Kind::setNode || request.kind == Kind::setRate || request.kind == Kind::store;
+    const auto isEnded = [&] { return ended.has_value(); };
+    const bool isDone = waitUntil(isEnded, longestTransfer, isSearch ? stopped : WhenStopped::goesOn);
+    if (!isDone && isSearch && isStopped()) {
+        m_session->cancelConfiguration();
+        waitUntil(isEnded, longestLookAtNode, WhenStopped::goesOn);
+    }
+    if (!isDone)
         return tl::unexpected(whyNothingCame());
     if (ended->refused)
         return tl::unexpected(complaint(*ended->refused));
+    if (!isWrite && stopped == WhenStopped::ends && isStopped())
+        return tl::unexpected(aboutCancelling());
     return ended->outcome;
 }
 
@@ -384,7 +452,7 @@ Checked<CanFate> CanopenAccess::send(const CanFrame &frame)
     QObject::connect(m_session.get(), &CanopenSession::frameSent, &scope,
                      [&](const FrameSent &one) { ended = one; });
     m_session->send(frame);
-    if (!waitUntil([&] { return ended.has_value(); }, longestContactWithNode))
+    if (!waitUntil([&] { return ended.has_value(); }, longestContactWithNode, WhenStopped::goesOn))
         return tl::unexpected(whyNothingCame());
     if (ended->refused)
         return tl::unexpected(complaint(*ended->refused));

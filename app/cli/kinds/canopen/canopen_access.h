@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/bus/bus_access.h"
+#include "cli/call/stop_signals.h"
 #include "cli/kinds/canopen/canopen_link.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/described_node.h"
@@ -75,16 +76,38 @@ public:
 
     // The link for programs; "training" for the simulated bus.
     virtual QString linkKey() const;
-    // By hand, in Operate, each to its end.
-    Checked<canopen::SdoOutcome> transfer(const canopen::SdoRequest &request);
-    Checked<canopen::LssOutcome> configure(const canopen::LssRequest &request);
+    // As long as it lives, Ctrl+C ends what is done by hand: what has not been sent is not, and what was is
+    // waited for.
+    class ByHand
+    {
+    public:
+        explicit ByHand(CanopenAccess &bus);
+        ~ByHand();
+        ByHand(const ByHand &) = delete;
+        ByHand &operator=(const ByHand &) = delete;
+
+    private:
+        CanopenAccess &m_bus;
+    };
+    enum class WhenStopped : std::uint8_t { ends, goesOn };
+
+    // By hand, in Operate, each to its end. Refused after Ctrl+C, unless it `goesOn`, as to find out what
+    // became of a write; and where more than one answer comes.
+    Checked<canopen::SdoOutcome> transfer(const canopen::SdoRequest &request,
+                                          WhenStopped stopped = WhenStopped::ends);
+    Checked<canopen::LssOutcome> configure(const canopen::LssRequest &request,
+                                           WhenStopped stopped = WhenStopped::ends);
     Checked<CanFate> send(const CanFrame &frame);
+    // Of the node with this number there are two.
+    std::optional<Complaint> whetherDoubled(int node) const;
     // Nobody acknowledges what is sent, so it never ends.
     bool isAlone() const;
+    Complaint aboutNobody() const; // who acknowledges
     // Why what was waited for did not come.
     Complaint whyNothingCame() const;
-    // False: the link is gone, nobody acknowledges, or it did not become so.
-    bool waitUntil(const std::function<bool()> &isDone, Instant atMost);
+    // False: the link is gone, nobody acknowledges, it was stopped, or it did not become so.
+    bool waitUntil(const std::function<bool()> &isDone, Instant atMost,
+                   WhenStopped stopped = WhenStopped::ends);
 
 protected:
     CanopenAccess(const CanopenLink &settings, std::unique_ptr<CanopenSession> session);
@@ -92,6 +115,7 @@ protected:
 private:
     Checked<void> whetherHeldBack() const;
     Checked<void> open(CanopenSession::Start start);
+    bool isStopped();
     Complaint aboutOpening(const Refusal &why) const;
     QString howToAgree(const Refusal &why) const;
     Checked<QString> deviceAt(const Call &call, CanopenAddress address);
@@ -107,6 +131,8 @@ private:
     std::map<int, CanFrame> m_firstPdos;          // by node, each the newest
     const SlcanLink *m_adapter = nullptr;         // of the session; null: it uses none
     std::optional<Refusal> m_notOpened;           // the reason
+    std::optional<StopSignals> m_stop;            // while something is done by hand
+    bool m_isStopped = false;                     // by Ctrl+C
 };
 
 } // namespace codewheel

@@ -11,6 +11,8 @@
 #include "project/bus_plans.h"
 #include "vocabulary/sentence.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <array>
 
@@ -41,7 +43,7 @@ std::uint32_t assumedPosition(const CanFrame &pdo)
 
 QString loadText(double load)
 {
-    return QString::number(load * 100, 'f', 1);
+    return QLocale().toString(load * 100, 'f', 1);
 }
 
 } // namespace

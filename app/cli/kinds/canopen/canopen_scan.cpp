@@ -29,9 +29,8 @@ constexpr NamedValue<canopen::NmtState> nmtStateKeys[] = {
     {"preOperational", canopen::NmtState::preOperational},
 };
 constexpr NamedValue<canopen::Heartbeat> heartbeatKeys[] = {
-    {"notHeard", canopen::Heartbeat::notHeard},
-    {"present", canopen::Heartbeat::present},
-    {"late", canopen::Heartbeat::late},
+    {"notHeard", canopen::Heartbeat::notHeard}, {"heard", canopen::Heartbeat::heard},
+    {"present", canopen::Heartbeat::present},   {"late", canopen::Heartbeat::late},
     {"lost", canopen::Heartbeat::lost},
 };
 
@@ -44,24 +43,32 @@ bool listen(CanopenAccess &bus, StopSignals &stop, Instant duration)
     return true;
 }
 
-// As far as they came; empty: not done.
-std::optional<NodesScanned> ask(const Call &call, CanopenAccess &bus, StopSignals &stop)
+// As far as they came.
+struct AskedNodes
 {
-    std::optional<NodesScanned> result;
+    std::optional<NodesScanned> scanned{}; // empty: not done
+    bool wasStopped = false;               // by Ctrl+C
+};
+
+AskedNodes ask(const Call &call, CanopenAccess &bus, StopSignals &stop)
+{
+    AskedNodes asked;
     QObject scope;
     QObject::connect(&bus.session(), &CanopenSession::scanned, &scope, [&](const NodesScanned &some) {
-        result = some;
+        asked.scanned = some;
         if (!call.arguments.has("--json") && !some.isDone)
             call.terminal.showProgress(
                 sentence(CommandLine::tr("Nodes asked: %1 of 127. Found: %2."),
                          {QString::number(some.asked), QString::number(some.found.size())}));
     });
     bus.session().scan();
-    while ((!result || !result->isDone) && bus.advance(canLookInterval))
-        if (stop.came() || bus.isAlone())
+    while ((!asked.scanned || !asked.scanned->isDone) && bus.advance(canLookInterval)) {
+        asked.wasStopped = asked.wasStopped || stop.came();
+        if (asked.wasStopped || bus.isAlone())
             bus.session().cancelScan();
+    }
     call.terminal.showProgress({});
-    return result;
+    return asked;
 }
 
 std::vector<NodeOnBus> together(const CanopenSnapshot &heard, const std::vector<canopen::FoundNode> &asked)
@@ -192,15 +199,20 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
     if (const auto opened = asks ? bus.openToSend(call) : bus.open(); !opened)
         return tl::unexpected(opened.error());
     StopSignals stop;
+    bool isStuck = false; // nothing went out any more
     bool isWhole = listen(bus, stop, *time);
     std::vector<canopen::FoundNode> asked;
     if (isWhole && asks) {
-        const auto result = ask(call, bus, stop);
-        isWhole = result && result->isDone && !result->isCancelled;
-        asked = result ? result->found : asked;
+        const AskedNodes result = ask(call, bus, stop);
+        const bool isCancelled = result.scanned && result.scanned->isCancelled;
+        isWhole = result.scanned && result.scanned->isDone && !isCancelled;
+        isStuck = isCancelled && !result.wasStopped;
+        asked = result.scanned ? result.scanned->found : asked;
     }
     if (!bus.isConnected() || bus.isAlone())
         return tl::unexpected(bus.whyNothingCame());
+    if (isStuck)
+        return tl::unexpected(bus.aboutNobody());
     ScannedCan scanned{.answer = {}, .nodes = together(bus.session().latest(), asked)};
     scanned.answer = answerOf(call.catalog, bus, scanned.nodes, asks);
     if (!isWhole)

@@ -5,6 +5,7 @@
 #include "cli/call/texts.h"
 #include "cli/encoder/consent.h"
 #include "cli/encoder/eeprom_consent.h"
+#include "cli/encoder/jobs.h"
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/canopen/object_argument.h"
 #include "vocabulary/hex.h"
@@ -100,7 +101,21 @@ QJsonObject identityJson(const NodeIdentity &identity)
             {QStringLiteral("serialNumber"), qint64{identity.serial()}}};
 }
 
-// One device by LSS; it is left when this ends.
+Complaint aboutSeveral()
+{
+    return lssComplaint("lssSeveral", CommandLine::tr("More than one device answers by LSS. Have one device "
+                                                      "alone on the bus."));
+}
+
+Complaint aboutOther()
+{
+    return lssComplaint("lssIdentityDiffers",
+                        CommandLine::tr("The device that was found and the one that "
+                                        "answers are not the same. Nothing was written: "
+                                        "have one device alone on the bus."));
+}
+
+// One device by LSS. In configuration it is only from select() to leave(), or to the end of this.
 class SelectedDevice
 {
 public:
@@ -112,43 +127,56 @@ public:
     SelectedDevice(const SelectedDevice &) = delete;
     SelectedDevice &operator=(const SelectedDevice &) = delete;
 
-    // As the call says; its identity is read from it then.
+    // As the call says; its identity is read from it then. Once more: it must be the same one.
     Checked<void> select();
     // A device without a number takes part with its new one from then on.
     Checked<void> leave();
-    Checked<LssOutcome> ask(const LssRequest &request) { return m_bus.configure(request); }
+    Checked<LssOutcome> ask(const LssRequest &request)
+    {
+        return ask(request, CanopenAccess::WhenStopped::ends);
+    }
 
-    const NodeIdentity &identity() const { return m_identity; }
-    std::optional<int> node() const { return m_node; } // empty: it has none
+    bool hasOthers() const { return m_extraAnswers > 0; } // that answer, too
+    std::optional<int> node() const { return m_node; }    // empty: it has none
     std::optional<Place> place() const { return m_place; }
     int numberOnBus() const { return m_of != 0 ? m_of : m_node.value_or(0); } // 0: it has none
     QString text() const;
     QJsonObject json() const;
 
 private:
+    Checked<LssOutcome> ask(const LssRequest &request, CanopenAccess::WhenStopped stopped);
+    Checked<LssOutcome> selectOne();
     Checked<LssOutcome> selectNode(const QString &typed);
     Checked<NodeIdentity> identityAt(const NodeMeant &where);
 
     const Call &m_call;
     CanopenAccess &m_bus;
     bool m_isSelected = false;
-    NodeIdentity m_wanted{}; // with --of
+    int m_extraAnswers = 0;
+    std::optional<NodeIdentity> m_wanted{}; // as its node, the search or itself has told it
     NodeIdentity m_identity{};
     std::optional<int> m_node{};
     std::optional<Place> m_place{}; // given
     int m_of = 0;                   // likewise
 };
 
+Checked<LssOutcome> SelectedDevice::ask(const LssRequest &request, CanopenAccess::WhenStopped stopped)
+{
+    auto outcome = m_bus.configure(request, stopped);
+    // In a search each of them answers.
+    if (outcome && request.kind != LssRequest::Kind::fastScan)
+        m_extraAnswers += outcome->extraAnswers;
+    return outcome;
+}
+
 Checked<void> SelectedDevice::select()
 {
-    const auto of = m_call.arguments.value("--of");
     m_isSelected = true;
     // Whom somebody else has left in configuration would take what is meant for this one.
     if (const auto others = ask({.kind = LssRequest::Kind::operateAll}); !others)
         return tl::unexpected(others.error());
-    const auto found = of ? selectNode(*of)
-                          : ask({.kind = m_call.arguments.has("--alone") ? LssRequest::Kind::configureAll
-                                                                         : LssRequest::Kind::fastScan});
+    m_extraAnswers = 0;
+    const auto found = selectOne();
     if (!found)
         return tl::unexpected(found.error());
     if (found->kind == LssOutcome::Kind::notSent)
@@ -158,23 +186,38 @@ Checked<void> SelectedDevice::select()
     const auto identity = ask({.kind = LssRequest::Kind::inquireIdentity});
     if (!identity)
         return tl::unexpected(identity.error());
-    if (identity->kind != LssOutcome::Kind::done)
-        return tl::unexpected(aboutNoLssDevice(m_call));
-    m_identity = identity->identity;
-    const bool isAlone = m_call.arguments.has("--alone");
-    if (!isAlone && (of ? m_wanted : found->identity) != m_identity)
-        return tl::unexpected(lssComplaint("lssIdentityDiffers",
-                                           CommandLine::tr("The device that was found and the one that "
-                                                           "answers are not the same. Nothing was written: "
-                                                           "have one device alone on the bus.")));
     const auto node = ask({.kind = LssRequest::Kind::inquireNode});
     if (!node)
         return tl::unexpected(node.error());
-    if (node->kind == LssOutcome::Kind::noAnswer)
+    const bool isTold = identity->kind == LssOutcome::Kind::done && node->kind == LssOutcome::Kind::done;
+    if (!isTold && m_call.arguments.has("--alone"))
         return tl::unexpected(aboutNoLssDevice(m_call));
-    if (node->kind == LssOutcome::Kind::done)
-        m_node = node->node;
+    if (!isTold)
+        return tl::unexpected(lssComplaint(
+            "lssIdentityNotTold", CommandLine::tr("The device was selected, and then does not tell "
+                                                  "its identity and number, without which nothing is "
+                                                  "written.")));
+    if (m_wanted.value_or(identity->identity) != identity->identity)
+        return tl::unexpected(aboutOther());
+    if (hasOthers())
+        return tl::unexpected(aboutSeveral());
+    m_wanted = m_identity = identity->identity;
+    m_node = node->node;
     return {};
+}
+
+Checked<LssOutcome> SelectedDevice::selectOne()
+{
+    if (m_call.arguments.has("--alone"))
+        return ask({.kind = LssRequest::Kind::configureAll});
+    if (m_wanted)
+        return ask({.kind = LssRequest::Kind::select, .identity = *m_wanted});
+    if (const auto of = m_call.arguments.value("--of"))
+        return selectNode(*of);
+    return ask({.kind = LssRequest::Kind::fastScan}).map([this](const LssOutcome &found) {
+        m_wanted = found.identity;
+        return found;
+    });
 }
 
 // By its identity, as the node itself tells it.
@@ -212,16 +255,17 @@ Checked<NodeIdentity> SelectedDevice::identityAt(const NodeMeant &where)
 
 Checked<void> SelectedDevice::leave()
 {
-    if (!std::exchange(m_isSelected, false) || !m_bus.isConnected())
+    if (!std::exchange(m_isSelected, false))
         return {};
-    const auto left = ask({.kind = LssRequest::Kind::operateAll});
-    if (!left)
-        return tl::unexpected(left.error());
-    if (left->kind == LssOutcome::Kind::done)
-        return {};
-    return tl::unexpected(
+    const auto mayStay =
         lssComplaint("lssNotLeft", CommandLine::tr("The device may still be in LSS configuration. Switch its "
-                                                   "supply off and on, or start the command again.")));
+                                                   "supply off and on, or start the command again."));
+    if (!m_bus.isConnected())
+        return tl::unexpected(mayStay);
+    const auto left = ask({.kind = LssRequest::Kind::operateAll}, CanopenAccess::WhenStopped::goesOn);
+    if (left && left->kind == LssOutcome::Kind::done)
+        return {};
+    return tl::unexpected(mayStay);
 }
 
 QString SelectedDevice::text() const
@@ -246,50 +290,96 @@ QString aboutMore(const Call &call)
                : CommandLine::tr("Whether there are more without a number is seen when this one has one.");
 }
 
-// What is to be written, asked for after the device was shown.
-Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssRequest &request,
-                           const QString &question)
+// What went wrong, and whether the device is left in configuration.
+Complaint withWhereItWasLeft(Complaint what, SelectedDevice &device)
 {
-    SelectedDevice device(call, bus);
+    if (const auto left = device.leave(); !left)
+        what.text += u' ' + left.error().text;
+    return what;
+}
+
+Checked<void> showByLss(const Call &call, CanopenAccess &bus, SelectedDevice &device)
+{
+    const CanopenAccess::ByHand byHand(bus);
     if (const auto selected = device.select(); !selected)
-        return tl::unexpected(selected.error());
+        return tl::unexpected(withWhereItWasLeft(selected.error(), device));
+    if (const auto left = device.leave(); !left)
+        return left;
     if (!call.arguments.has("--json"))
         call.terminal.print(device.text());
+    return {};
+}
+
+// Everything that has to be agreed to before.
+Checked<void> agreeToLss(const Call &call, CanopenAccess &bus, const SelectedDevice &device, bool stores,
+                         const QString &question)
+{
     if (call.arguments.has("--alone"))
         call.terminal.complain(aboutMore(call));
     if (const auto agreed = consent(
             call, question, CommandLine::tr("Nothing was written: there is nobody to ask. Add --yes."));
         !agreed)
-        return tl::unexpected(agreed.error());
-    if (const auto may = bus.listenAgain(); !may)
-        return tl::unexpected(may.error());
-    const bool stores = request.kind == LssRequest::Kind::store;
+        return agreed;
     const EncoderSession *encoder =
         stores && device.place() ? bus.bus().encoder(device.place()->node) : nullptr;
     if (encoder != nullptr)
         if (const auto may = eepromConsent(call, *encoder, 1, AsksAnyway::yes); !may)
             return tl::unexpected(may.error());
+    return bus.listenAgain();
+}
+
+// Its end, with what is known of it.
+std::optional<Complaint> sendByLss(CanopenAccess &bus, SelectedDevice &device, const LssRequest &request)
+{
+    const auto outcome = device.ask(request);
+    std::optional<Complaint> complaint;
+    if (!outcome) {
+        complaint = outcome.error();
+        if (complaint->key != aboutCancelling().key) // then it was not sent
+            complaint->text += u' ' + aboutLssOutcome({}).text;
+    } else if (outcome->kind != LssOutcome::Kind::done) {
+        complaint = aboutLssOutcome(*outcome);
+        if (!bus.isConnected())
+            complaint->text = bus.linkLost().text + u' ' + complaint->text;
+    }
+    const auto left = device.leave();
+    if (!left && !complaint)
+        complaint = left.error();
+    else if (!left)
+        complaint->text += u' ' + left.error().text;
+    if (device.hasOthers() && !complaint)
+        complaint = aboutSeveral();
+    return complaint;
+}
+
+// What is to be written, asked for after the device was shown. While that is asked it is in no configuration.
+Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssRequest &request,
+                           const QString &question)
+{
+    SelectedDevice device(call, bus);
+    if (const auto shown = showByLss(call, bus, device); !shown)
+        return tl::unexpected(shown.error());
+    const bool stores = request.kind == LssRequest::Kind::store;
+    if (const auto agreed = agreeToLss(call, bus, device, stores, question); !agreed)
+        return tl::unexpected(agreed.error());
+    const CanopenAccess::ByHand byHand(bus);
+    if (const auto selected = device.select(); !selected)
+        return tl::unexpected(withWhereItWasLeft(selected.error(), device));
+    const bool hadNone = !device.node();
     LssRequest asked = request;
     if (stores)
         asked.number = device.numberOnBus();
-    const auto outcome = device.ask(asked);
-    if (!outcome)
-        return tl::unexpected(outcome.error());
     Answer answer{.json = {{QStringLiteral("device"), device.json()}}};
     addBus(answer.json, bus);
-    if (outcome->kind != LssOutcome::Kind::done)
-        answer.complaint = aboutLssOutcome(*outcome);
-    else if (stores)
+    answer.complaint = sendByLss(bus, device, asked);
+    if (answer.complaint)
+        return answer;
+    if (stores)
         answer.text = CommandLine::tr("The device says that it has stored number and rate. Some makes say so "
                                       "and do not: it is sure when they are there after its supply was "
                                       "switched off and on.") +
                       u'\n';
-    const bool hadNone = !device.node();
-    if (const auto left = device.leave(); !left && !answer.complaint)
-        answer.complaint = left.error();
-    if (answer.complaint || stores)
-        return answer;
-    if (request.kind == LssRequest::Kind::setRate)
+    else if (request.kind == LssRequest::Kind::setRate)
         answer.text = CommandLine::tr("The device has taken the rate. It is in force once it was stored "
                                       "(codewheel-cli lss store) and its supply switched off and on.") +
                       u'\n';
@@ -305,6 +395,7 @@ Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssReques
 void tellNewNode(CanopenAccess &bus, int node, Answer &answer)
 {
     constexpr Instant longestBootOfNew = std::chrono::seconds(2);
+    const CanopenAccess::ByHand byHand(bus);
     const bool isThere =
         bus.waitUntil([&] { return bus.session().latest().heard(node) != nullptr; }, longestBootOfNew);
     answer.json.insert(QStringLiteral("isThere"), isThere);
@@ -378,9 +469,12 @@ Checked<Answer> lssShow(const Call &call, CanopenAccess &bus)
         return badInput(QStringLiteral("lssScanOfAll"),
                         CommandLine::tr("scan looks for devices without a number. Leave --of and --alone "
                                         "out, or write show."));
+    const CanopenAccess::ByHand byHand(bus);
     SelectedDevice device(call, bus);
     if (const auto selected = device.select(); !selected)
-        return tl::unexpected(selected.error());
+        return tl::unexpected(withWhereItWasLeft(selected.error(), device));
+    if (const auto left = device.leave(); !left)
+        return tl::unexpected(left.error());
     Answer answer{device.text(), {{QStringLiteral("device"), device.json()}}};
     addBus(answer.json, bus);
     if (!call.arguments.has("--of"))

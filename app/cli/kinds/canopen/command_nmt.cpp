@@ -30,6 +30,7 @@ constexpr std::array nmtOptions{
 
 constexpr Instant longestWaitForState = 1'500ms; // a heartbeat comes once a second
 constexpr std::chrono::seconds longestBoot{3};
+constexpr Instant longestSecondBoot = 500ms; // of another one with this number
 
 struct CommandRow
 {
@@ -89,6 +90,17 @@ Complaint aboutState(int node, std::optional<NmtState> state)
             {std::int64_t{node}}};
 }
 
+Complaint aboutUntoldState(int node)
+{
+    return {
+        ExitCode::refused,
+        QStringLiteral("nmtStateNotKnown"),
+        sentence(CommandLine::tr("Sent. Node %1 does not tell its state, so whether it has done it is not "
+                                 "known."),
+                 {CanopenAddress{node}.shown()}),
+        {std::int64_t{node}}};
+}
+
 // What is known of the node afterwards. The command itself is answered by nobody.
 void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched &before, Answer &answer)
 {
@@ -98,10 +110,14 @@ void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched
         return resets ? now.bootUps > before.bootUps : now.state == row.leadsTo;
     };
     const bool isSeen = bus.waitUntil(isDone, resets ? Instant(longestBoot) : longestWaitForState);
+    if (isSeen && resets)
+        bus.waitUntil([&] { return watched(bus, node).bootUps > before.bootUps + 1; }, longestSecondBoot);
     const std::optional<NmtState> state = watched(bus, node).state;
     answer.json.insert(QStringLiteral("state"), stateJson(state));
     if (!bus.isConnected()) {
         answer.complaint = bus.linkLost();
+    } else if (const auto doubled = bus.whetherDoubled(node)) {
+        answer.complaint = doubled;
     } else if (resets && !isSeen) {
         answer.complaint = bus.complaint({RefusalKind::device,
                                           CanopenRefusalId::notBackAfterReset,
@@ -115,9 +131,7 @@ void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched
     } else if (state) {
         answer.complaint = aboutState(node, state);
     } else {
-        answer.text += sentence(CommandLine::tr("Sent. Node %1 does not tell its state."),
-                                {CanopenAddress{node}.shown()}) +
-                       u'\n';
+        answer.complaint = aboutUntoldState(node);
     }
 }
 
@@ -145,6 +159,7 @@ Checked<Answer> command(const Call &call, CanopenAccess &bus, const CommandRow &
         return tl::unexpected(agreed.error());
     if (const auto may = bus.listenAgain(); !may)
         return tl::unexpected(may.error());
+    const CanopenAccess::ByHand byHand(bus);
     const Watched before = watched(bus, node);
     const auto fate = bus.send(canopen::NmtRequest{row.command, node}.frame());
     if (!fate)
@@ -197,7 +212,7 @@ const Subcommand nmtCommand{
         "needed.\n"
         "\n"
         "Nodes do not answer it. What the node tells afterwards by its heartbeat or boot-up is shown: exit\n"
-        "code 1 if it is in another state, or does not report after a reset."),
+        "code 1 if it is in another state, does not tell its state, or does not report after a reset."),
     .examples = nmtExamples,
     .options = nmtOptions,
     .minimumArguments = 1,

@@ -8,7 +8,9 @@
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/canopen/device_on_node.h"
 #include "cli/kinds/canopen/object_argument.h"
+#include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
+#include "kinds/canopen/protocol/encoder_objects.h"
 #include "vocabulary/sentence.h"
 
 #include <algorithm>
@@ -39,6 +41,13 @@ bool isCounted(canopen::SdoObject object)
     return object.index == 0x1010 || object.index == 0x1011;
 }
 
+// The preset, and those of several sensors.
+bool setsPosition(canopen::SdoObject object)
+{
+    constexpr std::uint16_t presetsOfSensors = 0x6010;
+    return object.index == canopen::object::preset.index || object.index == presetsOfSensors;
+}
+
 Complaint aboutOutcome(const NodeMeant &where, const ObjectArgument &what, const canopen::SdoOutcome &outcome)
 {
     const QString object = what.object.text();
@@ -57,9 +66,12 @@ QString nameOf(const ObjectArgument &what)
                                      : what.object.text();
 }
 
-Checked<canopen::SdoOutcome> readObject(const NodeMeant &where, canopen::SdoObject object)
+using WhenStopped = CanopenAccess::WhenStopped;
+
+Checked<canopen::SdoOutcome> readObject(const NodeMeant &where, canopen::SdoObject object,
+                                        WhenStopped stopped = WhenStopped::ends)
 {
-    return where.bus->transfer({.node = where.node(), .object = object});
+    return where.bus->transfer({.node = where.node(), .object = object}, stopped);
 }
 
 Checked<Answer> runOdRead(const Call &call, const NodeMeant &where, const ObjectArgument &what)
@@ -71,6 +83,7 @@ Checked<Answer> runOdRead(const Call &call, const NodeMeant &where, const Object
                         {what.object.text()});
     if (const auto opened = where.bus->openToSend(call); !opened)
         return tl::unexpected(opened.error());
+    const CanopenAccess::ByHand byHand(*where.bus);
     const auto outcome = readObject(where, what.object);
     if (!outcome)
         return tl::unexpected(outcome.error());
@@ -98,6 +111,11 @@ Checked<void> askToWriteObject(const Call &call, const NodeMeant &where, const O
                                  {objectValueText(what, before->value, before->isSizeTold)});
     if (isCounted(what.object))
         shown += u' ' + CommandLine::tr("It counts as a write to the EEPROM.");
+    if (setsPosition(what.object))
+        shown += u' ' + CommandLine::tr("It sets the position at once.");
+    if (isMakers(what.object))
+        shown += u' ' + CommandLine::tr("It is an object of the maker: it may set the position, change "
+                                        "number or rate, or be stored at once. Look into the manual.");
     if (!call.arguments.has("--json"))
         call.terminal.print(shown + u'\n');
     return consent(call, CommandLine::tr("Write it?"),
@@ -117,7 +135,8 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
 {
     const bool mayBeWritten = outcome.kind == Kind::written || outcome.kind == Kind::noAnswer;
     const bool isReadBack = mayBeWritten && !isCounted(what.object);
-    const auto after = isReadBack ? readObject(where, what.object) : Checked<canopen::SdoOutcome>();
+    const auto after =
+        isReadBack ? readObject(where, what.object, WhenStopped::goesOn) : Checked<canopen::SdoOutcome>();
     const bool isKnown = isReadBack && after && after->kind == Kind::read;
     const bool wasThere = before.kind == Kind::read && std::ranges::equal(before.value, octets);
     const bool tells = outcome.kind == Kind::written || !wasThere; // otherwise it is the value of before
@@ -158,6 +177,13 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
              {object}});
 }
 
+// While it is asked what is to become of it, Ctrl+C ends the program as ever.
+Checked<canopen::SdoOutcome> readBefore(const NodeMeant &where, canopen::SdoObject object)
+{
+    const CanopenAccess::ByHand byHand(*where.bus);
+    return readObject(where, object);
+}
+
 Checked<Answer> runOdWrite(const Call &call, const NodeMeant &where, const ObjectArgument &what)
 {
     if (!what.value)
@@ -166,7 +192,7 @@ Checked<Answer> runOdWrite(const Call &call, const NodeMeant &where, const Objec
                         {what.object.text()});
     if (const auto opened = where.bus->openToSend(call); !opened)
         return tl::unexpected(opened.error());
-    const auto before = readObject(where, what.object);
+    const auto before = readBefore(where, what.object);
     if (!before)
         return tl::unexpected(before.error());
     if (before->kind == Kind::noAnswer || before->kind == Kind::notSent)
@@ -182,6 +208,7 @@ Checked<Answer> runOdWrite(const Call &call, const NodeMeant &where, const Objec
     if (isCounted(what.object))
         if (const auto may = allowToStore(call, where); !may)
             return tl::unexpected(may.error());
+    const CanopenAccess::ByHand byHand(*where.bus);
     constexpr Instant longestStoring = std::chrono::seconds(5);
     canopen::SdoRequest request{.node = where.node(), .object = what.object, .value = *octets};
     if (isCounted(what.object))

@@ -40,8 +40,8 @@ TEST(CliNmt, ANodeThatTellsNoStateIsNotTakenToHaveDoneIt)
 {
     SharedCanBus bus;
     const CliRun run = bus.runLine(QStringLiteral("nmt stop can:5 --yes"));
-    EXPECT_EQ(run.exit, 0);
-    EXPECT_EQ(run.out, "Sent. Node 5 (05h) does not tell its state.\n");
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("Sent. Node 5 (05h) does not tell its state"));
 }
 
 TEST(CliNmt, AfterAResetTheNodeHasToReport)
@@ -64,7 +64,7 @@ TEST(CliNmt, WrongCallsAreRefused)
 TEST(CliNmt, ARunningNodeShowsItsPositionsWithoutBeingAsked)
 {
     SharedCanBus bus;
-    EXPECT_EQ(bus.runLine(QStringLiteral("nmt start can:5 --yes")).exit, 0);
+    EXPECT_EQ(bus.runLine(QStringLiteral("nmt start can:5 --yes")).exit, 0) << "by a PDO";
     const CliRun run = bus.runLine(QStringLiteral("monitor can:5 --for 1"));
     EXPECT_EQ(run.exit, 0);
     EXPECT_THAT(run.out, HasSubstr("PDO1 88 13 00 00, which is position 5000 if it is mapped"));

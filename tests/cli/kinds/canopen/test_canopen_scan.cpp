@@ -47,7 +47,7 @@ TEST(CliCanScan, TellsProgramsTheSame)
     EXPECT_EQ(nodes[1].toObject(), (QJsonObject{{QStringLiteral("place"), QStringLiteral("can:6")},
                                                 {QStringLiteral("node"), 6},
                                                 {QStringLiteral("state"), QStringLiteral("preOperational")},
-                                                {QStringLiteral("heartbeat"), QStringLiteral("notHeard")},
+                                                {QStringLiteral("heartbeat"), QStringLiteral("heard")},
                                                 {QStringLiteral("sendsPdos"), false},
                                                 {QStringLiteral("doubled"), false},
                                                 {QStringLiteral("error"), QJsonValue()},
