@@ -30,7 +30,7 @@ ByteList bytesOf(std::string_view text)
     return {text.begin(), text.end()};
 }
 
-class SdoDialogue : public ::testing::Test
+class SdoClientDialogue : public ::testing::Test
 {
 protected:
     SdoClient client{SdoIdentifiers::predefined(5)};
@@ -62,7 +62,7 @@ protected:
     std::optional<SdoOutcome> outcome() { return client.takeOutcome(); }
 };
 
-TEST_F(SdoDialogue, ReadsInOneFrame)
+TEST_F(SdoClientDialogue, ReadsInOneFrame)
 {
     const std::pair<const char *, SdoOutcome> rows[] = {
         {"585# 43 04 60 00 88 13 00 00", wasRead({0x88, 0x13, 0, 0})},
@@ -81,7 +81,7 @@ TEST_F(SdoDialogue, ReadsInOneFrame)
     }
 }
 
-TEST_F(SdoDialogue, WritesInOneFrame)
+TEST_F(SdoClientDialogue, WritesInOneFrame)
 {
     write(sdoPreset, {0, 0, 0, 0});
     passes({"605# 23 03 60 00 00 00 00 00", "585# 60 03 60 00 00 00 00 00"});
@@ -91,7 +91,7 @@ TEST_F(SdoDialogue, WritesInOneFrame)
     EXPECT_EQ(outcome(), wasAborted(0x08000020));
 }
 
-TEST_F(SdoDialogue, ReadsEightLettersInSegments)
+TEST_F(SdoClientDialogue, ReadsEightLettersInSegments)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 41 08 10 00 08 ..", "605# 60 ..", "585# 00 54 57 4B 2D 54 52 4E",
@@ -99,7 +99,7 @@ TEST_F(SdoDialogue, ReadsEightLettersInSegments)
     EXPECT_EQ(outcome(), wasRead(bytesOf("TWK-TRN4")));
 }
 
-TEST_F(SdoDialogue, SegmentsWhoseSizeIsNotToldEndWithTheLast)
+TEST_F(SdoClientDialogue, SegmentsWhoseSizeIsNotToldEndWithTheLast)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 40 08 10 00 ..", "605# 60 ..", "585# 00 54 57 4B 2D 54 52 4E",
@@ -107,7 +107,7 @@ TEST_F(SdoDialogue, SegmentsWhoseSizeIsNotToldEndWithTheLast)
     EXPECT_EQ(outcome(), wasRead(bytesOf("TWK-TRNTWK-TRN")));
 }
 
-TEST_F(SdoDialogue, WritesInSegments)
+TEST_F(SdoClientDialogue, WritesInSegments)
 {
     write(sdoName, bytesOf("TWK-TRN4"));
     passes({"605# 21 08 10 00 08 ..", "585# 60 08 10 00 ..", "605# 00 54 57 4B 2D 54 52 4E", "585# 20 ..",
@@ -123,7 +123,7 @@ TEST_F(SdoDialogue, WritesInSegments)
     EXPECT_EQ(outcome(), SdoOutcome{.kind = OutcomeKind::written});
 }
 
-TEST_F(SdoDialogue, AnotherIdentifierIndexOrSubindexIsNotTheAnswer)
+TEST_F(SdoClientDialogue, AnotherIdentifierIndexOrSubindexIsNotTheAnswer)
 {
     read(sdoPosition);
     EXPECT_EQ(sent(), "605#4004600000000000");
@@ -139,7 +139,7 @@ TEST_F(SdoDialogue, AnotherIdentifierIndexOrSubindexIsNotTheAnswer)
     EXPECT_EQ(outcome(), wasRead({0x88, 0x13, 0, 0}));
 }
 
-TEST_F(SdoDialogue, IdentifiersMayBeOthers)
+TEST_F(SdoClientDialogue, IdentifiersMayBeOthers)
 {
     SdoClient other(SdoIdentifiers{.request = 0x123, .answer = 0x456});
     other.begin({.node = 5, .object = sdoPosition}, now);
@@ -148,7 +148,7 @@ TEST_F(SdoDialogue, IdentifiersMayBeOthers)
     EXPECT_TRUE(other.takeOutcome());
 }
 
-TEST_F(SdoDialogue, AReadIsRepeatedTwice)
+TEST_F(SdoClientDialogue, AReadIsRepeatedTwice)
 {
     read(sdoPosition);
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -162,7 +162,7 @@ TEST_F(SdoDialogue, AReadIsRepeatedTwice)
     EXPECT_FALSE(client.isBusy());
 }
 
-TEST_F(SdoDialogue, AWriteIsNeverRepeated)
+TEST_F(SdoClientDialogue, AWriteIsNeverRepeated)
 {
     write(sdoPreset, {1, 0, 0, 0});
     EXPECT_EQ(sent(), "605#2303600001000000");
@@ -171,7 +171,7 @@ TEST_F(SdoDialogue, AWriteIsNeverRepeated)
     EXPECT_EQ(outcome(), SdoOutcome{.kind = OutcomeKind::noAnswer});
 }
 
-TEST_F(SdoDialogue, TheTimeForTheAnswerBeginsOnTheBus)
+TEST_F(SdoClientDialogue, TheTimeForTheAnswerBeginsOnTheBus)
 {
     read(sdoPosition);
     EXPECT_EQ(sent(), "605#4004600000000000");
@@ -183,7 +183,7 @@ TEST_F(SdoDialogue, TheTimeForTheAnswerBeginsOnTheBus)
     EXPECT_EQ(sent(), "605#4004600000000000");
 }
 
-TEST_F(SdoDialogue, WhatIsRefusedWasNotSent)
+TEST_F(SdoClientDialogue, WhatIsRefusedWasNotSent)
 {
     write(sdoPreset, {1, 0, 0, 0});
     sent();
@@ -196,7 +196,7 @@ TEST_F(SdoDialogue, WhatIsRefusedWasNotSent)
     EXPECT_EQ(sent(), "605#8008100000000405");
 }
 
-TEST_F(SdoDialogue, TheFateOfAnEarlierFrameIsNotThatOfTheNewOne)
+TEST_F(SdoClientDialogue, TheFateOfAnEarlierFrameIsNotThatOfTheNewOne)
 {
     write(sdoPreset, {1, 0, 0, 0});
     sent();
@@ -212,7 +212,7 @@ TEST_F(SdoDialogue, TheFateOfAnEarlierFrameIsNotThatOfTheNewOne)
     EXPECT_EQ(outcome(), wasRead({0x88, 0x13, 0, 0}));
 }
 
-TEST_F(SdoDialogue, AFrameThatLeavesTheQueueLateIsAnsweredLate)
+TEST_F(SdoClientDialogue, AFrameThatLeavesTheQueueLateIsAnsweredLate)
 {
     write(sdoPreset, {1, 0, 0, 0});
     sent();
@@ -230,7 +230,7 @@ TEST_F(SdoDialogue, AFrameThatLeavesTheQueueLateIsAnsweredLate)
 }
 
 // Of two reads one is answered before the write, the other behind it.
-TEST_F(SdoDialogue, WhatIsReadBackWasAskedForAfterTheWrite)
+TEST_F(SdoClientDialogue, WhatIsReadBackWasAskedForAfterTheWrite)
 {
     read(sdoPreset);
     sent();
@@ -246,7 +246,7 @@ TEST_F(SdoDialogue, WhatIsReadBackWasAskedForAfterTheWrite)
     EXPECT_EQ(sent(), "605#2303600001000000");
 }
 
-TEST_F(SdoDialogue, ALateAnswerBelongsToTheOldRequest)
+TEST_F(SdoClientDialogue, ALateAnswerBelongsToTheOldRequest)
 {
     write(sdoPreset, {1, 0, 0, 0});
     sent();
@@ -263,7 +263,7 @@ TEST_F(SdoDialogue, ALateAnswerBelongsToTheOldRequest)
     EXPECT_EQ(client.foreignAnswers(), 0);
 }
 
-TEST_F(SdoDialogue, WhatALateAnswerWouldFitWaitsForIt)
+TEST_F(SdoClientDialogue, WhatALateAnswerWouldFitWaitsForIt)
 {
     write(sdoPreset, {1, 0, 0, 0});
     sent();
@@ -283,7 +283,7 @@ TEST_F(SdoDialogue, WhatALateAnswerWouldFitWaitsForIt)
     EXPECT_EQ(sent(), "605#2303600003000000");
 }
 
-TEST_F(SdoDialogue, AFrameFromBeforeTheRequestIsNotItsAnswer)
+TEST_F(SdoClientDialogue, AFrameFromBeforeTheRequestIsNotItsAnswer)
 {
     read(sdoPosition);
     sent();
@@ -297,7 +297,7 @@ TEST_F(SdoDialogue, AFrameFromBeforeTheRequestIsNotItsAnswer)
     EXPECT_TRUE(outcome());
 }
 
-TEST_F(SdoDialogue, ADoubledAnswerIsTakenOnce)
+TEST_F(SdoClientDialogue, ADoubledAnswerIsTakenOnce)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 41 08 10 00 08 .."});
@@ -313,7 +313,7 @@ TEST_F(SdoDialogue, ADoubledAnswerIsTakenOnce)
     EXPECT_EQ(client.foreignAnswers(), 0);
 }
 
-TEST_F(SdoDialogue, ADoubledAcknowledgementDoesNotConfirmTheNextWrite)
+TEST_F(SdoClientDialogue, ADoubledAcknowledgementDoesNotConfirmTheNextWrite)
 {
     write(sdoPreset, {1, 0, 0, 0});
     passes({"605# 23 03 60 00 01 ..", "585# 60 03 60 00 .."});
@@ -327,7 +327,7 @@ TEST_F(SdoDialogue, ADoubledAcknowledgementDoesNotConfirmTheNextWrite)
     EXPECT_EQ(sent(), "605#2303600002000000");
 }
 
-TEST_F(SdoDialogue, AWrongToggleEndsIt)
+TEST_F(SdoClientDialogue, AWrongToggleEndsIt)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 41 08 10 00 08 ..", "605# 60 ..", "585# 10 54 57 4B 2D 54 52 4E",
@@ -343,7 +343,7 @@ TEST_F(SdoDialogue, AWrongToggleEndsIt)
     EXPECT_EQ(outcome(), wasAborted(0x05030000, true));
 }
 
-TEST_F(SdoDialogue, ATimeOutWithinSegmentsAbortsAndReadsAnew)
+TEST_F(SdoClientDialogue, ATimeOutWithinSegmentsAbortsAndReadsAnew)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 41 08 10 00 08 ..", "605# 60 .."});
@@ -362,7 +362,7 @@ TEST_F(SdoDialogue, ATimeOutWithinSegmentsAbortsAndReadsAnew)
     EXPECT_EQ(outcome(), wasRead(bytesOf("TWK-TRN4")));
 }
 
-TEST_F(SdoDialogue, ATimeOutWithinSegmentsEndsAWrite)
+TEST_F(SdoClientDialogue, ATimeOutWithinSegmentsEndsAWrite)
 {
     write(sdoName, bytesOf("TWK-TRN4"));
     passes({"605# 21 08 10 00 08 ..", "585# 60 08 10 00 ..", "605# 00 54 57 4B 2D 54 52 4E"});
@@ -373,7 +373,7 @@ TEST_F(SdoDialogue, ATimeOutWithinSegmentsEndsAWrite)
     EXPECT_EQ(sent(), "");
 }
 
-TEST_F(SdoDialogue, MoreOrLessThanWasToldIsNoValue)
+TEST_F(SdoClientDialogue, MoreOrLessThanWasToldIsNoValue)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 41 08 10 00 06 ..", "605# 60 ..", "585# 00 54 57 4B 2D 54 52 4E",
@@ -385,7 +385,7 @@ TEST_F(SdoDialogue, MoreOrLessThanWasToldIsNoValue)
     EXPECT_EQ(outcome(), wasAborted(0x06070013, true));
 }
 
-TEST_F(SdoDialogue, EndlessSegmentsEnd)
+TEST_F(SdoClientDialogue, EndlessSegmentsEnd)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 41 08 10 00 FF FF FF FF", "605# 80 08 10 00 05 00 04 05"});
@@ -401,7 +401,7 @@ TEST_F(SdoDialogue, EndlessSegmentsEnd)
     EXPECT_EQ(sent(), "605#8008100005000405");
 }
 
-TEST_F(SdoDialogue, TheDeviceAbortsWithinSegments)
+TEST_F(SdoClientDialogue, TheDeviceAbortsWithinSegments)
 {
     read(sdoName);
     passes({"605# 40 08 10 00 ..", "585# 41 08 10 00 08 ..", "605# 60 ..", "585# 80 08 10 00 00 00 04 05"});
@@ -409,7 +409,7 @@ TEST_F(SdoDialogue, TheDeviceAbortsWithinSegments)
     EXPECT_EQ(sent(), "");
 }
 
-TEST_F(SdoDialogue, CancellingAbortsWhatHasBegun)
+TEST_F(SdoClientDialogue, CancellingAbortsWhatHasBegun)
 {
     read(sdoName);
     client.cancel(now);
