@@ -57,6 +57,7 @@ Result<void> WordChannel::send(Word word)
 void WordChannel::show(const WordsOnBus &words, const Freshness &freshness, Instant now)
 {
     const bool isOther = words != m_words || !freshness.isSameStateAs(m_freshness);
+    const bool isOutOther = words.out != m_words.out;
     m_words = words;
     m_freshness = freshness;
     if (m_written && m_written->at <= now) {
@@ -65,6 +66,8 @@ void WordChannel::show(const WordsOnBus &words, const Freshness &freshness, Inst
         if (isStaged)
             unstage();
     }
+    if (isOutOther && words.outIsKnown && m_staged == words.out) // sent by a job, or by somebody else
+        unstage();
     if (isOther)
         Q_EMIT changed();
 }

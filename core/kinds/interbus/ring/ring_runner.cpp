@@ -136,7 +136,8 @@ void RingRunner::Private::carryOut(command::StopBus)
         if (const auto stopped = master->stopDataTransfer(); !stopped)
             refuseOfRing(stopped.error());
     leaveRun(MasterState::active);
-    tellOfRing({.id = MessageId::busStopped});
+    if (!isClosing || link.boundsWordsToCycles()) // otherwise the ring goes on without us
+        tellOfRing({.id = MessageId::busStopped});
 }
 
 void RingRunner::Private::carryOut(command::SetOperate c)
@@ -602,9 +603,11 @@ void RingRunner::slept(std::chrono::milliseconds duration)
 void RingRunner::close()
 {
     d->ring.at = d->link.now();
+    d->isClosing = true;
     m_mail.post(command::StopBus{});
     while (!d->carryOutCommands() && d->ring.connected)
         d->work();
+    d->isClosing = false;
     d->endJobs(RefusalId::busStopped);
     d->lookAtMaster();
     if (d->guests)

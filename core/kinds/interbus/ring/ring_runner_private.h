@@ -133,6 +133,7 @@ struct RingRunner::Private
     MasterWatch masterWatch{};
     std::uint64_t seenOfMaster = ~std::uint64_t{0}; // MasterLink::statusChanges()
     bool outIsKnown = true; // false: the peer did not tell it when the link was opened
+    bool isClosing = false;
     bool readingIn = false;
     bool ringIsOther = false; // the ring is not ours: nothing can be exchanged
     bool runsAgain = false;   // once there is a ring to run: it ran before, or was started meanwhile

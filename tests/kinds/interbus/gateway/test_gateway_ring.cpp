@@ -87,6 +87,28 @@ TEST_F(GatewayRing, ConnectingAndWatchingWriteNothing)
     EXPECT_EQ(ring->gateway->writes(), writes);
 }
 
+TEST_F(GatewayRing, DisconnectingFromItStopsNoBus)
+{
+    open(EncoderBus::Start::watching);
+    ring->bus->close();
+    EXPECT_EQ(std::ranges::count(ring->messages, MessageId::busStopped, &Message::id), 0);
+}
+
+TEST_F(GatewayRing, AnEditedWordIsSentOnceAJobHasSentIt)
+{
+    open(EncoderBus::Start::operating);
+    WordChannel &words = *ring->bus->channel(writtenPlace);
+    words.stage(0x2021'0001);
+    ASSERT_TRUE(ring->encoder(writtenPlace).start(ReadParameters{{Parameter::steps}}));
+    for (int i = 0; i < 5'000 && words.out() != 0x2021'0001; ++i)
+        ring->bus->advance(1ms);
+    ASSERT_EQ(words.out(), 0x2021'0001);
+    EXPECT_EQ(words.staged(), std::nullopt);
+    words.stage(0x0200'00FF);
+    ring->bus->advance(1s);
+    EXPECT_EQ(words.staged(), 0x0200'00FF) << "that nobody has sent";
+}
+
 TEST_F(GatewayRing, WhatIsThereStaysThereInOperateToo)
 {
     make();
