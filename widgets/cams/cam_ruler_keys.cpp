@@ -46,8 +46,8 @@ void CamRuler::moveByKey(std::int64_t by)
 {
     const std::size_t number = m_sheet.current();
     const Cam &cam = m_sheet.cam(number);
-    if (m_grip == CamGrip::bar && cam_circle::isEmpty(cam))
-        return; // there is none to be moved
+    if (m_grip == CamGrip::bar && (!cam.active || cam_circle::isEmpty(cam)))
+        return; // there is none to be moved, or it is off
     const std::int64_t total = m_scale.total();
     if (m_keyGesture == CamDocument::noGesture)
         m_keyGesture = m_sheet.document().newGesture();

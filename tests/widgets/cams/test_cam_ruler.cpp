@@ -186,6 +186,16 @@ TEST_F(CamRulerTest, KeysMoveNoCamThatNobodyHasSet)
     EXPECT_EQ(sheet.cam(0), (Cam{0, 1, false}));
 }
 
+TEST_F(CamRulerTest, KeysMoveNoCamThatIsOff)
+{
+    sheet.setCurrent(manualCam);
+    const Cam before = sheet.cam(manualCam);
+    sheet.setActive(manualCam, false);
+    key(Qt::Key_Right);
+    EXPECT_EQ(sheet.cam(manualCam).start, before.start);
+    EXPECT_EQ(steps(), 1) << "it was switched off, and nothing else";
+}
+
 TEST_F(CamRulerTest, SpaceAndDeleteActOnTheCam)
 {
     sheet.setCurrent(manualCam);
