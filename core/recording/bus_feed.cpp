@@ -18,6 +18,12 @@ Instant knownSince(const EncoderSession &encoder, const EncoderBus &bus, const R
     return newest.value_or(otherwise);
 }
 
+QString nameToRecord(const EncoderBus &bus)
+{
+    const QString name = Place{bus.id()}.shown();
+    return name.isEmpty() ? bus.outline().title() : name;
+}
+
 } // namespace
 
 BusFeed::BusFeed(Buses &buses, WallClockNow now, QObject *parent)
@@ -92,7 +98,7 @@ void BusFeed::tellValues(const EncoderSession &encoder, const ShownSeries &shown
     if (bus == nullptr || shown.empty())
         return;
     if (!m_reached.contains(place.bus))
-        Q_EMIT came(RecordedBus{place.bus, bus->outline().title()});
+        Q_EMIT came(RecordedBus{place.bus, nameToRecord(*bus)});
     tellDevice(encoder, *bus, bus->sinceEpoch(shown.front().at));
     RecordedValues entry{place, shown};
     for (ShownValues &values : entry.values)

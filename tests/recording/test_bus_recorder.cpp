@@ -149,6 +149,17 @@ TEST_F(BusRecorderTest, EveryCycleAndEveryAnswerOfAllBusesIsRecorded)
     EXPECT_TRUE(builtIn().find(recordedDeviceFromJson(descriptions.front().json).key));
 }
 
+TEST_F(BusRecorderTest, ABusHasTheNameItIsShownWith)
+{
+    setBusNames({}, {{ring.id(), QStringLiteral("Crane")}});
+    const auto recorder = begin();
+    advance(1s);
+    recorder->end();
+    setBusNames({});
+    const auto kept = file.reader().buses().value();
+    EXPECT_EQ(std::ranges::find(kept, ring.id(), &RecordedBus::bus)->name, QStringLiteral("Crane"));
+}
+
 TEST_F(BusRecorderTest, TheRoomItNeedsIsEstimatedBefore)
 {
     const RecordingEstimate estimate(buses, histories);
