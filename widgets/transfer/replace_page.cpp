@@ -287,9 +287,18 @@ void ReplacePage::next()
     }
 }
 
+// From the account of one that has failed everything begins anew.
 void ReplacePage::back()
 {
-    showStep(m_pages->currentIndex() - 1);
+    if (m_pages->currentIndex() == account)
+        replace(m_replacing.place);
+    else
+        showStep(m_pages->currentIndex() - 1);
+}
+
+bool ReplacePage::canBeRepeated() const
+{
+    return m_pages->currentIndex() == account && m_unfinished && m_unfinished->place == m_replacing.place;
 }
 
 // The new encoder is in place, whatever becomes of the writing.
@@ -322,7 +331,11 @@ void ReplacePage::showButtons()
     m_next->setToolTip(step == write     ? tr("Sends what is shown above to the new encoder")
                        : step == account ? tr("Back to the monitors")
                                          : tr("To the next step"));
-    m_back->setEnabled(!m_waits && step > device && current()->mayGoBack());
+    const bool repeats = canBeRepeated();
+    m_back->setEnabled(repeats || (!m_waits && step > device && current()->mayGoBack()));
+    m_back->setText(repeats ? tr("&Repeat") : tr("Bac&k"));
+    m_back->setToolTip(repeats ? tr("Begins anew, with what was given of the new encoder")
+                               : tr("To the previous step"));
     m_cancel->setVisible(step != account && !isBusy()); // the strip has one of its own
 }
 

@@ -66,6 +66,7 @@ private:
     void showList();
     void next();
     void back();
+    bool canBeRepeated() const;
     void putIntoProject();
     void takePlanned();
     void followProject();

@@ -22,6 +22,14 @@
 #include <QLocale>
 
 namespace codewheel {
+namespace {
+
+QString whereToEnterValues()
+{
+    return u' ' + ReplaceWriteStep::tr("To have values written, enter them in the panel Parameters first.");
+}
+
+} // namespace
 
 ReplaceWriteStep::ReplaceWriteStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("Write"), parent)
@@ -87,15 +95,16 @@ void ReplaceWriteStep::showPlan()
 QString ReplaceWriteStep::noteOf(const EncoderPlan &plan)
 {
     if (!plan.isWritten() && !plan.hindrance)
-        return tr(
-            "There are no values for it, neither wanted nor stored. Write puts the new encoder into the "
-            "project.");
+        return tr("There are no values for it, neither wanted nor stored. Write puts the new encoder into "
+                  "the project.") +
+               whereToEnterValues();
     const bool hasValues = !plan.write.rows.empty() || !plan.cams.empty();
     return hasValues || plan.hindrance ? transfer_words::summary(plan)
                                        : transfer_words::summary(plan) + u' ' +
                                              tr("The project has no values for it, neither wanted nor "
                                                 "stored: what the previous encoder "
-                                                "had is not written.");
+                                                "had is not written.") +
+                                             whereToEnterValues();
 }
 
 bool ReplaceWriteStep::mayGoOn() const

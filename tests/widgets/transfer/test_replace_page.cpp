@@ -131,6 +131,38 @@ TEST_F(ReplacePageTest, ASecondTryBeginsWithWhatWasGivenInTheFirst)
     advanceWhileBusy(page);
 }
 
+TEST_F(ReplacePageTest, AfterAFailureItIsRepeatedFromItsPage)
+{
+    page.replace(fraba);
+    type("replaceSerial", "4711");
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    click("replaceNext");
+    click("cancelJob");
+    advanceWhileBusy(page);
+    ASSERT_NE(text("replaceResult"), QStringLiteral("Done."));
+    click("replaceBack");
+    EXPECT_EQ(find<QLineEdit>("replaceSerial")->text(), QStringLiteral("4711"));
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    click("replaceNext");
+    advanceWhileBusy(page);
+    ASSERT_EQ(text("replaceResult"), QStringLiteral("Done."));
+    EXPECT_FALSE(find<QPushButton>("replaceBack")->isEnabled()) << "nothing is left to be done";
+}
+
+TEST_F(ReplacePageTest, SaysWhereValuesThatAreMissingAreEntered)
+{
+    project.editDevice(fraba, QStringLiteral("plan"), [](ProjectDevice &device) { device.wanted = {}; });
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    EXPECT_TRUE(text("replaceNote").contains(QStringLiteral("enter them in the panel Parameters first.")));
+}
+
 // It would refuse it, with the scale written.
 TEST_F(ReplacePageTest, APositionBeyondTheWantedRangeIsRefusedBeforeAnythingIsWritten)
 {
