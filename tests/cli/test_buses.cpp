@@ -647,6 +647,11 @@ TEST_F(CliProjectLinks, EachSchemeLeadsToTheBusesOfItsKindInTheProject)
               QStringLiteral("noProject"));
 }
 
+constexpr std::array otherOptions{Option{"--depth", "M", nullptr}, Option{"--dry", nullptr, nullptr}};
+const Service otherService{"other", otherOptions, [](const Call &) -> Checked<Answer> {
+                               return badInput(QStringLiteral("served"), QStringLiteral("served"));
+                           }};
+
 // A kind of bus that can also be reached by another kind's scheme.
 class OtherKind final : public LinkKind
 {
@@ -661,7 +666,17 @@ public:
     }
     Checked<MakeLink> planned(const Project &, BusId, const QStringList &) const override { return {}; }
     MakeLink training(const Project *) const override { return {}; }
+    std::span<const Service> services() const override { return {&otherService, 1}; }
 };
+
+TEST(CliLinks, WhatAKindServesStandsInTheHelp)
+{
+    const auto other = addLinkKind(std::make_unique<OtherKind>());
+    EXPECT_THAT(runLine(QStringLiteral("serve")).err,
+                HasSubstr("| modbus-rtu [--port PORT] [--seats N] [--read-only] | esc "));
+    EXPECT_THAT(runLine(QStringLiteral("serve")).err, HasSubstr(" | other [--depth M] [--dry]"));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("serve other --depth 5 --json"))), "served");
+}
 
 TEST(CliLinks, OfSeveralKindsWithASchemeTheProtocolChooses)
 {

@@ -112,7 +112,7 @@ TEST(Completion, DevicesLinksAndFixedWords)
     for (const PortInfo &port : serialPorts())
         ports.push_back(port.path.section(u'/', -1).toStdString());
     EXPECT_THAT(completed(QStringLiteral("find ")), testing::ElementsAreArray(ports));
-    EXPECT_THAT(completed(QStringLiteral("serve ")), ElementsAre("esc", "canopen", "modbus-tcp", "modbus-rtu"));
+    EXPECT_THAT(completed(QStringLiteral("serve ")), ElementsAre("modbus-tcp", "modbus-rtu", "esc", "canopen"));
 }
 
 TEST(Completion, FilesAreLeftToTheShell)

@@ -54,12 +54,7 @@ Checked<Answer> runServe(const Call &call)
 
 const Subcommand serveCommand{
     .name = "serve",
-    .usage = "esc [--lost N] [--corrupted N] [--doubled N] [--delayed N] [--delay MS] [--answer-delay MS] "
-             "[--echo] [--silent ADDRESS] [--seed N] | "
-             "canopen [--slcan] [--interface NAME] [--rate BD] [--lost N] [--damaged N] [--doubled N] "
-             "[--delayed N] [--delay MS] [--silent ADDRESS] [--quirk QUIRK] [--seed N] | "
-             "modbus-tcp [--address ADDRESS] [--port PORT] [--seats N] [--read-only] | "
-             "modbus-rtu [--port PORT] [--seats N] [--read-only]",
+    .usage = "", // that of the services
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "offer the simulated serial line, CAN bus or ring to other programs"),
     .details = QT_TRANSLATE_NOOP(

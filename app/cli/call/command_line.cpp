@@ -97,8 +97,7 @@ Complaint aboutMissingCommand()
 
 Checked<void> checkCount(const Subcommand &command, const Arguments &arguments)
 {
-    const QString call =
-        QStringLiteral("%1 %2").arg(QString::fromLatin1(command.name), QString::fromLatin1(command.usage));
+    const QString call = callOf(command);
     if (arguments.rest.size() < command.minimumArguments)
         return badInput(QStringLiteral("missingArgument"),
                         CommandLine::tr("Something is missing. Usage: codewheel-cli %1"), {call});

@@ -4,6 +4,7 @@
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/commands.h"
+#include "cli/kinds/link_kind.h"
 #include "vocabulary/sentence.h"
 
 #include <QJsonArray>
@@ -55,9 +56,23 @@ QJsonArray examplesJson(std::span<const char *const> examples)
 
 QString usageOf(const Subcommand &command)
 {
-    return QStringLiteral("codewheel-cli %1 %2")
-        .arg(QString::fromLatin1(command.name), QString::fromLatin1(command.usage))
-        .trimmed();
+    return QStringLiteral("codewheel-cli ") + callOf(command).trimmed();
+}
+
+// "esc [--lost N] [--echo] | modbus-tcp [--port PORT]"
+QString usageOfServices(const std::vector<Service> &services)
+{
+    QStringList all;
+    for (const Service &service : services) {
+        QString one = QString::fromLatin1(service.name);
+        for (const Option &option : service.options)
+            one += QStringLiteral(" [%1]").arg(
+                QStringLiteral("%1 %2")
+                    .arg(QString::fromLatin1(option.name), QString::fromLatin1(option.value))
+                    .trimmed());
+        all << one;
+    }
+    return all.join(QStringLiteral(" | "));
 }
 
 constexpr const char *overallExamples[] = {
@@ -92,6 +107,13 @@ QString overallNotes()
 
 } // namespace
 
+QString callOf(const Subcommand &command)
+{
+    return QStringLiteral("%1 %2").arg(QString::fromLatin1(command.name),
+                                       &command == &serveCommand ? usageOfServices(allServices())
+                                                                 : QString::fromLatin1(command.usage));
+}
+
 QString overallHelp()
 {
     TextTable commands;
@@ -109,9 +131,7 @@ QString overallHelp()
 
 QString helpOf(const Subcommand &command)
 {
-    QString text = sentence(CommandLine::tr("Usage: codewheel-cli %1"),
-                            {QStringLiteral("%1 %2").arg(QString::fromLatin1(command.name),
-                                                         QString::fromLatin1(command.usage))}) +
+    QString text = sentence(CommandLine::tr("Usage: codewheel-cli %1"), {callOf(command)}) +
                    QStringLiteral("\n\n") + CommandLine::tr(command.details) + QStringLiteral("\n\n");
     if (const auto own = ownOptionsOf(command); !own.empty())
         text += CommandLine::tr("Options:") + u'\n' + optionLines(own) + u'\n';

@@ -8,6 +8,8 @@ namespace codewheel {
 
 struct Subcommand;
 
+// Its name and its arguments, as the user types them.
+QString callOf(const Subcommand &command);
 QString overallHelp();
 QString helpOf(const Subcommand &command);
 QString versionText(); // "codewheel-cli 0.1.0"

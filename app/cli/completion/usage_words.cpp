@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/completion/usage_words.h"
 
+#include "cli/call/help.h"
 #include "cli/commands.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ bool takesValue(const std::vector<Option> &options, const QString &name)
 UsageWords::UsageWords(const Subcommand &command)
 {
     const std::vector<Option> options = optionsOf(command);
-    QString usage = QString::fromLatin1(command.usage);
+    QString usage = callOf(command).section(u' ', 1);
     usage.replace(u'[', QStringLiteral(" [ ")).replace(u']', QStringLiteral(" ] "));
     std::vector<std::size_t> begins{0}; // of the groups that are open
     std::size_t position = 0;
