@@ -16,6 +16,7 @@ RUN = 0x80000000
 PRESET = 0x40000000
 CONFIRMED = 0xC0000000
 READ_OUT = 0x20210000
+READ_OUT_ANSWER = 0b101  # its first three bits
 DATA = 0x01FFFFFF
 CODES = {"serial-number": 0, "steps": 1, "revolutions": 2, "direction": 3, "preset": 4, "zero-offset": 5, "preset-flag": 6}
 NAMES = {1: "steps", 2: "revolutions", 3: "direction", 4: "preset", 5: "zero-offset"}
@@ -148,8 +149,14 @@ class Account:
             self.pending = {}
 
     def shows(self, word, mask=0xFFFFFFFF):
+        return self._comes(lambda shown: shown & mask == word)
+
+    def shows_no_read_out(self):
+        return self._comes(lambda shown: shown >> 29 != READ_OUT_ANSWER)
+
+    def _comes(self, is_so):
         until = time.monotonic() + 1
-        while self.shown() & mask != word:
+        while not is_so(self.shown()):
             if time.monotonic() > until:
                 return False
             time.sleep(0.001)
@@ -223,13 +230,19 @@ class Ring:
             self._own_writes += self.account.writes - before
 
     def read_out(self, name):
+        self._end_read_out()  # an answer has no number: it must not be that of before
         self.send(READ_OUT | CODES[name])
-        if not self.account.shows(0xA0000000, 0xE0000000):
+        if not self.account.shows(READ_OUT_ANSWER << 29, 0xE0000000):
             raise RuntimeError(f"the encoder does not tell its {name}")
         value = self.account.shown() & DATA
-        self.send(0)
-        time.sleep(STANDING)
+        self._end_read_out()
         return value
+
+    def _end_read_out(self):
+        self.send(0)
+        if not self.account.shows_no_read_out():
+            raise RuntimeError("the encoder does not end its read-out")
+        time.sleep(STANDING)
 
     def truth(self):
         """The values of the encoder, and its position; None: it shows none. OUT is 0 afterwards."""
