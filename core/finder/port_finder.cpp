@@ -14,14 +14,15 @@ namespace {
 constexpr int silentCharacters = 4; // before each request: more than the 3.5 between frames of Modbus RTU
 
 // Those of all protocols, in turns: the most usual ones of each come first.
-std::deque<SerialSettings> listeningSettings()
+std::deque<SerialSettings> listeningSettings(const QString &port)
 {
+    const auto protocols = spokenProtocolsAt(port);
     std::deque<SerialSettings> all;
     std::size_t longest = 0;
-    for (const SpokenProtocol *protocol : spokenProtocols())
+    for (const SpokenProtocol *protocol : protocols)
         longest = std::max(longest, protocol->usualSettings().size());
     for (std::size_t i = 0; i < longest; ++i)
-        for (const SpokenProtocol *protocol : spokenProtocols()) {
+        for (const SpokenProtocol *protocol : protocols) {
             const auto its = protocol->usualSettings();
             if (i < its.size() && std::ranges::find(all, its[i]) == all.end())
                 all.push_back(its[i]);
@@ -31,18 +32,21 @@ std::deque<SerialSettings> listeningSettings()
 
 } // namespace
 
-QStringList askingAnnouncements()
+QStringList askingAnnouncements(const QStringList &ports)
 {
     QStringList all;
     for (const SpokenProtocol *protocol : spokenProtocols())
-        all << protocol->announcement();
+        if (std::ranges::any_of(ports, [&](const QString &port) {
+                return protocol->fitsAt(port) != SpokenProtocol::Fit::none;
+            }))
+            all << protocol->announcement();
     return all;
 }
 
 PortFinder::PortFinder(ByteLink &link, bool mayAsk)
     : m_link(link)
     , m_mayAsk(mayAsk)
-    , m_settings(listeningSettings())
+    , m_settings(listeningSettings(m_link.name()))
 {}
 
 PortFinder::~PortFinder()
@@ -229,7 +233,7 @@ FinderNews PortFinder::tune()
 void PortFinder::startAsking()
 {
     m_phase = Phase::ask;
-    for (const SpokenProtocol *protocol : spokenProtocols())
+    for (const SpokenProtocol *protocol : spokenProtocolsAt(m_link.name()))
         m_turns.push_back({protocol, protocol->ask(m_link.name())});
 }
 

@@ -79,7 +79,7 @@ private:
     std::atomic<bool> m_isStopped = false;
 };
 
-// What asking a silent line would send, protocol by protocol.
-QStringList askingAnnouncements();
+// What asking these ports would send where they are silent, protocol by protocol.
+QStringList askingAnnouncements(const QStringList &ports);
 
 } // namespace codewheel

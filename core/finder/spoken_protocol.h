@@ -52,6 +52,9 @@ public:
     virtual ~SpokenProtocol() = default;
 
     virtual QString name() const = 0; // "Kübler ESC"
+    // Whether somebody may speak it at this port; `first`: nothing else is as likely there.
+    enum class Fit : std::uint8_t { none, possible, first };
+    virtual Fit fitsAt(const QString & /*port*/) const { return Fit::possible; }
     // With which it is usually spoken, the most usual first.
     virtual std::vector<SerialSettings> usualSettings() const = 0;
     // What others say with these settings, if it makes sense as this protocol; empty: it does not.
@@ -64,6 +67,8 @@ public:
 
 // The built-in ones, and any that were added.
 std::vector<const SpokenProtocol *> spokenProtocols();
+// Those that fit at this port, the likeliest first.
+std::vector<const SpokenProtocol *> spokenProtocolsAt(const QString &port);
 void addSpokenProtocol(std::unique_ptr<const SpokenProtocol> protocol);
 
 } // namespace codewheel

@@ -2,6 +2,8 @@
 #include "finder/spoken_protocol.h"
 #include "kinds/buses.h"
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -18,6 +20,15 @@ std::vector<const SpokenProtocol *> spokenProtocols()
     std::vector<const SpokenProtocol *> all;
     for (const auto &one : protocols())
         all.push_back(one.get());
+    return all;
+}
+
+std::vector<const SpokenProtocol *> spokenProtocolsAt(const QString &port)
+{
+    std::vector<const SpokenProtocol *> all = spokenProtocols();
+    std::erase_if(all, [&](const auto *one) { return one->fitsAt(port) == SpokenProtocol::Fit::none; });
+    std::stable_partition(all.begin(), all.end(),
+                          [&](const auto *one) { return one->fitsAt(port) == SpokenProtocol::Fit::first; });
     return all;
 }
 

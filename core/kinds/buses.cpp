@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/buses.h"
 
+#include "kinds/canopen/finder/slcan_spoken_protocol.h"
 #include "kinds/canopen/plan/canopen_plan.h"
 #include "kinds/esc/finder/esc_spoken_protocol.h"
 #include "kinds/esc/line/esc_line_rows.h"
@@ -25,6 +26,7 @@ std::vector<std::unique_ptr<const SpokenProtocol>> builtInSpokenProtocols()
     std::vector<std::unique_ptr<const SpokenProtocol>> protocols;
     protocols.push_back(makeEscProtocol());
     protocols.push_back(makeRtuProtocol());
+    protocols.push_back(makeSlcanProtocol());
     return protocols;
 }
 

@@ -106,7 +106,7 @@ protected:
 
 TEST_F(AddedProtocol, IsAnnouncedWithTheOthers)
 {
-    const QStringList all = askingAnnouncements();
+    const QStringList all = askingAnnouncements({QStringLiteral("/dev/ttyUSB0")});
     EXPECT_TRUE(all.front().startsWith(u"Kübler ESC: "));
     EXPECT_EQ(all.back(), QStringLiteral("Plain: one question."));
 }

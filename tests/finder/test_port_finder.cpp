@@ -177,10 +177,12 @@ TEST(PortFinder, SendsNothingMoreOnceItWasEnded)
 
 TEST(PortFinder, SaysBeforehandWhatAskingWouldSend)
 {
-    const QStringList all = askingAnnouncements();
-    ASSERT_EQ(all.size(), static_cast<qsizetype>(spokenProtocols().size()));
+    const QStringList all = askingAnnouncements({QStringLiteral("/dev/ttyUSB0")});
+    ASSERT_EQ(all.size(), 2);
     EXPECT_TRUE(all[0].startsWith(u"Kübler ESC: at 19200, 9600 and 4800 Bd"));
     EXPECT_TRUE(all[1].startsWith(u"Modbus RTU: "));
+    EXPECT_TRUE(askingAnnouncements({QStringLiteral("/dev/ttyACM0")}).back().startsWith(u"SLCAN: "));
+    EXPECT_TRUE(askingAnnouncements({}).isEmpty());
 }
 
 } // namespace

@@ -84,6 +84,8 @@ public:
     }
     // With its parameters limited by the settings of --link.
     virtual Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device) const;
+    // What only listens there, as typed; where nothing was typed, at all places of this computer.
+    virtual std::vector<std::unique_ptr<PlaceFinder>> listenersAt(const QString &) const { return {}; }
 };
 
 // The built-in ones, and any that were added.

@@ -26,7 +26,7 @@ constexpr std::array findOptions{
 // Silent lines and hosts are asked only if that is agreed to, after what would be sent was shown.
 Checked<void> mayAsk(const Call &call, const QStringList &silent, const FinderPlaces &places)
 {
-    QStringList announced = silent.isEmpty() ? QStringList() : askingAnnouncements();
+    QStringList announced = askingAnnouncements(silent);
     QStringList where = silent;
     for (const HostSearch &host : places.hosts) {
         announced << host.announcement;
@@ -50,6 +50,9 @@ Checked<Answer> runFind(const Call &call)
     if (!places)
         return tl::unexpected(places.error());
     FinderSearch search(call);
+    for (const auto &listener : places->listeners)
+        if (!search.isStopped())
+            search.run(*listener);
     const QStringList silent = search.runAt(places->ports, false);
     const bool hasMore = !silent.isEmpty() || !places->hosts.empty();
     if (search.isStopped() || call.arguments.has("--listen") || !hasMore)
@@ -76,9 +79,10 @@ const Subcommand findCommand{
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "find encoders and gateways at ports and hosts"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
-        "Looks for whoever is at these serial ports and hosts, or at every serial port of this computer. "
-        "First\n"
-        "it listens: where somebody talks, a master is at work, and nothing is sent. Then it says what it "
+        "Looks for whoever is at these serial ports, CAN interfaces and hosts, or at every port and "
+        "interface of "
+        "this\ncomputer. First it listens: where somebody talks, a master is at work, and nothing is sent. "
+        "Then it says what it "
         "would\n"
         "send to lines that are silent, and to hosts, and asks whether it may. Only reads are sent. Each "
         "find is\n"

@@ -24,6 +24,15 @@ const QStringList &linksWithoutPlace()
     return links;
 }
 
+// Whether there are any.
+bool addListeners(FinderPlaces &places, const QString &typed)
+{
+    const std::size_t before = places.listeners.size();
+    for (const LinkKind *kind : linkKinds())
+        std::ranges::move(kind->listenersAt(typed), std::back_inserter(places.listeners));
+    return places.listeners.size() != before;
+}
+
 tl::unexpected<Complaint> isLinkWithoutPlace(const QString &typed)
 {
     return badInput(QStringLiteral("findTakesNoLink"),
@@ -53,12 +62,16 @@ Checked<void> checkIsNoLink(const QString &typed)
 Checked<FinderPlaces> finderPlaces(const QStringList &typed)
 {
     FinderPlaces places;
-    if (typed.isEmpty())
+    if (typed.isEmpty()) {
         for (const PortInfo &port : serialPorts())
             places.ports << port.path;
+        addListeners(places, {});
+    }
     for (const QString &one : typed) {
         if (const auto checked = checkIsNoLink(one); !checked)
             return tl::unexpected(checked.error());
+        if (addListeners(places, one))
+            continue;
         if (isPort(one)) {
             places.ports << portPath(one);
             continue;

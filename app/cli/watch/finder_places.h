@@ -12,6 +12,7 @@ struct FinderPlaces
 {
     QStringList ports{}; // paths
     std::vector<HostSearch> hosts{};
+    std::vector<std::unique_ptr<PlaceFinder>> listeners{}; // they only listen
 };
 
 // As typed: a port is a path, or a name below /dev; everything else is a host, for every kind of bus that may

@@ -115,7 +115,7 @@ void FinderInWindow::endPhase()
     m_page.end();
     if (!std::exchange(m_isListening, false) || m_isCancelled)
         return;
-    QStringList announced = m_silent.isEmpty() ? QStringList() : askingAnnouncements();
+    QStringList announced = askingAnnouncements(m_silent);
     QStringList places = m_silent;
     for (const HostSearch &host : searchesAt(m_host, m_tcpPort)) {
         places << host.place;

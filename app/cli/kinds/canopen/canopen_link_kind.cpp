@@ -9,8 +9,10 @@
 #include "cli/kinds/canopen/device_file_check.h"
 #include "cli/kinds/canopen/device_on_node.h"
 #include "cli/kinds/canopen/serve_can_bus.h"
+#include "kinds/canopen/finder/can_interface_finder.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 #include "links/can_interface.h"
+#include "links/can_link_to.h"
 
 #include <array>
 
@@ -68,6 +70,7 @@ public:
     {
         return isCanopenDeviceFile(path) ? std::optional(checkOfDeviceFile(call, path)) : std::nullopt;
     }
+    std::vector<std::unique_ptr<PlaceFinder>> listenersAt(const QString &typed) const override;
 
 private:
     // The bus of the project that has this link. Empty: none.
@@ -101,6 +104,16 @@ std::vector<KnownDevice> CanopenLinkKind::trainingDevices(const Catalog &) const
         if (encoder.node)
             devices.push_back({CanopenAddress{*encoder.node}.place().toString(), usualDeviceOnNode()});
     return devices;
+}
+
+// Interfaces of the system.
+std::vector<std::unique_ptr<PlaceFinder>> CanopenLinkKind::listenersAt(const QString &typed) const
+{
+    std::vector<std::unique_ptr<PlaceFinder>> listeners;
+    for (const CanInterface &interface : canInterfaces(Computer(), {}))
+        if (typed.isEmpty() || typed == interface.name)
+            listeners.push_back(std::make_unique<CanInterfaceFinder>(canLinkTo({.where = interface.name})));
+    return listeners;
 }
 
 } // namespace

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "finder/spoken_protocol.h"
+
+namespace codewheel {
+
+// Of the port, which those on USB do not care about.
+SerialSettings usualSlcanSettings();
+// Asks the adapter who it is, then listens at each rate until somebody is heard. Nothing is sent on the bus:
+// it listens only, and one that cannot is not opened.
+std::unique_ptr<Asking> askSlcanAdapter(const QString &port);
+
+} // namespace codewheel
