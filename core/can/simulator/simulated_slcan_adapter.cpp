@@ -5,7 +5,7 @@ namespace codewheel {
 namespace {
 
 const QByteArray endOfAnswer = "\r";
-const QByteArray refusal = "\a";
+const QByteArray bellOfAdapter = "\a";
 
 // Of the answer to F.
 enum AdapterStatus : std::uint8_t {
@@ -80,7 +80,7 @@ void SimulatedSlcanAdapter::take(const QByteArray &bytes, Instant now)
         if (m_out.size() > 2 * mostUnfetched) // nobody reads the answers
             return;
         if (!obey(item))
-            m_out += refusal;
+            m_out += bellOfAdapter;
     }
 }
 

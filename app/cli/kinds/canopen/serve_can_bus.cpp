@@ -6,9 +6,7 @@
 #include "cli/call/texts.h"
 #include "cli/kinds/canopen/serve_can_plan.h"
 #include "cli/kinds/canopen/served_can_bus.h"
-#include "links/socket_can_link.h"
-
-#include <QCanBusDevice>
+#include "links/can_link_to.h"
 
 #include <algorithm>
 #include <chrono>
@@ -69,16 +67,16 @@ Checked<Answer> serveAtPort(const Call &call, const ServeCanPlan &plan)
 // At the rate of the interface, where the system tells it.
 Checked<Answer> serveAtInterface(const Call &call, ServeCanPlan plan)
 {
-    SocketCanLink link(*plan.interface);
-    if (const auto opened = link.open(CanUse::operate); !opened)
+    const std::unique_ptr<CanLink> link = canLinkTo({.where = *plan.interface});
+    if (const auto opened = link->open(CanUse::operate); !opened)
         return tl::unexpected(complaintAbout(opened.error()));
     if (!call.arguments.has("--rate"))
-        plan.rate = link.status().rate.value_or(plan.rate);
+        plan.rate = link->status().rate.value_or(plan.rate);
     const canopen::SimulatedCanopenPlant plant = plantOf(plan);
     SimulatedCanLink near(plant.bus(), plan.rate, RealTime());
     if (const auto opened = near.open(CanUse::operate); !opened)
         return tl::unexpected(complaintAbout(opened.error()));
-    CanBridge bridge(link, near);
+    CanBridge bridge(*link, near);
     StopSignals stop;
     call.terminal.print(*plan.interface + u'\n');
     while (call.terminal.canPrint() && !stop.came()) {

@@ -47,7 +47,7 @@ struct Quirk
     const char *name;
     void (*put)(NodeQuirks &quirks);
 };
-constexpr std::array quirks{
+constexpr std::array servedQuirks{
     Quirk{"autostart", [](NodeQuirks &its) { its.startsItself = true; }},
     Quirk{"fixed-mapping", [](NodeQuirks &its) { its.hasFixedMapping = true; }},
     Quirk{"highest-range", [](NodeQuirks &its) { its.rangeIsHighest = true; }},
@@ -62,7 +62,7 @@ constexpr std::array quirks{
     Quirk{"writes-pre-operational", [](NodeQuirks &its) { its.writesOnlyPreOperational = true; }},
 };
 
-tl::unexpected<Complaint> notAllowed(const char *option, const QString &typed, const QString &allowed)
+tl::unexpected<Complaint> valueNotAllowed(const char *option, const QString &typed, const QString &allowed)
 {
     return badInput(QStringLiteral("optionNotAllowed"),
                     CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
@@ -106,7 +106,7 @@ Checked<void> takeRate(const Arguments &arguments, ServeCanPlan &plan)
         return {};
     const auto found = std::ranges::find(slcanRates, typed->toInt());
     if (found == slcanRates.end())
-        return notAllowed("--rate", *typed, slcanRatesText());
+        return valueNotAllowed("--rate", *typed, slcanRatesText());
     plan.rate = *found;
     return {};
 }
@@ -115,10 +115,10 @@ Checked<void> takeQuirks(const Arguments &arguments, ServeCanPlan &plan)
 {
     const QString given = arguments.value("--quirk").value_or(QString());
     for (const QString &typed : given.split(u',', Qt::SkipEmptyParts)) {
-        const auto quirk =
-            std::ranges::find_if(quirks, [&](const Quirk &one) { return typed == QLatin1String(one.name); });
-        if (quirk == quirks.end())
-            return notAllowed("--quirk", typed, quirkNames());
+        const auto quirk = std::ranges::find_if(
+            servedQuirks, [&](const Quirk &one) { return typed == QLatin1String(one.name); });
+        if (quirk == servedQuirks.end())
+            return valueNotAllowed("--quirk", typed, quirkNames());
         for (CanopenEncoderPlan &encoder : plan.encoders)
             quirk->put(encoder.quirks);
     }
@@ -134,8 +134,9 @@ Checked<void> takeSilent(const Arguments &arguments, ServeCanPlan &plan)
         there << (encoder.node ? QString::number(*encoder.node) : QString());
     for (const QString &typed : given.split(u',', Qt::SkipEmptyParts)) {
         if (typed != all && !there.contains(typed))
-            return notAllowed("--silent", typed,
-                              (QStringList(there.first(there.size() - 1)) << all).join(QStringLiteral(", ")));
+            return valueNotAllowed(
+                "--silent", typed,
+                (QStringList(there.first(there.size() - 1)) << all).join(QStringLiteral(", ")));
         for (qsizetype which = 0; which < there.size(); ++which)
             if (typed == all || typed == there.at(which))
                 plan.silent.push_back(static_cast<std::size_t>(which));
@@ -152,7 +153,7 @@ std::span<const Option> serveCanOptions()
 
 QString quirkNames()
 {
-    return listed(quirks, [](const Quirk &one) { return QString::fromLatin1(one.name); });
+    return listed(servedQuirks, [](const Quirk &one) { return QString::fromLatin1(one.name); });
 }
 
 Checked<ServeCanPlan> serveCanPlan(const Arguments &arguments)
