@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/asked_bus.h"
 #include "bus/asked_command.h"
 #include "bus/asked_snapshot.h"
 #include "bus/bus_engine.h"
-#include "bus/connected_bus.h"
 #include "vocabulary/sleep_watch.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace codewheel {
 // the runner, and shows the encoders what comes of it. All of it lives in the caller's thread; that of the
 // bus is hidden behind pump(). `Snapshot` is an AskedSnapshot; `Command` has those of asked_command.h.
 template <class Command, class BusEvent, class Snapshot, class Link>
-class BusSession : public ConnectedBus
+class BusSession : public AskedBus
 {
 public:
     using Runner = BusRunner<Command, BusEvent, Snapshot>;
@@ -73,7 +73,7 @@ public:
 protected:
     BusSession(BusId id, const QDateTime &begin, const Kind &kind, std::unique_ptr<Link> link,
                const Catalog &catalog, QObject *parent)
-        : ConnectedBus(id, begin, kind, catalog, parent)
+        : AskedBus(id, begin, kind, catalog, parent)
         , m_link(std::move(link))
         , m_engine(*this)
     {}

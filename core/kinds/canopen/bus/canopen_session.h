@@ -46,7 +46,7 @@ public:
         return latest().status.rate.value_or(m_settings.rate);
     } // in force, as far as told; Bd
 
-    using ConnectedBus::add;
+    using AskedBus::add;
     Result<void> add(int node, const QString &deviceKey)
     {
         return add(CanopenAddress{node}.place(), deviceKey);

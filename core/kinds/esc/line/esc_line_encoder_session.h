@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bus/connected_bus.h"
+#include "bus/asked_bus.h"
 #include "jobs/values_to_write.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_forms.h"

@@ -48,7 +48,7 @@ public:
     // the other reading of its digits. Empty: nothing is known of one.
     std::optional<Refusal> addressTaken(EscLineAddress wanted, EscLineAddress own) const;
 
-    using ConnectedBus::add;
+    using AskedBus::add;
     Result<void> add(EscLineAddress address, const QString &deviceKey)
     {
         return add(address.node(), deviceKey);

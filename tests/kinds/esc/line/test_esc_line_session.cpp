@@ -139,7 +139,7 @@ TEST_F(EscLineSessionTest, AfterTheComputerSleptTheLineIsInWatch)
     while (!told() || line->isOperating())
         line->pump();
     EXPECT_FALSE(line->isOperating());
-    EXPECT_TRUE(line->isPolling());
+    EXPECT_TRUE(line->latest().running);
     EXPECT_EQ(line->encoder(placeOnLine({5}))->start(SetPreset{1}).error().id, RefusalId::watchOnly);
     line->close();
 }

@@ -28,8 +28,8 @@ EscLineSnapshot snapshot()
                     .answerTime = AnswerTime{5'100us, 6'200us, 31ms}};
     EscLineFigures ofOne;
     ofOne.requests = 4;
-    line.devices.push_back({.address = {0x12}, .reading = {}, .figures = ofOne});
-    line.devices.push_back({.address = {3}, .reading = {}, .present = false, .figures = {}});
+    line.devices.push_back({{.node = EscLineAddress{0x12}.node()}, ofOne});
+    line.devices.push_back({{.node = EscLineAddress{3}.node(), .present = false}, {}});
     return line;
 }
 

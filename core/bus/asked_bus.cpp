@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bus/connected_bus.h"
+#include "bus/asked_bus.h"
 
 #include "catalog/catalog.h"
 #include "vocabulary/serial_number_text.h"
@@ -30,7 +30,7 @@ tl::unexpected<Refusal> nobodyAt(Place place)
 
 } // namespace
 
-AskedEncoder::AskedEncoder(ConnectedBus &bus, std::size_t device, NodeId node,
+AskedEncoder::AskedEncoder(AskedBus &bus, std::size_t device, NodeId node,
                            const DeviceDescription &description)
     : EncoderOnBus(bus, device, bus.placeOf(node), description)
     , m_bus(bus)
@@ -46,16 +46,16 @@ void AskedEncoder::post(JobCommand command)
     m_bus.postJob(std::move(command));
 }
 
-ConnectedBus::ConnectedBus(BusId id, const QDateTime &begin, const Kind &kind, const Catalog &catalog,
-                           QObject *parent)
+AskedBus::AskedBus(BusId id, const QDateTime &begin, const Kind &kind, const Catalog &catalog,
+                   QObject *parent)
     : EncoderBus(id, begin, kind.columns, parent)
     , m_kind(kind)
     , m_catalog(catalog)
 {}
 
-ConnectedBus::~ConnectedBus() = default;
+AskedBus::~AskedBus() = default;
 
-Result<void> ConnectedBus::add(NodeId node, const QString &deviceKey)
+Result<void> AskedBus::add(NodeId node, const QString &deviceKey)
 {
     if (!isBegun())
         return tl::unexpected(closedRefusal());
@@ -73,7 +73,7 @@ Result<void> ConnectedBus::add(NodeId node, const QString &deviceKey)
     return {};
 }
 
-AskedEncoder &ConnectedBus::take(NodeId node, const DeviceDescription &device)
+AskedEncoder &AskedBus::take(NodeId node, const DeviceDescription &device)
 {
     auto description = std::make_unique<const DeviceDescription>(device);
     auto session = makeEncoder(m_encoders.size(), node, *description);
@@ -82,13 +82,13 @@ AskedEncoder &ConnectedBus::take(NodeId node, const DeviceDescription &device)
     return *its.session;
 }
 
-std::unique_ptr<AskedEncoder> ConnectedBus::makeEncoder(std::size_t device, NodeId node,
-                                                        const DeviceDescription &description)
+std::unique_ptr<AskedEncoder> AskedBus::makeEncoder(std::size_t device, NodeId node,
+                                                    const DeviceDescription &description)
 {
     return std::make_unique<AskedEncoder>(*this, device, node, description);
 }
 
-Result<void> ConnectedBus::remove(Place place)
+Result<void> AskedBus::remove(Place place)
 {
     AskedEncoder *encoder = encoderAt(place.node);
     if (encoder == nullptr)
@@ -100,25 +100,25 @@ Result<void> ConnectedBus::remove(Place place)
     return {};
 }
 
-std::unique_ptr<AskedEncoder> ConnectedBus::leave(AskedEncoder &encoder)
+std::unique_ptr<AskedEncoder> AskedBus::leave(AskedEncoder &encoder)
 {
     stopAsking(encoder.index());
     return std::move(m_encoders[encoder.index()].session);
 }
 
-void ConnectedBus::retireAll()
+void AskedBus::retireAll()
 {
     std::ranges::move(std::exchange(m_encoders, {}), std::back_inserter(m_retired));
     endRetired();
 }
 
-void ConnectedBus::endRetired()
+void AskedBus::endRetired()
 {
     if (!isPumping())
         m_retired.clear();
 }
 
-std::vector<Place> ConnectedBus::places() const
+std::vector<Place> AskedBus::places() const
 {
     std::vector<Place> places;
     for (const Encoder &encoder : m_encoders)
@@ -128,7 +128,7 @@ std::vector<Place> ConnectedBus::places() const
     return places;
 }
 
-AskedEncoder *ConnectedBus::encoderAt(NodeId node) const
+AskedEncoder *AskedBus::encoderAt(NodeId node) const
 {
     for (const Encoder &encoder : m_encoders)
         if (encoder.session && encoder.session->place().node == node)
@@ -136,19 +136,19 @@ AskedEncoder *ConnectedBus::encoderAt(NodeId node) const
     return nullptr;
 }
 
-AskedEncoder *ConnectedBus::encoderOf(std::size_t device) const
+AskedEncoder *AskedBus::encoderOf(std::size_t device) const
 {
     return device < m_encoders.size() ? m_encoders[device].session.get() : nullptr;
 }
 
-Result<void> ConnectedBus::canBe(Place place, const DeviceDescription &device) const
+Result<void> AskedBus::canBe(Place place, const DeviceDescription &device) const
 {
     if (device.profile == m_kind.profile)
         return {};
     return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
 }
 
-Result<void> ConnectedBus::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
+Result<void> AskedBus::name(Place place, const QString &deviceKey, int turns, int stepsPerTurn)
 {
     AskedEncoder *before = encoderAt(place.node);
     const DeviceDescription *described = m_catalog.find(deviceKey);
@@ -164,7 +164,7 @@ Result<void> ConnectedBus::name(Place place, const QString &deviceKey, int turns
     return {};
 }
 
-std::optional<Participant> ConnectedBus::found(Place place) const
+std::optional<Participant> AskedBus::found(Place place) const
 {
     const EncoderSession *there = encoder(place);
     return there != nullptr
@@ -172,7 +172,7 @@ std::optional<Participant> ConnectedBus::found(Place place) const
                : std::nullopt;
 }
 
-std::map<NodeId, Refusal> ConnectedBus::strangers(const std::vector<Participant> &planned) const
+std::map<NodeId, Refusal> AskedBus::strangers(const std::vector<Participant> &planned) const
 {
     std::map<NodeId, Refusal> strangers;
     for (const Participant &device : planned)
@@ -181,8 +181,8 @@ std::map<NodeId, Refusal> ConnectedBus::strangers(const std::vector<Participant>
     return strangers;
 }
 
-std::optional<Refusal> ConnectedBus::isOther(Place place, const QString &deviceKey,
-                                             const QString &serialNumber) const
+std::optional<Refusal> AskedBus::isOther(Place place, const QString &deviceKey,
+                                         const QString &serialNumber) const
 {
     const EncoderSession *there = encoder(place);
     if (there == nullptr)

@@ -10,14 +10,14 @@
 
 namespace codewheel {
 
-class ConnectedBus;
+class AskedBus;
 
 // An encoder that is asked, as views see it: turns jobs into commands for the runner of its bus, and what the
 // bus pumps out of its thread into signals.
 class AskedEncoder : public EncoderOnBus
 {
 public:
-    AskedEncoder(ConnectedBus &bus, std::size_t device, NodeId node, const DeviceDescription &description);
+    AskedEncoder(AskedBus &bus, std::size_t device, NodeId node, const DeviceDescription &description);
     using EncoderOnBus::index;
     using EncoderOnBus::moveTo;
 
@@ -25,13 +25,13 @@ private:
     Result<void> mayStart(const Job &job) const override;
     void post(JobCommand command) override;
 
-    ConnectedBus &m_bus;
+    AskedBus &m_bus;
 };
 
 // A connected bus whose encoders are asked one by one: they are added to it and removed, and their addresses
 // do not depend on each other. What it shares with others that have such encoders, apart from what runs below
 // it (BusSession).
-class ConnectedBus : public EncoderBus
+class AskedBus : public EncoderBus
 {
 public:
     // What is peculiar to a kind of bus.
@@ -45,8 +45,8 @@ public:
         QString (*address)(NodeId); // as shown: "12h (18)"
     };
 
-    ConnectedBus(BusId id, const QDateTime &begin, const Kind &kind, const Catalog &catalog, QObject *parent);
-    ~ConnectedBus() override;
+    AskedBus(BusId id, const QDateTime &begin, const Kind &kind, const Catalog &catalog, QObject *parent);
+    ~AskedBus() override;
 
     // Adds an encoder, which is asked from then on. Refused for an address that cannot be or is taken, and
     // for a device of another kind of bus.
