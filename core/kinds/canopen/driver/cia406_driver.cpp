@@ -24,7 +24,7 @@ constexpr SdoObject heartbeatTime{0x1017, 0};
 PdoMapping usualMapping(int node)
 {
     const std::uint32_t identifier = CobId{CobId::Service::tpdo, node, 1}.identifier();
-    PdoMapping pdo(PdoDirection::transmit, 1);
+    PdoMapping pdo(1);
     pdo.take({0x1800, 1},
              std::array{static_cast<std::uint8_t>(identifier), static_cast<std::uint8_t>(identifier >> 8)});
     pdo.take({0x1A00, 0}, std::array<std::uint8_t, 1>{1});
@@ -53,7 +53,7 @@ void Cia406Driver::getToKnow()
     m_heard.restarted(node());
     m_mute.reset();
     for (int number = 1; number <= predefinedPdos; ++number)
-        m_pdos.emplace_back(PdoDirection::transmit, number);
+        m_pdos.emplace_back(number);
     m_toKnow = {heartbeatTime};
     m_bits.clear();
     const auto reachOf = [this](Parameter parameter) {
@@ -326,7 +326,7 @@ void Cia406Driver::noteWrite(SdoObject object, bool isDone)
     constexpr int mappingIndex = 0x1A00;
     for (int number = 1; number <= predefinedPdos; ++number)
         if (object.index == settingsIndex + number - 1 || object.index == mappingIndex + number - 1) {
-            m_pdos[static_cast<std::size_t>(number) - 1] = PdoMapping(PdoDirection::transmit, number);
+            m_pdos[static_cast<std::size_t>(number) - 1] = PdoMapping(number);
             m_pdoAt.reset();
             noteMappings();
         }
@@ -399,7 +399,7 @@ void Cia406Driver::takePdo(const CanFrame &frame, Instant now)
         }
     if (isKnown)
         return;
-    if (const auto heard = m_heard.of(frame); heard && heard->direction == PdoDirection::transmit)
+    if (const auto heard = m_heard.of(frame))
         takeValues(heard->mapping, frame, now);
     else if (m_usual && m_usual->isOf(frame))
         takeValues(*m_usual, frame, now);

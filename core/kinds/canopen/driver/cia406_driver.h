@@ -37,6 +37,7 @@ public:
     void lost(Instant now) override;
     bool mayBeSilent() const override { return m_job && m_job->mayBeSilent(); }
     int node() const override { return m_encoder.node; }
+    std::span<const PdoMapping> transmitPdos() const override { return m_pdos; }
     std::vector<Event> takeEvents() override;
     std::vector<Message> takeMessages() override;
 

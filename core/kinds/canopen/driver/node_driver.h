@@ -4,11 +4,13 @@
 #include "can/can_frame.h"
 #include "catalog/device_description.h"
 #include "kinds/canopen/protocol/nmt.h"
+#include "kinds/canopen/protocol/pdo_mapping.h"
 #include "kinds/canopen/protocol/sdo_client.h"
 #include "vocabulary/event.h"
 #include "vocabulary/message.h"
 
 #include <memory>
+#include <span>
 #include <variant>
 
 namespace codewheel::canopen {
@@ -57,6 +59,8 @@ public:
     virtual bool mayBeSilent() const = 0;
 
     virtual int node() const = 0;
+    // The PDOs that it sends, as far as they were read from it.
+    virtual std::span<const PdoMapping> transmitPdos() const = 0;
     // What happened since the last call, oldest first.
     virtual std::vector<Event> takeEvents() = 0;
     virtual std::vector<Message> takeMessages() = 0;

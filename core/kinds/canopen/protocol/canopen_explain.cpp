@@ -141,9 +141,7 @@ PdoType typeByProfile(const SdoObject &object)
 
 QString FrameTexts::mapped(const PdoMappingsHeard::Pdo &pdo, const CanFrame &frame)
 {
-    QStringList texts{sentence(pdo.direction == PdoDirection::transmit ? QStringLiteral("TPDO%1")
-                                                                       : QStringLiteral("RPDO%1"),
-                               {QString::number(pdo.number)})};
+    QStringList texts{sentence(QStringLiteral("TPDO%1"), {QString::number(pdo.mapping.number())})};
     for (const PdoValue &value : pdo.mapping.values(frame, typeByProfile))
         texts << sentence(QStringLiteral("%1 = %2 = %3"),
                           {value.object.text(),

@@ -6,6 +6,8 @@
 namespace codewheel::canopen {
 namespace {
 
+enum SettingsSub : std::uint8_t { identifierSub = 1, typeSub = 2, inhibitSub = 3, eventTimerSub = 5 };
+
 constexpr std::uint32_t offBit = 0x8000'0000;
 constexpr std::uint32_t extendedBit = 0x2000'0000;
 constexpr int longestEntry = 64;
@@ -43,21 +45,18 @@ bool fits(const PdoEntry &entry, const PdoType &type)
 
 } // namespace
 
-PdoMapping::PdoMapping(PdoDirection direction, int number)
-    : m_direction(direction)
-    , m_number(number)
+PdoMapping::PdoMapping(int number)
+    : m_number(number)
 {}
 
-SdoObject PdoMapping::identifierObject() const
+SdoObject PdoMapping::settingsObject(int sub) const
 {
-    const int first = m_direction == PdoDirection::transmit ? 0x1800 : 0x1400;
-    return {static_cast<std::uint16_t>(first + m_number - 1), 1};
+    return {static_cast<std::uint16_t>(0x1800 + m_number - 1), static_cast<std::uint8_t>(sub)};
 }
 
 SdoObject PdoMapping::mappingObject(int sub) const
 {
-    const int first = m_direction == PdoDirection::transmit ? 0x1A00 : 0x1600;
-    return {static_cast<std::uint16_t>(first + m_number - 1), static_cast<std::uint8_t>(sub)};
+    return {static_cast<std::uint16_t>(0x1A00 + m_number - 1), static_cast<std::uint8_t>(sub)};
 }
 
 std::vector<SdoObject> PdoMapping::missing() const
@@ -67,7 +66,8 @@ std::vector<SdoObject> PdoMapping::missing() const
         if (told(object) == nullptr)
             wanted.push_back(object);
     };
-    want(identifierObject());
+    for (const int sub : {identifierSub, typeSub, inhibitSub, eventTimerSub})
+        want(settingsObject(sub));
     for (int sub = 0; sub <= count(); ++sub)
         want(mappingObject(sub));
     return wanted;
@@ -75,12 +75,12 @@ std::vector<SdoObject> PdoMapping::missing() const
 
 bool PdoMapping::take(const SdoObject &object, Octets value)
 {
-    if (object.index != identifierObject().index && object.index != mappingObject(0).index)
+    if (object.index != settingsObject(0).index && object.index != mappingObject(0).index)
         return false;
     std::erase_if(m_told, [&](const Told &each) { return each.object == object; });
     const Octets octets = value.first(std::min(value.size(), sizeof(std::uint32_t)));
     m_told.push_back({object, octets.empty() ? std::nullopt : std::optional(numberOf(octets))});
-    m_identifier = number(identifierObject());
+    m_identifier = number(settingsObject(identifierSub));
     place();
     return true;
 }
@@ -142,6 +142,24 @@ bool PdoMapping::isExtended() const
 std::uint32_t PdoMapping::identifier() const
 {
     return m_identifier.value_or(0) & (isExtended() ? largestExtendedId : largestStandardId);
+}
+
+std::optional<int> PdoMapping::type() const
+{
+    const auto type = number(settingsObject(typeSub));
+    return type ? std::optional(static_cast<int>(*type & 0xFF)) : std::nullopt;
+}
+
+std::optional<Instant> PdoMapping::inhibitTime() const
+{
+    const auto time = number(settingsObject(inhibitSub));
+    return time ? std::optional(Instant(100) * (*time & 0xFFFF)) : std::nullopt;
+}
+
+std::optional<Instant> PdoMapping::eventTimer() const
+{
+    const auto time = number(settingsObject(eventTimerSub));
+    return time ? std::optional<Instant>(std::chrono::milliseconds(*time & 0xFFFF)) : std::nullopt;
 }
 
 bool PdoMapping::isOf(const CanFrame &frame) const

@@ -10,11 +10,6 @@
 
 namespace codewheel::canopen {
 
-enum class PdoDirection : std::uint8_t {
-    transmit, // TPDO, of the node
-    receive,  // RPDO, to the node
-};
-
 struct PdoEntry
 {
     SdoObject object{};
@@ -42,14 +37,13 @@ struct PdoValue
     std::int64_t number = 0; // of what is not signed the same as raw
 };
 
-// A PDO of a node as the node says, by its objects 14xxh or 18xxh and 16xxh or 1Axxh, and what a frame with
-// it means.
+// A PDO that a node sends as the node says, by its objects 18xxh and 1Axxh, and what a frame with it means.
 class PdoMapping
 {
 public:
     static constexpr int mostEntries = 64;
 
-    PdoMapping(PdoDirection direction, int number); // 1 to 512
+    explicit PdoMapping(int number); // 1 to 512
 
     int number() const { return m_number; }
     bool holds(const SdoObject &object) const; // as far as it was read
@@ -65,6 +59,9 @@ public:
     bool isOff() const;
     std::uint32_t identifier() const; // of 11 or 29 bits
     bool isExtended() const;          // 29 bits
+    std::optional<int> type() const;  // 0 acyclic, 1..240 each n-th SYNC, 252 to 255
+    std::optional<Instant> inhibitTime() const;
+    std::optional<Instant> eventTimer() const; // 0: off
     const std::vector<PdoEntry> &entries() const { return m_entries; }
 
     bool isOf(const CanFrame &frame) const;
@@ -80,14 +77,13 @@ private:
         std::optional<std::uint32_t> number; // empty: the node does not have it
     };
 
-    SdoObject identifierObject() const;
+    SdoObject settingsObject(int sub) const;
     SdoObject mappingObject(int sub) const;
     const Told *told(const SdoObject &object) const;
     std::optional<std::uint32_t> number(const SdoObject &object) const;
     int count() const;
     void place();
 
-    PdoDirection m_direction;
     int m_number;
     std::vector<Told> m_told{};
     std::optional<std::uint32_t> m_identifier{}; // with its bits

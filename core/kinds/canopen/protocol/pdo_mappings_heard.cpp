@@ -6,30 +6,15 @@
 namespace codewheel::canopen {
 namespace {
 
-constexpr int firstOf(std::uint16_t index)
+// Of 18xxh and 1Axxh. Empty: it is an object of something else.
+std::optional<int> pdoOf(const SdoObject &object)
 {
-    return index & 0xFE00;
-}
-
-struct PdoName
-{
-    PdoDirection direction;
-    int number;
-};
-
-// 14xxh and 16xxh of an RPDO, 18xxh and 1Axxh of a TPDO. Empty: it is an object of something else.
-std::optional<PdoName> pdoOf(const SdoObject &object)
-{
-    constexpr int settings = 0x1400;
-    constexpr int mapping = 0x1600;
-    constexpr int transmit = 0x400; // further on
-    const int first = firstOf(object.index);
-    const int number = object.index - first + 1;
-    if (first == settings || first == mapping)
-        return PdoName{PdoDirection::receive, number};
-    if (first == settings + transmit || first == mapping + transmit)
-        return PdoName{PdoDirection::transmit, number};
-    return std::nullopt;
+    constexpr int settings = 0x1800;
+    constexpr int mapping = 0x1A00;
+    constexpr int behind = 0x1C00;
+    if (object.index < settings || object.index >= behind)
+        return std::nullopt;
+    return object.index - (object.index < mapping ? settings : mapping) + 1;
 }
 
 } // namespace
@@ -48,16 +33,13 @@ void PdoMappingsHeard::followSdo(int node, const SdoFrame &sdo)
 
 void PdoMappingsHeard::take(int node, const SdoObject &object, Octets value)
 {
-    const auto name = pdoOf(object);
-    if (!name)
+    const auto number = pdoOf(object);
+    if (!number)
         return;
-    auto known = std::ranges::find_if(m_pdos, [&](const auto &pdo) {
-        return pdo->node == node && pdo->direction == name->direction && pdo->number == name->number;
-    });
+    auto known = std::ranges::find_if(
+        m_pdos, [&](const auto &pdo) { return pdo->node == node && pdo->mapping.number() == *number; });
     if (known == m_pdos.end())
-        known = m_pdos.insert(known,
-                              std::make_shared<const Pdo>(
-                                  Pdo{node, name->direction, name->number, {name->direction, name->number}}));
+        known = m_pdos.insert(known, std::make_shared<const Pdo>(Pdo{node, PdoMapping(*number)}));
     auto after = std::make_shared<Pdo>(**known); // what passed before keeps what was mapped then
     after->mapping.take(object, value);
     *known = std::move(after);

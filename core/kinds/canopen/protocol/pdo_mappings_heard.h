@@ -10,16 +10,15 @@
 
 namespace codewheel::canopen {
 
-// What the nodes of a bus map, as far as their own answers tell it: whoever reads or writes 14xxh to 1Axxh,
-// it is heard. A node that starts anew may map something else: what was heard of it is forgotten.
+// What the nodes of a bus map into the PDOs that they send, as far as their own answers tell it: whoever
+// reads or writes 18xxh and 1Axxh, it is heard. A node that starts anew may map something else: what was
+// heard of it is forgotten.
 class PdoMappingsHeard
 {
 public:
     struct Pdo
     {
         int node = 0;
-        PdoDirection direction = PdoDirection::transmit;
-        int number = 0;
         PdoMapping mapping;
     };
 

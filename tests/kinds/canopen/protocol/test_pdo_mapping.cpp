@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace std::chrono_literals;
+
 namespace codewheel::canopen {
 namespace {
 
@@ -34,7 +36,7 @@ std::vector<std::uint8_t> octetsOf(std::uint32_t number)
 
 PdoMapping mappingWith(std::initializer_list<std::uint32_t> entries, std::uint32_t identifier = 0x40000185)
 {
-    PdoMapping mapping(PdoDirection::transmit, 1);
+    PdoMapping mapping(1);
     mapping.take({0x1800, 1}, octetsOf(identifier));
     mapping.take({0x1A00, 0}, std::array{static_cast<std::uint8_t>(entries.size())});
     std::uint8_t sub = 0;
@@ -62,31 +64,32 @@ using Numbers = std::vector<std::int64_t>;
 TEST(PdoMapping, ReadsWhatTheCountTells)
 {
     const Dictionary dictionary{{{{0x1801, 1}, {0x85, 0x02, 0, 0}},
+                                 {{0x1801, 2}, {1}},
+                                 {{0x1801, 3}, {0x2C, 0x01}},
+                                 {{0x1801, 5}, {0x64, 0}},
                                  {{0x1A01, 0}, {2}},
                                  {{0x1A01, 1}, {0x20, 0, 0x04, 0x60}},
                                  {{0x1A01, 2}, {0x10, 1, 0x30, 0x60}}}};
-    PdoMapping mapping(PdoDirection::transmit, 2);
-    EXPECT_EQ(mapping.missing(), (std::vector<SdoObject>{{0x1801, 1}, {0x1A01, 0}}));
+    PdoMapping mapping(2);
+    EXPECT_EQ(mapping.missing(),
+              (std::vector<SdoObject>{{0x1801, 1}, {0x1801, 2}, {0x1801, 3}, {0x1801, 5}, {0x1A01, 0}}));
     int reads = 0;
     while (!mapping.isRead() && ++reads < 10)
         EXPECT_TRUE(mapping.take(mapping.missing().front(), dictionary.value(mapping.missing().front())));
-    EXPECT_EQ(reads, 4);
+    EXPECT_EQ(reads, 7);
     EXPECT_TRUE(mapping.isThere());
+    EXPECT_EQ(mapping.type(), 1);
+    EXPECT_EQ(mapping.inhibitTime(), 30ms);
+    EXPECT_EQ(mapping.eventTimer(), 100ms);
     EXPECT_FALSE(mapping.isOff());
     EXPECT_EQ(mapping.identifier(), 0x285);
     EXPECT_EQ(mapping.entries(), (std::vector<PdoEntry>{{{0x6004, 0}, 32, 0}, {{0x6030, 1}, 16, 32}}));
     EXPECT_FALSE(mapping.take({0x1800, 1}, octetsOf(1)));
 }
 
-TEST(PdoMapping, ObjectsOfAReceivePdo)
-{
-    EXPECT_EQ(PdoMapping(PdoDirection::receive, 3).missing(),
-              (std::vector<SdoObject>{{0x1402, 1}, {0x1602, 0}}));
-}
-
 TEST(PdoMapping, WhatTheNodeDoesNotHaveIsNotAskedAgain)
 {
-    PdoMapping mapping(PdoDirection::transmit, 1);
+    PdoMapping mapping(1);
     while (!mapping.isRead())
         mapping.take(mapping.missing().front(), {});
     EXPECT_FALSE(mapping.isThere());
