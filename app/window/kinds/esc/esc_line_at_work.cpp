@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/kinds/esc/esc_line_at_work.h"
 
-#include "app/journal_files.h"
-#include "journal/ledger_keeper.h"
 #include "kinds/esc/driver/esc_driver.h"
 #include "kinds/esc/links/project_adapter.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
@@ -10,20 +8,12 @@
 #include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
 
-#include <chrono>
 #include <utility>
 
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::milliseconds betweenTries{5}; // to see whether the port is open
-
 const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
-
-Instant steadyTime()
-{
-    return std::chrono::duration_cast<Instant>(std::chrono::steady_clock::now().time_since_epoch());
-}
 
 EscSettings escSettingsOf(const EscLineSettings &wish)
 {
@@ -37,35 +27,15 @@ EscSettings escSettingsOf(const EscLineSettings &wish)
 } // namespace
 
 EscLineAtWork::EscLineAtWork(BusId id, Surroundings its, QObject *parent)
-    : BusAtWork(id, std::move(its), parent)
+    : AskedBusAtWork(id, std::move(its), parent)
 {
     connect(&project(), &ProjectDocument::changed, this, &EscLineAtWork::tellByteOrder);
-    connect(&project(), &ProjectDocument::replaced, this, &EscLineAtWork::followProject);
-    connect(&m_openingTurns, &QTimer::timeout, this, &EscLineAtWork::goOnOpening);
-    connect(this, &EscLineAtWork::openRefused, this, [this](const Refusal &why) { noteRefused(why); });
-    connect(this, &EscLineAtWork::changed, this, [this] { noteRefused({}); });
-}
-
-EscLineAtWork::~EscLineAtWork()
-{
-    endAccount();
+    connect(this, &EscLineAtWork::changed, this, &EscLineAtWork::tellByteOrder);
 }
 
 QString EscLineAtWork::kind() const
 {
     return QString::fromLatin1(escKind);
-}
-
-// The simulated encoders give way to those of an opened project that has a port for them.
-void EscLineAtWork::followProject()
-{
-    const bool isForTraining = plansTraining(project().project(), id());
-    if (m_training && !isForTraining) {
-        close();
-        m_gaveWay = true;
-    } else if (std::exchange(m_gaveWay, false) && isForTraining && !m_session) {
-        openTraining();
-    }
 }
 
 std::unique_ptr<EscLineSession> EscLineAtWork::makeSession(std::unique_ptr<ByteLink> link,
@@ -83,48 +53,29 @@ std::unique_ptr<EscLineSession> EscLineAtWork::makeSession(std::unique_ptr<ByteL
     return session;
 }
 
-void EscLineAtWork::replace(std::unique_ptr<EscLineSession> session,
-                            std::shared_ptr<SimulatedEscLine> training, const SerialPortLink *port)
+void EscLineAtWork::attach(std::shared_ptr<SimulatedEscLine> training, const SerialPortLink *port,
+                           const EscLineSettings &openedWith)
 {
-    Q_EMIT aboutToChange();
-    if (m_session)
-        m_session->close();
-    endAccount();
-    m_session = std::move(session);
     m_training = std::move(training);
     m_port = port;
-    if (m_session)
-        keepAccount(
-            std::make_unique<LedgerKeeper>(*m_session, ledgerPlace(*m_session, surroundings().dataFolder)));
-    Q_EMIT changed();
+    m_openedWith = openedWith;
 }
 
-void EscLineAtWork::openTraining()
+void EscLineAtWork::beginTraining(EncoderBus::Start start)
 {
-    openTraining(EscLineSession::Start::operating);
-}
-
-void EscLineAtWork::startAfresh()
-{
-    openTraining(m_session->isOperating() ? EscLineSession::Start::operating
-                                          : EscLineSession::Start::watching);
-}
-
-void EscLineAtWork::openTraining(EscLineSession::Start start)
-{
+    endOpening();
     forgetSimulated();
     auto line = std::make_shared<SimulatedEscLine>();
-    const bool isVirtual = !surroundings().byThread;
-    auto link = std::make_unique<SimulatedEscLineLink>(
-        line, isVirtual ? SimulatedEscLineLink::Clock() : SimulatedEscLineLink::Clock(steadyTime));
+    auto link = std::make_unique<SimulatedEscLineLink>(line, drive() == EncoderBus::Drive::byHand
+                                                                 ? SimulatedEscLineLink::Clock()
+                                                                 : SimulatedEscLineLink::Clock(steadyTime));
     auto session = makeSession(std::move(link), {});
     // a simulated link always opens
-    if (!session->open({}, {}, start,
-                       isVirtual ? EscLineSession::Drive::byHand : EscLineSession::Drive::byThread))
+    if (!session->open({}, {}, start, drive()))
         Q_UNREACHABLE();
     for (const EscLineAddress address : line->addresses())
         (void)session->add(address, trainingDevice);
-    replace(std::move(session), std::move(line), nullptr);
+    replace(std::move(session), true, [&] { attach(std::move(line), nullptr, {}); });
 }
 
 void EscLineAtWork::openPort(const EscLinePlan &line)
@@ -153,7 +104,6 @@ bool EscLineAtWork::holds(const QString &path) const
            (held && wanted && sameAdapter(*held, {*wanted}).kind == AdapterMatch::Kind::found);
 }
 
-// The port is opened in its own thread, since its adapter may be slow.
 void EscLineAtWork::open(const EscLinePlan &line)
 {
     endOpening();
@@ -166,14 +116,11 @@ void EscLineAtWork::open(const EscLinePlan &line)
     const SerialPortLink *port = link.get();
     if (holds(*there))
         close();
-    m_opening = {makeSession(std::move(link), line.settings), port, line.settings, std::nullopt};
-    EscLineSession &session = *m_opening.session;
-    connect(&session, &EscLineSession::openRefused, this,
-            [this](const Refusal &why) { m_opening.refusal = why; });
-    (void)session.open(line.settings.serial, line.settings.timing, EscLineSession::Start::watching,
-                       EscLineSession::Drive::byThread);
-    m_openingTurns.start(betweenTries);
-    Q_EMIT openingChanged();
+    auto session = makeSession(std::move(link), line.settings);
+    (void)session->open(line.settings.serial, line.settings.timing, EncoderBus::Start::watching,
+                        EncoderBus::Drive::byThread);
+    waitUntilOpen(std::move(session),
+                  [this, port, settings = line.settings] { attach(nullptr, port, settings); });
 }
 
 std::unique_ptr<ByteLink> EscLineAtWork::makeLink(const EscLinePlan &line) const
@@ -181,49 +128,13 @@ std::unique_ptr<ByteLink> EscLineAtWork::makeLink(const EscLinePlan &line) const
     return std::make_unique<SerialPortLink>(keptAdapterOf(line), m_ports);
 }
 
-void EscLineAtWork::goOnOpening()
-{
-    m_opening.session->pump();
-    if (m_opening.session->state() == BusState::opening)
-        return;
-    Opening ended = std::exchange(m_opening, {});
-    m_openingTurns.stop();
-    const auto refusal = ended.refusal;
-    if (!refusal)
-        useOpened(std::move(ended));
-    Q_EMIT openingChanged();
-    if (refusal)
-        Q_EMIT openRefused(*refusal);
-    else
-        Q_EMIT portOpened();
-}
-
-void EscLineAtWork::useOpened(Opening opening)
-{
-    for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
-        (void)opening.session->add(EscLineAddress::of(encoder.place().node), encoder.participant.deviceKey);
-    replace(std::move(opening.session), nullptr, opening.port);
-    m_openedWith = opening.wish;
-    tellByteOrder();
-}
-
-// Nothing has been sent at this point.
-void EscLineAtWork::endOpening()
-{
-    if (!isOpening())
-        return;
-    m_openingTurns.stop();
-    m_opening = {};
-    Q_EMIT openingChanged();
-}
-
 // For the project's encoders, also after undo, but not for those of the training line.
 void EscLineAtWork::tellByteOrder()
 {
-    if (!m_session || m_training)
+    if (!session() || m_training)
         return;
     for (const ProjectDevice &encoder : devicesOn(project().project(), id()))
-        m_session->setSwapsWarningBytes(encoder.place(), encoder.its<EscEncoderSettings>().swapsWarningBytes);
+        session()->setSwapsWarningBytes(encoder.place(), encoder.its<EscEncoderSettings>().swapsWarningBytes);
 }
 
 EscLinePlan EscLineAtWork::asOpened(EscLinePlan line) const
@@ -236,20 +147,13 @@ EscLinePlan EscLineAtWork::asOpened(EscLinePlan line) const
     return line;
 }
 
-EscLinePlan EscLineAtWork::opened() const
+EscLinePlan EscLineAtWork::openedPlan() const
 {
     EscLinePlan line;
     if (m_port == nullptr)
         return line;
     line.settings = m_openedWith;
     return asOpened(std::move(line));
-}
-
-void EscLineAtWork::close()
-{
-    endOpening();
-    if (m_session)
-        replace(nullptr, nullptr, nullptr);
 }
 
 } // namespace codewheel

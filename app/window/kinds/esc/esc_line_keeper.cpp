@@ -39,7 +39,7 @@ EscLineKeeper::EscLineKeeper(const EscLineAtWork &line, ProjectDocument &project
 EscLinePlan EscLineKeeper::line() const
 {
     const EscLinePlan *planned = linePlan(m_project.project(), m_line.id());
-    return planned ? *planned : m_line.opened();
+    return planned ? *planned : m_line.openedPlan();
 }
 
 std::vector<ProjectDevice> EscLineKeeper::encoders() const

@@ -161,7 +161,7 @@ EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &parts, QObjec
     connect(m_training, &EscLineTrainingPanel::acted, this,
             [this](Place place, const TrainingAct &what) { tellTraining(place, what); });
     connect(m_training, &EscLineTrainingPanel::afreshWanted, this, &EscLineViews::startAfresh);
-    connect(&line, &EscLineAtWork::portOpened, this, &EscLineViews::showOpened);
+    connect(&line, &EscLineAtWork::opened, this, &EscLineViews::showOpened);
     connect(&line, &EscLineAtWork::openRefused, this, &EscLineViews::showRefused);
     connect(&line, &EscLineAtWork::openingChanged, this, [this] {
         m_connection->setConnecting(m_line.isOpening());
