@@ -182,6 +182,11 @@ TEST(CliPreset, FromPosition0IsProvedToo)
     EXPECT_EQ(shared.runLine(QStringLiteral("preset 1.0 1000")).out, "Position before: 0\n"
                                                                      "Position after:  1000\n"
                                                                      "EEPROM writes:   2\n");
+    shared.runLine(QStringLiteral("preset 1.0 0"));
+    const QJsonArray written =
+        shared.runLine(QStringLiteral("preset 1.0 2000 --json")).json()[u"written"].toArray();
+    ASSERT_EQ(written.size(), 1);
+    EXPECT_EQ(written[0][u"value"].toInt(), 2'000) << "it was read back";
 }
 
 TEST(CliPreset, OfAnEncoderInCamModeThatWasToldToBeInPositionModeSaysWhatItMayBe)

@@ -247,11 +247,14 @@ void K3Run::readDone(const K3Step &step, Word in)
     const auto value = m_encoder.knowledge.valueOfReadOut(*step.parameter(), k3::data(in));
     if (!value)
         return;
+    const bool isProven = valueOf(m_unproven, *step.parameter()) == value;
     std::erase_if(m_unproven, [&](const ParameterValue &its) { return its.parameter == *step.parameter(); });
     if (step.expected) {
         verify(step, *value);
         return;
     }
+    if (isProven)
+        m_account.written({*step.parameter(), *value});
     m_account.read({*step.parameter(), *value});
     if (*step.parameter() == Parameter::presetFlag)
         presetFlagRead(*value);
