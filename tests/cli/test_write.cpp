@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/word_channel.h"
+#include "project/project_file.h"
 #include "tests/cli/cli_run.h"
 #include "tests/support/places.h"
 
 #include <QJsonArray>
+#include <QTemporaryDir>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,6 +31,26 @@ std::vector<std::string> keysOf(const QJsonObject &json, QStringView list)
 QJsonObject rowOf(const QJsonObject &json, QStringView list, int index)
 {
     return json[list].toArray()[index].toObject();
+}
+
+// A Baumer cannot be read: no later call knows them.
+TEST(CliWrite, WhatWasConfirmedIsKeptInTheProjectWhereThatIsWanted)
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("crane.codewheel"));
+    ASSERT_EQ(runLine(QStringLiteral("scan --save ") + file).exit, 0);
+    const QString write = QStringLiteral("write 2.0 steps=4096 --yes --store");
+    EXPECT_EQ(errorKey(runLine(write + QStringLiteral(" --json"))), "storeNeedsProject");
+    const CliRun run = runLine(write + QStringLiteral(" --project ") + file);
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Saved in "));
+    const auto project = loadProject(file);
+    ASSERT_TRUE(project);
+    const std::vector<StoredValue> &stored = findDevice(*project, "2.0"_ring)->stored;
+    const auto steps = std::ranges::find(stored, Parameter::steps, &StoredValue::parameter);
+    ASSERT_NE(steps, stored.end());
+    EXPECT_EQ(steps->value, 4'096);
+    EXPECT_EQ(steps->evidence, Evidence::echoed);
 }
 
 TEST(CliWrite, ADryRunShowsDiffAndWordsAndSendsNothing)

@@ -12,6 +12,10 @@
 #include "cli/encoder/parameter_text.h"
 #include "cli/encoder/position_text.h"
 #include "cli/encoder/write_plan_text.h"
+#include "cli/project/project_of_call.h"
+#include "project/project_file.h"
+#include "transfer/project_places.h"
+#include "transfer/value_store.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -38,6 +42,9 @@ constexpr std::array writeOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "show what would be written, and send nothing")},
     Option{"--all", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "write also what the encoder already has")},
+    Option{"--store", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "keep in the project (--project) what is known of the encoder then")},
     traceOption,
 };
 
@@ -143,12 +150,40 @@ void carryOutWrite(const Call &call, const AllowedJob &write, const WritePlan &p
     }
 }
 
+// Asked before anything is written.
+Checked<void> checkStore(const Call &call, const EncoderSession &encoder)
+{
+    if (!call.arguments.has("--store"))
+        return {};
+    if (call.project == nullptr)
+        return badInput(QStringLiteral("storeNeedsProject"),
+                        CommandLine::tr("--store keeps values in a project. Name it with --project FILE."));
+    const auto why = ProjectPlaces(*call.project, call.buses).hindrance(encoder.place());
+    return why ? Checked<void>(tl::unexpected(complaintAbout(*why))) : Checked<void>();
+}
+
+// The next call would not know it of an encoder that cannot be read.
+void store(const Call &call, const EncoderSession &encoder, Answer &answer)
+{
+    const QString file = *call.arguments.value("--project");
+    Project project = *call.project;
+    ProjectDevice &kept = *findDevice(project, encoder.place());
+    kept = withStored(kept, encoder);
+    const auto saved = saveUnlessChanged(project, file, projectMark(*call.project));
+    if (saved)
+        answer.text += sentence(CommandLine::tr("Saved in %1."), {file}) + u'\n';
+    else if (!answer.complaint)
+        answer.complaint = saved.error();
+}
+
 Checked<Answer> runWrite(const Call &call, EncoderSession &encoder)
 {
     const DeviceDescription &device = encoder.device();
     if (!device.capabilities.writes)
         return tl::unexpected(
             complaintAbout({RefusalKind::notSupported, RefusalId::writingNotSupported, {device.fullName()}}));
+    if (const auto may = checkStore(call, encoder); !may)
+        return tl::unexpected(may.error());
     const auto values = valuesToWrite(device, call.arguments.rest.sliced(1));
     if (!values)
         return tl::unexpected(values.error());
@@ -175,10 +210,13 @@ Checked<Answer> runWrite(const Call &call, EncoderSession &encoder)
     const auto agreed = consent(call, question,
                                 CommandLine::tr("Nothing was sent: there is nobody to ask. Add --yes to "
                                                 "write, or --dry-run to look only."));
-    if (agreed)
-        carryOutWrite(call, *allowed, plan, answer);
-    else
+    if (!agreed) {
         answer.complaint = agreed.error();
+        return answer;
+    }
+    carryOutWrite(call, *allowed, plan, answer);
+    if (call.arguments.has("--store"))
+        store(call, encoder, answer);
     return answer;
 }
 
@@ -186,7 +224,7 @@ Checked<Answer> runWrite(const Call &call, EncoderSession &encoder)
 
 const Subcommand writeCommand{
     .name = "write",
-    .usage = "PLACE PARAMETER=VALUE... [--yes] [--dry-run] [--all] [--trace]",
+    .usage = "PLACE PARAMETER=VALUE... [--yes] [--dry-run] [--all] [--store] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "write parameters, after showing what and asking"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
