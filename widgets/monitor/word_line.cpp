@@ -141,6 +141,13 @@ void WordLine::showWord()
     m_meaning->setText(explain());
 }
 
+// An encoder without supply shows what one at position 0 does.
+bool WordLine::mayLackSupply() const
+{
+    return !isOut() && m_encoder != nullptr && m_encoder->latest().position == 0 &&
+           m_encoder->latest().state == EncoderState::operation && !m_encoder->showsPosition();
+}
+
 QString WordLine::explain() const
 {
     if (!isKnown() && m_channel->freshness().isOfRecording())
@@ -159,6 +166,8 @@ QString WordLine::explain() const
     QString text = explanationText(*m_description, explainWord(*m_description, shown(), context));
     if (isOut() && !m_channel->freshness().isOfRecording())
         return m_channel->staged() ? tr("Not sent yet: %1", "meaning of a word").arg(text) : text;
+    if (mayLackSupply())
+        text = tr("%1, or no supply", "meaning of a word").arg(text);
     if (!isOld())
         return text;
     return QStringLiteral("%1, %2: %3") // "Bus stopped, 20 s ago: ..."

@@ -60,6 +60,7 @@ public:
     void showWord(); // updates what is shown
 
 private:
+    bool mayLackSupply() const;
     QString explain() const;
     void arrange();
 

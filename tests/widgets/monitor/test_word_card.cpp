@@ -107,6 +107,18 @@ protected:
     const WordLine &out = *card.line(WordDirection::out);
 };
 
+// As banner and F12 say.
+TEST_F(WordCardTest, Position0MayBeAnEncoderWithoutSupply)
+{
+    ring.encoder(fraba).tell(Parameter::startUpMode, 1); // in position mode
+    ring.bus.advance(40);
+    EXPECT_FALSE(in.meaning().contains(QStringLiteral("supply")));
+    ring.controls->turnTo(fraba.node, 0);
+    ring.bus.advance(40);
+    EXPECT_TRUE(in.meaning().endsWith(QStringLiteral("position 0, or no supply")))
+        << in.meaning().toStdString();
+}
+
 TEST_F(WordCardTest, AWordIsShownInEveryWriting)
 {
     ring.controls->turnTo(fraba.node, 0x1234);
