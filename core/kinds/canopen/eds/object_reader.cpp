@@ -47,6 +47,17 @@ const IniEntry *listedEntry(const IniSection *section, std::uint64_t sub)
     return section != nullptr ? section->find(std::to_string(sub)) : nullptr;
 }
 
+// Subindex 0 of compact ones.
+FileObject compactCount(const FileObject &like, std::uint64_t count)
+{
+    return {.object = {like.object.index, 0},
+            .name = QStringLiteral("NrOfObjects"),
+            .type = DataType::u8,
+            .access = FileAccess::readOnly,
+            .factory = FileValue{static_cast<std::int64_t>(count)},
+            .line = like.line};
+}
+
 } // namespace
 
 bool ObjectReader::read(std::uint16_t index, const ObjectSections &sections)
@@ -69,7 +80,7 @@ void ObjectReader::readGroup(std::uint16_t index, const ObjectSections &sections
     m_file.groups[index] = {main.text("ParameterName"), type};
     const auto compact = main.number("CompactSubObj").value_or(0);
     if (compact > 0)
-        return addCompact(index, sections, main, compact);
+        return addCompact(sections, main, objectIn({index, 0}, main), compact);
     if (sections.subs.empty()) {
         const bool hasValue = main.section().find("DataType") != nullptr;
         if (type >= arrayType && !hasValue)
@@ -85,57 +96,51 @@ void ObjectReader::readGroup(std::uint16_t index, const ObjectSections &sections
 
 void ObjectReader::readSubs(std::uint16_t index, const ObjectSections &sections)
 {
-    for (const auto &[sub, section] : sections.subs) {
-        const SectionReader reader(*section, m_file.notes);
-        reader.checkKeys(objectKeys);
-        add(objectIn({index, sub}, reader));
-    }
+    for (const auto &[sub, section] : sections.subs)
+        addSub({index, sub}, *section);
 }
 
 // Subindexes without sections of their own: all like the object, but the first, which says how many there
 // are.
-void ObjectReader::addCompact(std::uint16_t index, const ObjectSections &sections, const SectionReader &main,
-                              std::uint64_t count)
+void ObjectReader::addCompact(const ObjectSections &sections, const SectionReader &main,
+                              const FileObject &like, std::uint64_t announced)
 {
-    if (count > mostSubs)
+    if (announced > mostSubs)
         main.note(*main.section().find("CompactSubObj"), EdsFault::tooManySubs,
-                  {QString::number(count), QString::number(mostSubs)});
-    count = std::min(count, mostSubs);
-    const FileObject like = objectIn({index, 0}, main);
+                  {QString::number(announced), QString::number(mostSubs)});
+    const std::uint64_t count = std::min(announced, mostSubs);
     for (const IniSection *list : {sections.names, sections.values})
         if (list != nullptr)
             SectionReader(*list, m_file.notes).checkKeys(compactKeys, true);
-    std::uint64_t last = count;
-    if (!sections.subs.empty())
-        last = std::max<std::uint64_t>(last, sections.subs.rbegin()->first);
-    for (std::uint64_t sub = 0; sub <= last; ++sub) {
-        const SdoObject object{index, static_cast<std::uint8_t>(sub)};
-        if (const auto own = sections.subs.find(object.sub); own != sections.subs.end()) {
-            const SectionReader reader(*own->second, m_file.notes);
-            reader.checkKeys(objectKeys);
-            add(objectIn(object, reader));
-            continue;
-        }
-        if (sub > count)
-            continue;
-        FileObject made = like;
-        made.object = object;
-        if (sub == 0) {
-            made = {.object = object,
-                    .name = QStringLiteral("NrOfObjects"),
-                    .type = DataType::u8,
-                    .access = FileAccess::readOnly,
-                    .factory = FileValue{static_cast<std::int64_t>(count)},
-                    .line = like.line};
-        } else if (const IniEntry *name = listedEntry(sections.names, sub); name != nullptr) {
-            made.name = textOf(name->value);
-        } else {
-            made.name += QStringLiteral(" %1").arg(sub);
-        }
-        if (sections.values != nullptr && sub > 0)
-            made.value = SectionReader(*sections.values, m_file.notes).value(std::to_string(sub), made.type);
-        add(std::move(made));
+    const std::uint64_t last =
+        sections.subs.empty() ? count : std::max<std::uint64_t>(count, sections.subs.rbegin()->first);
+    for (std::uint64_t number = 0; number <= last; ++number) {
+        const auto sub = static_cast<std::uint8_t>(number);
+        if (const auto own = sections.subs.find(sub); own != sections.subs.end())
+            addSub({like.object.index, sub}, *own->second);
+        else if (sub == 0)
+            add(compactCount(like, count));
+        else if (number <= count)
+            add(compactSub(sections, like, sub));
     }
+}
+
+FileObject ObjectReader::compactSub(const ObjectSections &sections, const FileObject &like, std::uint8_t sub)
+{
+    FileObject object = like;
+    object.object.sub = sub;
+    const IniEntry *name = listedEntry(sections.names, sub);
+    object.name = name != nullptr ? textOf(name->value) : like.name + QStringLiteral(" %1").arg(sub);
+    if (sections.values != nullptr)
+        object.value = SectionReader(*sections.values, m_file.notes).value(std::to_string(sub), object.type);
+    return object;
+}
+
+void ObjectReader::addSub(SdoObject object, const IniSection &section)
+{
+    const SectionReader reader(section, m_file.notes);
+    reader.checkKeys(objectKeys);
+    add(objectIn(object, reader));
 }
 
 FileObject ObjectReader::objectIn(SdoObject object, const SectionReader &section)

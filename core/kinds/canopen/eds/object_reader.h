@@ -20,8 +20,10 @@ public:
 private:
     void readGroup(std::uint16_t index, const ObjectSections &sections, const SectionReader &main);
     void readSubs(std::uint16_t index, const ObjectSections &sections);
-    void addCompact(std::uint16_t index, const ObjectSections &sections, const SectionReader &main,
-                    std::uint64_t count);
+    void addCompact(const ObjectSections &sections, const SectionReader &main, const FileObject &like,
+                    std::uint64_t announced);
+    FileObject compactSub(const ObjectSections &sections, const FileObject &like, std::uint8_t sub);
+    void addSub(SdoObject object, const IniSection &section);
     FileObject objectIn(SdoObject object, const SectionReader &section);
     void add(FileObject object) { m_file.objects.push_back(std::move(object)); }
 
