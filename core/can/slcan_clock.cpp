@@ -30,7 +30,7 @@ Instant SlcanClock::timeOf(int stamp, Instant arrival)
 void SlcanClock::note(Instant offset, Instant arrival)
 {
     constexpr Instant longestWay = 250ms; // beyond it the two clocks have parted
-    constexpr Instant compared = 1s;      // at 100 ppm they part by 0.1 ms
+    constexpr Instant compared = 250ms;   // at 300 ppm they part by less than 0.1 ms
     const bool isOld = !m_last || arrival - m_since >= 2 * compared;
     if (isOld || offset > std::min(m_offset, m_offsetBefore) + longestWay) {
         m_offset = m_offsetBefore = offset;

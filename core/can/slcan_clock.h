@@ -8,7 +8,7 @@
 namespace codewheel {
 
 // When a frame was on the bus, on the clock of whoever receives it: from the stamp of the adapter, whose ms
-// begin again after a minute. The shortest way from the adapter that was seen in the last seconds counts as
+// begin again after a minute. The shortest way from the adapter that was seen just now counts as
 // none: the two clocks do not run at the same pace. A time is never before that of the frame before, nor too
 // early by more than its way.
 class SlcanClock

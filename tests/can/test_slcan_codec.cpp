@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SLCAN as Lawicel documents it (CAN232 and CANUSB manuals), in literal bytes.
-#include "can/slcan_clock.h"
 #include "can/slcan_codec.h"
 
 #include <gtest/gtest.h>
 
 namespace codewheel {
 namespace {
-
-using namespace std::chrono_literals;
 
 SlcanItem frameItem(std::uint32_t id, std::vector<std::uint8_t> data, std::optional<int> stamp = {})
 {
@@ -141,33 +138,6 @@ TEST(SlcanCodec, KnowsTextsByTheirForm)
     EXPECT_FALSE(slcanStatusBits("FXX"));
     EXPECT_TRUE(hasWords("CAN Init OK!"));
     EXPECT_FALSE(hasWords("852AABBt123"));
-}
-
-// Stamps begin again after a minute, whatever time passes between frames.
-TEST(SlcanClock, CountsOnOverTheMinutes)
-{
-    SlcanClock clock;
-    EXPECT_EQ(clock.timeOf(59'000, 100s), 100s);
-    EXPECT_EQ(clock.timeOf(59'990, 101s), 100'990ms);
-    EXPECT_EQ(clock.timeOf(10, 101'015ms), 101'010ms);
-    EXPECT_EQ(clock.timeOf(10, 161'012ms), 161'010ms) << "a minute later";
-    EXPECT_EQ(clock.timeOf(20, 10'121'030ms), 10'121'020ms) << "much later";
-}
-
-TEST(SlcanClock, TheShortestWayCountsAsNone)
-{
-    SlcanClock clock;
-    EXPECT_EQ(clock.timeOf(1'000, 10'016ms), 10'016ms);
-    EXPECT_EQ(clock.timeOf(1'010, 10'017ms), 10'017ms);
-    EXPECT_EQ(clock.timeOf(1'020, 10'033ms), 10'027ms);
-}
-
-TEST(SlcanClock, BeginsAnewWithTheAdapter)
-{
-    SlcanClock clock;
-    EXPECT_EQ(clock.timeOf(20'000, 30s), 30s);
-    EXPECT_EQ(clock.timeOf(0, 31s), 31s);
-    EXPECT_EQ(clock.timeOf(500, 31'500ms), 31'500ms);
 }
 
 } // namespace
