@@ -69,10 +69,11 @@ private:
 TEST_P(Mnemonics, AreUniqueOnEveryPage)
 {
     std::set<const QWidget *> seen;
-    for (QAction *action : {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
-                            actions().structureEditor, actions().compare, actions().transfer,
-                            actions().replaceEncoder, lineActions().settings, lineActions().search,
-                            canActions().settings, actions().projectPage, ringActions().offer}) {
+    for (QAction *action :
+         {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
+          actions().structureEditor, actions().compare, actions().transfer, actions().replaceEncoder,
+          lineActions().settings, lineActions().search, canActions().settings, canActions().search,
+          actions().projectPage, ringActions().offer}) {
         action->trigger();
         EXPECT_TRUE(seen.insert(page()).second) << action->text().toStdString() << " opens its page";
         // There may be many monitors; each uses its own keys only while it has the focus.

@@ -90,7 +90,7 @@ TEST_F(PagesTest, EachHasAHeadAndIsClosedByMouseAndByKeys)
 {
     choose(fraba);
     QList<QAction *> all = opening();
-    all << lineActions().settings << lineActions().search << canActions().settings;
+    all << lineActions().settings << lineActions().search << canActions().settings << canActions().search;
     QStringList titles;
     for (QAction *open : all) {
         const std::string name = open->text().toStdString();

@@ -76,9 +76,9 @@ QStringList CanopenAccess::remarks(const Reading &reading) const
     QStringList texts = BusAccess::remarks(reading);
     const int number = showing(reading);
     if (const auto *node = m_session->latest().heard(number)) {
-        if (const QString state = stateText(node->state); !state.isEmpty())
+        if (const QString state = nmtStateText(node->state); !state.isEmpty())
             texts << state;
-        if (const QString errors = nodeErrorsText(*node); !errors.isEmpty())
+        if (const QString errors = nodeTroubles(*node).join(QStringLiteral("; ")); !errors.isEmpty())
             texts << errors;
     }
     if (const auto pdo = m_firstPdos.find(number); pdo != m_firstPdos.end() && !reading.position)
@@ -96,7 +96,7 @@ QJsonObject CanopenAccess::remarksJson(const Reading &reading) const
     const int number = showing(reading);
     const auto *node = m_session->latest().heard(number);
     QJsonObject json{
-        {QStringLiteral("nmt"), node != nullptr ? stateJson(node->state) : QJsonValue()},
+        {QStringLiteral("nmt"), node != nullptr ? nmtStateJson(node->state) : QJsonValue()},
         {QStringLiteral("alarms"), reading.alarms ? QJsonValue(*reading.alarms) : QJsonValue()},
         {QStringLiteral("warnings"), reading.warnings ? QJsonValue(*reading.warnings) : QJsonValue()}};
     if (const auto pdo = m_firstPdos.find(number); pdo != m_firstPdos.end() && !reading.position) {

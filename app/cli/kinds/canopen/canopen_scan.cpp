@@ -22,18 +22,6 @@ constexpr int usualListening = 3; // s; heartbeats come once a second
 constexpr int longestListeningAsked = 3'600;
 constexpr Instant canLookInterval = std::chrono::milliseconds(20);
 
-constexpr NamedValue<canopen::NmtState> nmtStateKeys[] = {
-    {"bootUp", canopen::NmtState::bootUp},
-    {"stopped", canopen::NmtState::stopped},
-    {"operational", canopen::NmtState::operational},
-    {"preOperational", canopen::NmtState::preOperational},
-};
-constexpr NamedValue<canopen::Heartbeat> heartbeatKeys[] = {
-    {"notHeard", canopen::Heartbeat::notHeard}, {"heard", canopen::Heartbeat::heard},
-    {"present", canopen::Heartbeat::present},   {"late", canopen::Heartbeat::late},
-    {"lost", canopen::Heartbeat::lost},
-};
-
 // False: it was cancelled, or the link is gone.
 bool listen(CanopenAccess &bus, StopSignals &stop, Instant duration)
 {
@@ -111,7 +99,7 @@ QString tableOf(const Catalog &catalog, const std::vector<NodeOnBus> &nodes, boo
     table.add(head << CommandLine::tr("errors"));
     for (const NodeOnBus &node : nodes) {
         QStringList cells{CanopenAddress{node.heard.node}.place().toString(),
-                          orDash(stateText(node.heard.state)),
+                          orDash(nmtStateText(node.heard.state)),
                           node.heard.sendsPdos ? CommandLine::tr("sends") : orDash({})};
         if (wasAsked) {
             cells << orDash(typeText(catalog, node));
@@ -120,7 +108,7 @@ QString tableOf(const Catalog &catalog, const std::vector<NodeOnBus> &nodes, boo
             const auto serial = node.asked ? node.asked->identity.back() : std::nullopt;
             cells << orDash(serial ? serialNumberText(*serial) : QString());
         }
-        table.add(cells << orDash(nodeErrorsText(node.heard)));
+        table.add(cells << orDash(nodeTroubles(node.heard).join(QStringLiteral("; "))));
     }
     return table.toString();
 }
@@ -129,16 +117,12 @@ QJsonObject nodeJson(const NodeOnBus &node)
 {
     QJsonObject json{
         {QStringLiteral("place"), CanopenAddress{node.heard.node}.place().toString()},
-        {QStringLiteral("node"), node.heard.node},
-        {QStringLiteral("state"), stateJson(node.heard.state)},
-        {QStringLiteral("heartbeat"), keyOf(heartbeatKeys, node.heard.heartbeat)},
-        {QStringLiteral("sendsPdos"), node.heard.sendsPdos},
-        {QStringLiteral("doubled"), node.heard.isDoubled},
-        {QStringLiteral("error"), node.heard.error ? QJsonValue(node.heard.error->code) : QJsonValue()},
         {QStringLiteral("answers"), node.asked.has_value()},
         {QStringLiteral("deviceType"),
          node.asked && node.asked->deviceType ? QJsonValue(qint64{*node.asked->deviceType}) : QJsonValue()},
     };
+    for (const CanopenNodeFact &fact : canopenNodeFacts())
+        json.insert(QString::fromLatin1(fact.key), fact.json(node.heard));
     constexpr std::array keys{"vendor", "product", "revision", "serialNumber"};
     for (std::size_t word = 0; word < keys.size(); ++word) {
         const auto number = node.asked ? node.asked->identity.at(word) : std::nullopt;
@@ -163,11 +147,9 @@ Answer answerOf(const Catalog &catalog, const CanopenAccess &bus, const std::vec
     for (const NodeOnBus &node : nodes)
         json.append(nodeJson(node));
     Answer answer;
-    answer.json = {{QStringLiteral("nodes"), json},
-                   {QStringLiteral("load"), now.figures.load},
-                   {QStringLiteral("otherMaster"), now.otherMaster.isHeard()},
-                   {QStringLiteral("errorFrames"), static_cast<qint64>(now.figures.errorFrames)},
-                   {QStringLiteral("link"), bus.linkKey()}};
+    answer.json = {{QStringLiteral("nodes"), json}, {QStringLiteral("link"), bus.linkKey()}};
+    for (const char *key : {"load", "otherMaster", "errorFrames"})
+        answer.json.insert(QString::fromLatin1(key), canopenFact(QLatin1String(key)).json(bus.session()));
     answer.text = nodes.empty() ? aboutNobody(wasAsked) + u'\n' : tableOf(catalog, nodes, wasAsked);
     if (now.otherMaster.isHeard())
         answer.text += sentence(CommandLine::tr("Another master is at work (heard: %1)."),
@@ -220,28 +202,6 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
             Complaint{ExitCode::refused, QStringLiteral("scanCancelled"),
                       CommandLine::tr("The search was cancelled: what was found until then is listed.")};
     return scanned;
-}
-
-QString nodeErrorsText(const CanopenSnapshot::Node &node)
-{
-    QStringList texts;
-    if (node.isDoubled)
-        texts << CommandLine::tr("two nodes have this number");
-    if (node.heartbeat == canopen::Heartbeat::lost)
-        texts << CommandLine::tr("no heartbeat any more");
-    if (node.error)
-        texts << node.error->text();
-    return texts.join(QStringLiteral("; "));
-}
-
-QString stateText(std::optional<canopen::NmtState> state)
-{
-    return state ? canopen::NodeState{.state = *state}.text() : QString();
-}
-
-QJsonValue stateJson(std::optional<canopen::NmtState> state)
-{
-    return state ? QJsonValue(keyOf(nmtStateKeys, *state)) : QJsonValue();
 }
 
 } // namespace codewheel

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/call/subcommand.h"
-#include "kinds/canopen/bus/canopen_snapshot.h"
+#include "kinds/canopen/bus/canopen_facts.h"
 
 #include <array>
 
@@ -28,11 +28,5 @@ struct ScannedCan
     std::vector<NodeOnBus> nodes;
 };
 Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus);
-
-// Doubled, no heartbeat, EMCY; empty: nothing.
-QString nodeErrorsText(const CanopenSnapshot::Node &node);
-// "operational"; empty: not known.
-QString stateText(std::optional<canopen::NmtState> state);
-QJsonValue stateJson(std::optional<canopen::NmtState> state);
 
 } // namespace codewheel

@@ -86,7 +86,7 @@ Complaint aboutState(int node, std::optional<NmtState> state)
     return {ExitCode::refused,
             QStringLiteral("nmtNotTaken"),
             sentence(CommandLine::tr("Node %1 has not done it: it is %2."),
-                     {CanopenAddress{node}.shown(), stateText(state)}),
+                     {CanopenAddress{node}.shown(), nmtStateText(state)}),
             {std::int64_t{node}}};
 }
 
@@ -113,7 +113,7 @@ void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched
     if (isSeen && resets)
         bus.waitUntil([&] { return watched(bus, node).bootUps > before.bootUps + 1; }, longestSecondBoot);
     const std::optional<NmtState> state = watched(bus, node).state;
-    answer.json.insert(QStringLiteral("state"), stateJson(state));
+    answer.json.insert(QStringLiteral("state"), nmtStateJson(state));
     if (!bus.isConnected()) {
         answer.complaint = bus.linkLost();
     } else if (const auto doubled = bus.whetherDoubled(node)) {
@@ -126,7 +126,7 @@ void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched
         answer.text += sentence(CommandLine::tr("Node %1 is back."), {CanopenAddress{node}.shown()}) + u'\n';
     } else if (isSeen) {
         answer.text +=
-            sentence(CommandLine::tr("Node %1 is %2."), {CanopenAddress{node}.shown(), stateText(state)}) +
+            sentence(CommandLine::tr("Node %1 is %2."), {CanopenAddress{node}.shown(), nmtStateText(state)}) +
             u'\n';
     } else if (state) {
         answer.complaint = aboutState(node, state);

@@ -18,15 +18,6 @@ bool isForNodes(const DeviceDescription *device)
 
 } // namespace
 
-QString deviceOfNode(const Catalog &catalog, std::optional<std::uint32_t> deviceType,
-                     const canopen::ToldIdentity &identity)
-{
-    const DeviceDescription *described = canopen::describedNode(catalog.devices(), identity);
-    if (described != nullptr)
-        return described->key;
-    return deviceType ? deviceOfType(*deviceType) : QString();
-}
-
 Checked<QString> deviceOnNode(const Call &call, Place place)
 {
     const auto typed = call.arguments.value("--device");

@@ -23,6 +23,14 @@ CanopenActions::CanopenActions(WindowActions &window)
                               "sent")),
                        tr("CANopen, SocketCAN, SLCAN, interface, adapter, bit rate"));
     settings->setObjectName(QStringLiteral("canSettings"));
+    search = foundBy(add(Icon::search, tr("&Search for nodes…"), Qt::CTRL | Qt::Key_F10,
+                         tr("Asks all numbers who is there, after a question; nothing is written")),
+                     tr("scan, node number"));
+    nodes = foundBy(add(Icon::information, tr("&Nodes and figures"), Qt::CTRL | Qt::SHIFT | Qt::Key_F9,
+                        tr("Nodes with state, heartbeat and errors; load and counters of the bus")),
+                    tr("NMT, start, stop, reset, EMCY, heartbeat, load"));
+    search->setObjectName(QStringLiteral("canSearch"));
+    nodes->setObjectName(QStringLiteral("canNodes"));
     menu->addSeparator();
     training = foundBy(add(Icon::training, tr("CAN t&raining bus"), {},
                            tr("Three simulated encoders on CANopen, and one without a node number, in place "
@@ -33,12 +41,23 @@ CanopenActions::CanopenActions(WindowActions &window)
         foundBy(add(Icon::refresh, tr("Start a&fresh"), {}, {}), tr("reset, factory settings, no faults"));
     disconnectBus = add(Icon::cancel, tr("&Disconnect the CAN bus"), Qt::CTRL | Qt::SHIFT | Qt::Key_F10,
                         tr("Leaves the CAN bus"));
+    remove = new QAction(lineIcon(Icon::remove), tr("Remove from the CAN b&us"));
     window.insert(WindowActions::Section::kinds, {menu->menuAction()});
+    window.insert(WindowActions::Section::device, {remove});
+    showChosen(false);
+}
+
+void CanopenActions::showChosen(bool isConnected)
+{
+    described(remove, {},
+              isConnected ? tr("The encoder is not asked any more; what it has stays as it is")
+                          : tr("For encoders on the CAN bus"));
+    remove->setEnabled(isConnected);
 }
 
 void CanopenActions::tellBus(const QString &bus)
 {
-    for (QAction *action : {settings, training, afresh, disconnectBus})
+    for (QAction *action : {settings, search, nodes, training, afresh, disconnectBus})
         codewheel::tellBus(action, bus);
 }
 

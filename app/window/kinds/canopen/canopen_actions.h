@@ -20,12 +20,16 @@ public:
 
     void tellBus(const QString &bus);                // which bus they apply to; empty: the chosen one
     void tellWhyNotDisconnected(const QString &why); // while it is disabled
+    void showChosen(bool isConnected);               // the chosen device: an encoder of a connected CAN bus
 
     QMenu *menu;
     QAction *settings;
+    QAction *search;
+    QAction *nodes;
     QAction *training;
     QAction *afresh; // the simulated bus; described by Afresh
     QAction *disconnectBus;
+    QAction *remove; // the chosen encoder
 };
 
 } // namespace codewheel

@@ -13,21 +13,31 @@
 #include "app/window/look/afresh.h"
 #include "app/window/look/described_action.h"
 #include "app/window/window_actions.h"
+#include "app/window/window_settings.h"
 #include "can/can_refusals.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_link_check.h"
 #include "kinds/canopen/bus/canopen_session.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
+#include "kinds/canopen/protocol/cob_id.h"
 #include "links/serial_ports.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
 #include "widgets/comparison/comparison_page.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/connect/plain_link_form.h"
 #include "widgets/help/help_topic.h"
+#include "widgets/kinds/canopen/can_bus_panel.h"
+#include "widgets/kinds/canopen/can_search_page.h"
 #include "widgets/kinds/canopen/can_settings_form.h"
+#include "widgets/kinds/canopen/nmt_texts.h"
+#include "widgets/kinds/canopen/traffic/can_traffic_view.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 
 #include <QAction>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -38,6 +48,7 @@ namespace {
 
 struct WorkOnCanBus
 {
+    std::shared_ptr<const TrafficModel> traffic;
     int link = 0; // that is being entered
 };
 
@@ -65,6 +76,9 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject
     , m_notice(own(new InlineMessage(&parts.pages)))
     , m_keeper(new CanopenKeeper(bus, bus.project(), this))
     , m_operateQuestion(new OperateQuestion(bus, canOperateWarning, *parts.pages.window(), this))
+    , m_traffic(own(new CanTrafficView(&parts.pages)))
+    , m_panel(own(new CanBusPanel(&parts.pages)))
+    , m_search(own(new CanSearchPage(&parts.pages)))
     , m_connection(own(new ConnectPage(&parts.pages)))
     , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, m_connection))
     , m_adapter(new CanSettingsForm(CanSettingsForm::Adapter::serial, m_connection))
@@ -83,10 +97,16 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject
             const auto *planned = plan.as<CanopenPlan>();
             return planned != nullptr && planned->settings.isSimulated();
         }));
+    m_search->setObjectName(QStringLiteral("canSearch"));
     parts.pages.addWidget(m_connection);
+    parts.pages.addWidget(m_search);
     parts.pages.addWidget(m_comparison);
     setHelpTopic(*m_connection, "canopen.md#connecting-in-the-window");
+    setHelpTopic(*m_search, "canopen.md#searching-for-nodes");
     setHelpTopic(*m_comparison, "project.md#comparing");
+    connect(m_traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
+    connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
+    connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
     connect(m_connection, &ConnectPage::portsWanted, this, &CanopenViews::listAdapters);
     connect(m_connection, &ConnectPage::connectWanted, this, &CanopenViews::connectAs);
     connect(m_connection, &ConnectPage::keepWanted, this,
@@ -108,6 +128,9 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject
     connect(&bus, &CanopenAtWork::aboutToChange, this, [this] { setBus(nullptr); });
     connect(&bus, &CanopenAtWork::changed, this, [this] { setBus(m_bus.session()); });
     onAction(m_actions.settings, [this] { showSettings(); });
+    onAction(m_actions.search, [this] { showSearch(); });
+    onAction(m_actions.nodes, [this] { open(); });
+    onAction(m_actions.remove, [this] { removeChosen(); });
     onAction(m_actions.training, [this] { connectTrainingBus(); });
     onAction(m_actions.afresh, [this] { startAfresh(); });
     onAction(m_actions.disconnectBus, [this] { disconnectBus(); });
@@ -117,7 +140,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject
 
 std::vector<std::pair<const Panel *, QWidget *>> CanopenViews::pages() const
 {
-    return {};
+    return {{&canTrafficPanel, m_traffic}, {&canBusPanel, m_panel}};
 }
 
 QWidget *CanopenViews::comparison() const
@@ -152,6 +175,31 @@ void CanopenViews::tellActions()
         m_actions.tellWhyNotDisconnected(tr("The CAN bus is not connected."));
     m_actions.training->setEnabled(isMeant() && m_bus.training() == nullptr);
     tellAfresh();
+    showChosen();
+}
+
+void CanopenViews::showChosen()
+{
+    if (isCurrent())
+        m_actions.showChosen(m_session && m_chosen && m_session->encoder(*m_chosen) != nullptr);
+}
+
+void CanopenViews::setChosen(std::optional<Place> place)
+{
+    m_chosen = place;
+    if (place)
+        m_panel->chooseNode(CanopenAddress::of(place->node).node);
+    showChosen();
+}
+
+void CanopenViews::setRecordingChosen(bool isChosen)
+{
+    m_traffic->setRecordingChosen(isChosen);
+}
+
+void CanopenViews::useSettings(const ProgramSettings &settings)
+{
+    m_traffic->setMostRows(settings.traceRows);
 }
 
 // A job that begins or ends decides, too.
@@ -181,6 +229,8 @@ QAction *CanopenViews::actionFor(DataCheck::Action action) const
     case DataCheck::Action::connectBus:
     case DataCheck::Action::connection:
         return m_actions.settings;
+    case DataCheck::Action::search:
+        return m_actions.search;
     default:
         return nullptr;
     }
@@ -188,18 +238,35 @@ QAction *CanopenViews::actionFor(DataCheck::Action action) const
 
 std::any CanopenViews::takeWork()
 {
-    return WorkOnCanBus{m_connection->chosenLink()};
+    return WorkOnCanBus{m_traffic->takeRows(), m_connection->chosenLink()};
 }
 
 void CanopenViews::goOn(const std::any &work)
 {
-    if (const auto *before = std::any_cast<WorkOnCanBus>(&work))
-        m_connection->chooseLink(before->link);
+    const auto *before = std::any_cast<WorkOnCanBus>(&work);
+    if (before == nullptr)
+        return;
+    m_traffic->goOn(*before->traffic);
+    m_connection->chooseLink(before->link);
 }
 
 void CanopenViews::open()
 {
-    showSettings();
+    Q_EMIT panelRequested(canBusPanel);
+    m_panel->setFocus();
+}
+
+bool CanopenViews::open(Place place)
+{
+    open();
+    m_panel->chooseNode(CanopenAddress::of(place.node).node);
+    return true;
+}
+
+void CanopenViews::showSearch()
+{
+    m_parts.pages.setCurrentWidget(m_search);
+    m_search->setFocus();
 }
 
 void CanopenViews::setBus(CanopenSession *bus)
@@ -215,7 +282,14 @@ void CanopenViews::setBus(CanopenSession *bus)
             ask(Asked::unsureWatch, refusalText(why), tr("&Watch all the same"));
         });
         connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::tellActions);
+        connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::watchJobs);
+        connect(bus, &CanopenSession::frameSent, this, &CanopenViews::tellSent);
     }
+    delete m_commandQuestion;
+    watchJobs();
+    m_traffic->setBus(bus);
+    m_panel->setBus(bus);
+    m_search->setBus(bus);
     m_comparison->setBus(bus);
     using enum ConnectPage::Connected;
     m_connection->setConnected(bus == nullptr ? no : m_bus.training() != nullptr ? simulated : real);
@@ -247,6 +321,96 @@ void CanopenViews::agree()
         m_session->takeUnsureWatch();
     else if (asked == Asked::otherMaster)
         m_session->sendBesideOthers();
+    else if (asked == Asked::stopOfNode && m_wouldStop) {
+        m_session->mayStopNode(*m_wouldStop);
+        m_parts.notice.showMessage(Role::running,
+                                   sentence(tr("%1 may be stopped for a moment by the next job: "
+                                               "start that again."),
+                                            {m_wouldStop->shown()}));
+    }
+}
+
+void CanopenViews::watchJobs()
+{
+    if (!m_session)
+        return;
+    for (const Place place : m_session->places())
+        if (const EncoderSession *encoder = m_session->encoder(place)) {
+            disconnect(encoder, &EncoderSession::finished, this, nullptr);
+            connect(encoder, &EncoderSession::finished, this,
+                    [this, place](const Outcome &outcome) { askToStop(place, outcome); });
+        }
+}
+
+// A running node takes some objects only while it is pre-operational.
+void CanopenViews::askToStop(Place place, const Outcome &outcome)
+{
+    if (outcome.result || outcome.result.error().id != CanopenRefusalId::nodeWouldStop) {
+        withdraw(Asked::stopOfNode);
+        return;
+    }
+    m_wouldStop = place;
+    ask(Asked::stopOfNode, refusalText(outcome.result.error()), tr("S&top it for a moment"));
+}
+
+// Not by exec(): the bus may be left while it is open.
+void CanopenViews::askToCommand(int node, canopen::NmtCommand command)
+{
+    delete m_commandQuestion;
+    const NmtAction &action = nmtAction(command);
+    m_commandQuestion = new QMessageBox(QMessageBox::Question, tr("Node"), action.question(node),
+                                        QMessageBox::NoButton, m_parts.pages.window());
+    m_commandQuestion->setObjectName(QStringLiteral("nmtQuestion"));
+    m_commandQuestion->setAttribute(Qt::WA_DeleteOnClose);
+    setHelpTopic(*m_commandQuestion, "canopen.md#the-panel");
+    auto *send = m_commandQuestion->addButton(action.label(), QMessageBox::AcceptRole);
+    send->setToolTip(action.toolTip());
+    auto *leave = m_commandQuestion->addButton(tr("&Leave it"), QMessageBox::RejectRole);
+    leave->setToolTip(tr("Nothing is sent (Esc)"));
+    m_commandQuestion->setDefaultButton(leave);
+    m_commandQuestion->setEscapeButton(leave);
+    connect(send, &QPushButton::clicked, this, [this, node, command] { sendCommand(node, command); });
+    m_commandQuestion->open();
+}
+
+// No node answers it: what it tells afterwards stands among the nodes.
+void CanopenViews::sendCommand(int node, canopen::NmtCommand command)
+{
+    if (m_session)
+        m_session->send(canopen::NmtRequest{command, node}.frame());
+}
+
+void CanopenViews::tellSent(const FrameSent &sent)
+{
+    if (sent.frame.id != canopen::CobId{.service = canopen::CobId::Service::nmt}.identifier())
+        return;
+    if (sent.refused)
+        m_parts.notice.showMessage(Role::attention, refusalText(*sent.refused));
+    else if (sent.fate == CanFate::refused)
+        m_parts.notice.showMessage(Role::attention, tr("The command to the node could not be sent. Check the "
+                                                       "CAN bus, then send it again."));
+}
+
+void CanopenViews::takeOver(const std::vector<CanFoundRow> &found)
+{
+    if (!m_session)
+        return;
+    std::vector<Place> taken;
+    for (const CanFoundRow &row : found)
+        if (m_session->add(row.found.node, row.deviceKey))
+            taken.push_back(m_session->placeOf(CanopenAddress{row.found.node}.place()));
+    m_keeper->keepEncoders(taken);
+}
+
+void CanopenViews::removeChosen()
+{
+    const auto chosen = m_chosen; // changes once it is removed
+    if (!chosen || !m_session || m_session->encoder(*chosen) == nullptr)
+        return;
+    if (const auto removed = m_session->remove(*chosen))
+        m_keeper->removeEncoder(*chosen);
+    else
+        m_parts.notice.showMessage(Role::attention, refusalText(removed.error()));
 }
 
 void CanopenViews::showState()
@@ -281,7 +445,9 @@ void CanopenViews::showNewPlan()
 void CanopenViews::showName()
 {
     const PlannedBus *planned = findBus(m_bus.project().project(), m_bus.id());
-    m_connection->setAbout(planned != nullptr ? planned->name : m_bus.nameOfNew());
+    const QString name = planned != nullptr ? planned->name : m_bus.nameOfNew();
+    m_connection->setAbout(name);
+    m_search->setAbout(name);
 }
 
 void CanopenViews::showSettings()
@@ -349,6 +515,8 @@ void CanopenViews::showOpened()
 {
     m_connection->setProblem({});
     m_keeper->keepLink(m_wanted);
+    if (isCurrent())
+        open();
 }
 
 void CanopenViews::showRefused(const Refusal &why)

@@ -5,15 +5,22 @@
 #include "app/window/buses/bus_views.h"
 #include "app/window/kinds/canopen/canopen_status.h"
 #include "kinds/canopen/plan/canopen_plan.h"
+#include "kinds/canopen/protocol/nmt.h"
 #include "vocabulary/refusal.h"
 
 #include <QPointer>
 
+#include <array>
 #include <optional>
+
+class QMessageBox;
 
 namespace codewheel {
 
+class CanBusPanel;
+class CanSearchPage;
 class CanSettingsForm;
+class CanTrafficView;
 class CanopenActions;
 class CanopenAtWork;
 class CanopenKeeper;
@@ -21,8 +28,20 @@ class CanopenSession;
 class ComparisonPage;
 class ConnectPage;
 class OperateQuestion;
+struct CanFoundRow;
+struct FrameSent;
+struct Outcome;
 
-// The views of a CAN bus in the window: the page for connecting it, and the actions that open it.
+inline constexpr Panel canTrafficPanel{
+    "canTrafficDock", QT_TRANSLATE_NOOP("codewheel::Panels", "CAN traffic"), Qt::ALT | Qt::SHIFT | Qt::Key_T,
+    "canopen.md#the-traffic", Panel::Behind::messages};
+inline constexpr Panel canBusPanel{"canBusDock", QT_TRANSLATE_NOOP("codewheel::Panels", "CAN bus"),
+                                   Qt::ALT | Qt::SHIFT | Qt::Key_N, "canopen.md#the-panel",
+                                   Panel::Behind::state};
+inline constexpr std::array canPanels{&canTrafficPanel, &canBusPanel};
+
+// The views of a CAN bus in the window: nodes and traffic, which are in docks, the pages for connecting it
+// and searching for nodes, and the actions that open them.
 class CanopenViews final : public BusViews
 {
     Q_OBJECT
@@ -33,16 +52,21 @@ public:
     std::vector<std::pair<const Panel *, QWidget *>> pages() const override;
     QWidget *comparison() const override;
     QMenu *menu() const override;
+    void setChosen(std::optional<Place> place) override;
+    void setRecordingChosen(bool isChosen) override;
     void open() override;
+    bool open(Place place) override; // its row among the nodes, since it has no words
     void connectBus() override { showSettings(); }
     void connectFound(const KindData &plan, const std::vector<KindData> &devices) override;
     void showFrame() override;
     void askToOperate(const std::function<void()> &then) override;
+    void useSettings(const ProgramSettings &settings) override;
     std::any takeWork() override;
     void goOn(const std::any &work) override;
     QAction *actionFor(DataCheck::Action action) const override;
 
     void showSettings();
+    void showSearch();
 
 private:
     // What the bar above the pages asks the user to agree to.
@@ -50,6 +74,7 @@ private:
         nothing,
         unsureWatch, // that watching may acknowledge frames
         otherMaster, // that frames are sent beside another master
+        stopOfNode,  // that a job stops its node for a moment
     };
 
     void showCurrent() override;
@@ -68,6 +93,14 @@ private:
     void ask(Asked what, const QString &sentence, const QString &answer);
     void withdraw(Asked what);
     void agree();
+    void watchJobs();
+    void askToStop(Place place, const Outcome &outcome);
+    void askToCommand(int node, canopen::NmtCommand command);
+    void sendCommand(int node, canopen::NmtCommand command);
+    void tellSent(const FrameSent &sent);
+    void takeOver(const std::vector<CanFoundRow> &found);
+    void removeChosen();
+    void showChosen();
     void startAfresh();
     void disconnectBus();
     void showPlanned();
@@ -83,6 +116,12 @@ private:
     CanopenKeeper *m_keeper;
     OperateQuestion *m_operateQuestion;
     QPointer<CanopenSession> m_session;
+    std::optional<Place> m_chosen;
+    std::optional<Place> m_wouldStop; // the node that a job asks to stop
+    QPointer<QMessageBox> m_commandQuestion;
+    CanTrafficView *m_traffic;
+    CanBusPanel *m_panel;
+    CanSearchPage *m_search;
     ConnectPage *m_connection;
     CanSettingsForm *m_interface;
     CanSettingsForm *m_adapter; // at a serial port

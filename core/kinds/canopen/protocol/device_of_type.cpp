@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/device_of_type.h"
 
+#include "catalog/catalog.h"
+
 namespace codewheel {
 namespace {
 
@@ -26,6 +28,15 @@ QString deviceOfType(std::uint32_t deviceType)
     if (form == 1)
         return singleTurnOnNode;
     return form >= 6 && form <= 9 ? linearOnNode : multiTurnOnNode;
+}
+
+QString deviceOfNode(const Catalog &catalog, std::optional<std::uint32_t> deviceType,
+                     const canopen::ToldIdentity &identity)
+{
+    const DeviceDescription *described = canopen::describedNode(catalog.devices(), identity);
+    if (described != nullptr)
+        return described->key;
+    return deviceType ? deviceOfType(*deviceType) : QString();
 }
 
 } // namespace codewheel

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/bus/canopen_facts.h"
+
+#include "can/can_state.h"
+#include "kinds/canopen/bus/canopen_session.h"
+#include "vocabulary/enumeration_rows.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+
+namespace codewheel {
+namespace {
+
+using canopen::Heartbeat;
+using canopen::NmtState;
+using Node = CanopenSnapshot::Node;
+
+// The translation context of these texts.
+struct CanopenFactText
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::CanopenFacts)
+};
+
+struct StateKey
+{
+    NmtState state;
+    const char *key;
+};
+constexpr std::array stateKeys{
+    StateKey{NmtState::bootUp, "bootUp"},
+    StateKey{NmtState::stopped, "stopped"},
+    StateKey{NmtState::operational, "operational"},
+    StateKey{NmtState::preOperational, "preOperational"},
+};
+
+struct HeartbeatRow
+{
+    Heartbeat id;
+    const char *key;
+    const char *text;
+};
+constexpr std::array heartbeatRows{
+    HeartbeatRow{Heartbeat::notHeard, "notHeard", ""},
+    HeartbeatRow{Heartbeat::heard, "heard", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
+    HeartbeatRow{Heartbeat::present, "present", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
+    HeartbeatRow{Heartbeat::late, "late", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "late")},
+    HeartbeatRow{Heartbeat::lost, "lost", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "lost")},
+};
+static_assert(areInOrder(heartbeatRows, &HeartbeatRow::id, Heartbeat::lost));
+
+const HeartbeatRow &rowOf(Heartbeat heartbeat)
+{
+    return heartbeatRows.at(static_cast<std::size_t>(heartbeat));
+}
+
+QString translated(const char *text)
+{
+    return *text == '\0' ? QString() : CanopenFactText::tr(text);
+}
+
+const CanopenFigures &figuresOf(const CanopenSession &bus)
+{
+    return bus.latest().figures;
+}
+
+// A count of CanopenFigures.
+template <std::uint64_t CanopenFigures::*Count>
+QString countText(const CanopenSession &bus)
+{
+    return QLocale().toString(qulonglong{figuresOf(bus).*Count});
+}
+template <std::uint64_t CanopenFigures::*Count>
+QJsonValue countJson(const CanopenSession &bus)
+{
+    return static_cast<qint64>(figuresOf(bus).*Count);
+}
+
+// One of the counters of the controller.
+template <std::optional<int> CanStatus::*Counter>
+QString counterText(const CanopenSession &bus)
+{
+    const auto &counter = bus.latest().status.*Counter;
+    return counter ? QLocale().toString(*counter) : QString();
+}
+template <std::optional<int> CanStatus::*Counter>
+QJsonValue counterJson(const CanopenSession &bus)
+{
+    const auto &counter = bus.latest().status.*Counter;
+    return counter ? QJsonValue(*counter) : QJsonValue();
+}
+
+QString loadText(const CanopenSession &bus)
+{
+    constexpr double hundred = 100;
+    return sentence(CanopenFactText::tr("%1 %", "percent"),
+                    {QLocale().toString(figuresOf(bus).load * hundred, 'f', 1)});
+}
+
+QString rateText(const CanopenSession &bus)
+{
+    return sentence(CanopenFactText::tr("%1 kBit/s"), {inKilobits(bus.rate())});
+}
+
+QString listensText(const CanopenSession &bus)
+{
+    const auto &listens = bus.latest().status.listensOnly;
+    if (!listens)
+        return {};
+    return *listens ? CanopenFactText::tr("acknowledges nothing")
+                    : CanopenFactText::tr("acknowledges frames");
+}
+
+QString masterText(const CanopenSession &bus)
+{
+    const OtherMaster &master = bus.latest().otherMaster;
+    return master.isHeard() ? OtherMaster::textOf(master.argument()) : CanopenFactText::tr("none is heard");
+}
+
+constexpr std::array factRows{
+    CanopenFact{"link", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Adapter"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The interface or the port of this bus"),
+                [](const CanopenSession &bus) { return bus.linkName(); },
+                [](const CanopenSession &bus) { return QJsonValue(bus.linkName()); }},
+    CanopenFact{"rate", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Rate"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Of the bus, as far as the adapter tells it"),
+                rateText, [](const CanopenSession &bus) { return QJsonValue(bus.rate()); }},
+    CanopenFact{
+        "load", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Load"),
+        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "How much of the last second frames were on the bus"),
+        loadText, [](const CanopenSession &bus) { return QJsonValue(figuresOf(bus).load); }},
+    CanopenFact{"controller", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Controller"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                                  "The error state of our adapter: error passive from 128 errors on, bus off "
+                                  "at 256"),
+                [](const CanopenSession &bus) { return canStateText(bus.latest().status.state); },
+                [](const CanopenSession &bus) { return QJsonValue(canStateKey(bus.latest().status.state)); }},
+    CanopenFact{"listensOnly", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Acknowledging"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                                  "Whether our adapter acknowledges what others send. One that only listens "
+                                  "does not"),
+                listensText,
+                [](const CanopenSession &bus) {
+                    const auto &listens = bus.latest().status.listensOnly;
+                    return listens ? QJsonValue(*listens) : QJsonValue();
+                }},
+    CanopenFact{"otherMaster", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Another master"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                                  "Who commands or asks nodes and is not this program, such as a PLC"),
+                masterText,
+                [](const CanopenSession &bus) { return QJsonValue(bus.latest().otherMaster.isHeard()); }},
+    CanopenFact{"received", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Received"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames, since the bus was connected"),
+                countText<&CanopenFigures::received>, countJson<&CanopenFigures::received>},
+    CanopenFact{"sent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Sent"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames of this program"),
+                countText<&CanopenFigures::sent>, countJson<&CanopenFigures::sent>},
+    CanopenFact{"notSent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not sent"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames that the adapter has refused"),
+                countText<&CanopenFigures::notSent>, countJson<&CanopenFigures::notSent>},
+    CanopenFact{
+        "errorFrames", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error frames"),
+        QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                          "As far as the adapter reports them. Many: the rate or the wiring is wrong"),
+        countText<&CanopenFigures::errorFrames>, countJson<&CanopenFigures::errorFrames>},
+    CanopenFact{
+        "notAcknowledged", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not acknowledged"),
+        QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                          "Error frames since a frame was last received, because nobody acknowledges: "
+                          "no other node is there, or none at this rate"),
+        countText<&CanopenFigures::notAcknowledged>, countJson<&CanopenFigures::notAcknowledged>},
+    CanopenFact{"transmitErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Transmit errors"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
+                counterText<&CanStatus::transmitErrors>, counterJson<&CanStatus::transmitErrors>},
+    CanopenFact{"receiveErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Receive errors"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
+                counterText<&CanStatus::receiveErrors>, counterJson<&CanStatus::receiveErrors>},
+    CanopenFact{"extended", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "With 29 bits"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                                  "Frames with extended identifiers, which CANopen does not use: J1939, say"),
+                countText<&CanopenFigures::extended>, countJson<&CanopenFigures::extended>},
+    CanopenFact{"answersOfOthers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Answers to others"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                                  "SDO answers that this program did not ask for. They are never taken"),
+                countText<&CanopenFigures::answersOfOthers>, countJson<&CanopenFigures::answersOfOthers>},
+    CanopenFact{"lateAnswers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Late answers"),
+                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "SDO answers that came after their time-out"),
+                countText<&CanopenFigures::lateAnswers>, countJson<&CanopenFigures::lateAnswers>},
+};
+
+constexpr std::array nodeFactRows{
+    CanopenNodeFact{"node", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Node"),
+                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                                      "Its number, in decimal as on switches, and in hexadecimal"),
+                    [](const Node &node) { return CanopenAddress{node.node}.shown(); },
+                    [](const Node &node) { return QJsonValue(node.node); }},
+    CanopenNodeFact{"state", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "State"),
+                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                                      "The NMT state that the node has told last. Only an operational one "
+                                      "sends PDOs, and a stopped one answers nothing"),
+                    [](const Node &node) { return nmtStateText(node.state); },
+                    [](const Node &node) { return nmtStateJson(node.state); }},
+    CanopenNodeFact{
+        "heartbeat", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Heartbeat"),
+        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it comes in time. A node may have none"),
+        [](const Node &node) { return translated(rowOf(node.heartbeat).text); },
+        [](const Node &node) { return QJsonValue(QString::fromLatin1(rowOf(node.heartbeat).key)); }},
+    CanopenNodeFact{
+        "sendsPdos", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "PDO"),
+        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it sends process data"),
+        [](const Node &node) { return node.sendsPdos ? CanopenFactText::tr("sends") : QString(); },
+        [](const Node &node) { return QJsonValue(node.sendsPdos); }},
+    CanopenNodeFact{"doubled", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Doubled"),
+                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Two devices have this number"),
+                    [](const Node &node) {
+                        return node.isDoubled ? CanopenFactText::tr("two nodes have this number") : QString();
+                    },
+                    [](const Node &node) { return QJsonValue(node.isDoubled); }},
+    CanopenNodeFact{
+        "error", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error"),
+        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The newest emergency message (EMCY) that stands"),
+        [](const Node &node) { return node.error ? node.error->text() : QString(); },
+        [](const Node &node) { return node.error ? QJsonValue(node.error->code) : QJsonValue(); }},
+};
+
+} // namespace
+
+QString CanopenFact::label() const
+{
+    return CanopenFactText::tr(itsLabel);
+}
+
+QString CanopenFact::toolTip() const
+{
+    return CanopenFactText::tr(itsToolTip);
+}
+
+QString CanopenNodeFact::label() const
+{
+    return CanopenFactText::tr(itsLabel);
+}
+
+QString CanopenNodeFact::toolTip() const
+{
+    return CanopenFactText::tr(itsToolTip);
+}
+
+std::span<const CanopenFact> canopenFacts()
+{
+    return factRows;
+}
+
+const CanopenFact &canopenFact(QLatin1String key)
+{
+    return *std::ranges::find_if(factRows,
+                                 [key](const CanopenFact &fact) { return key == QLatin1String(fact.key); });
+}
+
+std::span<const CanopenNodeFact> canopenNodeFacts()
+{
+    return nodeFactRows;
+}
+
+QString nmtStateText(std::optional<NmtState> state)
+{
+    return state ? canopen::NodeState{.state = *state}.text() : QString();
+}
+
+// One that is none of the standard's has no key.
+QJsonValue nmtStateJson(std::optional<NmtState> state)
+{
+    const auto row = state ? std::ranges::find(stateKeys, *state, &StateKey::state) : stateKeys.end();
+    return row == stateKeys.end() ? QJsonValue() : QJsonValue(QString::fromLatin1(row->key));
+}
+
+QStringList nodeTroubles(const Node &node)
+{
+    QStringList texts;
+    if (node.isDoubled)
+        texts << CanopenFactText::tr("two nodes have this number");
+    if (node.heartbeat == Heartbeat::lost)
+        texts << CanopenFactText::tr("no heartbeat any more");
+    if (node.error)
+        texts << node.error->text();
+    return texts;
+}
+
+} // namespace codewheel

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Panels, search and actions of a CAN bus in the window.
+#include "app/window/window_actions.h"
+#include "tests/app/kinds/canopen/canopen_window_test.h"
+#include "widgets/kinds/canopen/can_bus_panel.h"
+#include "widgets/kinds/canopen/can_search_page.h"
+#include "widgets/kinds/canopen/traffic/can_traffic_view.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/label_text.h"
+#include "widgets/models/traffic_model.h"
+
+#include <QDockWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableView>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using test::nodeFive;
+using test::nodeSeven;
+using test::nodeSix;
+
+class CanopenViewsTest : public test::CanopenWindowTest
+{
+protected:
+    CanopenViewsTest()
+    {
+        canActions().training->trigger();
+        advance(1'500);
+    }
+
+    template <typename View>
+    View &view()
+    {
+        return *window().findChild<View *>();
+    }
+    QPushButton *button(const QWidget &in, const QString &text)
+    {
+        for (auto *found : in.findChildren<QPushButton *>())
+            if (plainLabel(found->text()) == text && found->isVisibleTo(&in))
+                return found;
+        ADD_FAILURE() << text.toStdString();
+        return nullptr;
+    }
+    void click(const QWidget &in, const QString &text)
+    {
+        if (QPushButton *found = button(in, text)) {
+            EXPECT_TRUE(found->isEnabled()) << text.toStdString();
+            QTest::mouseClick(found, Qt::LeftButton);
+            advance(50);
+        }
+    }
+    QMessageBox *question() { return window().findChild<QMessageBox *>(QStringLiteral("nmtQuestion")); }
+    std::optional<canopen::NmtState> stateOf(int node)
+    {
+        const auto *heard = session().latest().heard(node);
+        return heard != nullptr ? heard->state : std::nullopt;
+    }
+    QDockWidget &dock(const char *name)
+    {
+        return *window().findChild<QDockWidget *>(QString::fromLatin1(name));
+    }
+};
+
+TEST_F(CanopenViewsTest, TheKeysOpenItsPanels)
+{
+    QTest::keyClick(&window(), Qt::Key_N, Qt::AltModifier | Qt::ShiftModifier);
+    advance(50);
+    EXPECT_FALSE(view<CanBusPanel>().visibleRegion().isEmpty());
+    QTest::keyClick(&window(), Qt::Key_T, Qt::AltModifier | Qt::ShiftModifier);
+    advance(50);
+    EXPECT_FALSE(view<CanTrafficView>().visibleRegion().isEmpty());
+    EXPECT_GT(view<CanTrafficView>().findChild<QTableView *>()->model()->rowCount(), 0);
+}
+
+TEST_F(CanopenViewsTest, TheChosenEncoderIsTheChosenNode)
+{
+    canActions().nodes->trigger();
+    tree().choose(nodeSix);
+    advance(50);
+    EXPECT_EQ(view<CanBusPanel>().chosenNode(), 6);
+    tree().choose(nodeSeven);
+    advance(50);
+    EXPECT_EQ(view<CanBusPanel>().chosenNode(), 7);
+}
+
+TEST_F(CanopenViewsTest, ANodeIsStoppedOnceThatIsAgreedToAndIsSeenStopped)
+{
+    canActions().nodes->trigger();
+    tree().choose(nodeSix);
+    advance(50);
+    ASSERT_NE(stateOf(6), canopen::NmtState::stopped);
+    click(view<CanBusPanel>(), QStringLiteral("Stop"));
+    ASSERT_NE(question(), nullptr);
+    EXPECT_TRUE(question()->text().contains(QStringLiteral("6 (06h)")));
+    click(*question(), QStringLiteral("Leave it"));
+    advance(1'500);
+    EXPECT_NE(stateOf(6), canopen::NmtState::stopped);
+    click(view<CanBusPanel>(), QStringLiteral("Stop"));
+    click(*question(), QStringLiteral("Stop"));
+    EXPECT_TRUE(comes([this] { return stateOf(6) == canopen::NmtState::stopped; }));
+    click(view<CanBusPanel>(), QStringLiteral("Start"));
+    click(*question(), QStringLiteral("Start"));
+    EXPECT_TRUE(comes([this] { return stateOf(6) == canopen::NmtState::operational; }));
+}
+
+TEST_F(CanopenViewsTest, InWatchNoCommandIsSent)
+{
+    canActions().nodes->trigger();
+    tree().choose(nodeSix);
+    actions().watch->trigger();
+    advance(200);
+    EXPECT_FALSE(button(view<CanBusPanel>(), QStringLiteral("Stop"))->isEnabled());
+}
+
+TEST_F(CanopenViewsTest, WhatASearchFindsIsTakenOver)
+{
+    (void)session().remove(nodeFive);
+    advance(50);
+    ASSERT_FALSE(tree().has(nodeFive));
+    canActions().search->trigger();
+    EXPECT_EQ(page(), &view<CanSearchPage>());
+    click(view<CanSearchPage>(), QStringLiteral("Search"));
+    QTest::qWait(400); // a question takes no click at once
+    click(view<CanSearchPage>(), QStringLiteral("Ask now"));
+    advance(15'000);
+    click(view<CanSearchPage>(), QStringLiteral("Take over"));
+    EXPECT_TRUE(tree().has(nodeFive));
+    EXPECT_EQ(session().encoder(nodeFive)->device().key, QStringLiteral("canopen-406-single-turn"));
+}
+
+TEST_F(CanopenViewsTest, AnEncoderIsRemovedFromTheBusAndFromTheProject)
+{
+    plan(QStringLiteral("can:can0"), {nodeFive, nodeSix});
+    canBus().open({.link = QStringLiteral("can:can0"), .rate = 125'000});
+    ASSERT_TRUE(hasOpened());
+    tree().choose(nodeSix);
+    advance(50);
+    ASSERT_TRUE(canActions().remove->isEnabled());
+    canActions().remove->trigger();
+    advance(50);
+    EXPECT_EQ(session().places(), std::vector{nodeFive});
+    EXPECT_EQ(findDevice(shown->project().project(), nodeSix), nullptr);
+    EXPECT_NE(findDevice(shown->project().project(), nodeFive), nullptr);
+}
+
+} // namespace
+} // namespace codewheel

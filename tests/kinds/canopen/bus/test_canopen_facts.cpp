@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/bus/canopen_facts.h"
+#include "tests/kinds/canopen/bus/canopen_plant.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+class CanopenFactsOfABus : public test::CanopenPlant
+{
+protected:
+    QString text(const char *key) const { return canopenFact(QLatin1String(key)).text(*bus); }
+    QJsonValue json(const char *key) const { return canopenFact(QLatin1String(key)).json(*bus); }
+};
+
+TEST_F(CanopenFactsOfABus, HaveKeyLabelAndToolTipEachOnce)
+{
+    std::set<std::string> keys;
+    for (const CanopenFact &fact : canopenFacts()) {
+        EXPECT_TRUE(keys.insert(fact.key).second) << fact.key;
+        EXPECT_FALSE(fact.label().isEmpty() || fact.toolTip().isEmpty()) << fact.key;
+    }
+    keys.clear();
+    for (const CanopenNodeFact &fact : canopenNodeFacts()) {
+        EXPECT_TRUE(keys.insert(fact.key).second) << fact.key;
+        EXPECT_FALSE(fact.label().isEmpty() || fact.toolTip().isEmpty()) << fact.key;
+    }
+}
+
+TEST_F(CanopenFactsOfABus, TellTheBusInTextAndInJson)
+{
+    operate();
+    EXPECT_EQ(text("rate"), QStringLiteral("125 kBit/s"));
+    EXPECT_EQ(json("rate"), QJsonValue(125'000));
+    EXPECT_GT(json("received").toInt(), 10);
+    EXPECT_GT(json("sent").toInt(), 0);
+    EXPECT_EQ(json("errorFrames"), QJsonValue(0));
+    EXPECT_EQ(text("controller"), QStringLiteral("no errors"));
+    EXPECT_EQ(json("controller"), QJsonValue(QStringLiteral("active")));
+    EXPECT_EQ(json("otherMaster"), QJsonValue(false));
+    EXPECT_EQ(text("otherMaster"), QStringLiteral("none is heard"));
+    say(test::canFrame(0x80, {}));
+    bus->advance(100ms);
+    EXPECT_EQ(text("otherMaster"), QStringLiteral("SYNC"));
+    EXPECT_TRUE(text("load").endsWith(QStringLiteral(" %")));
+}
+
+TEST_F(CanopenFactsOfABus, TellANodeInTextAndInJson)
+{
+    const CanopenSnapshot::Node node{.node = 26,
+                                     .state = canopen::NmtState::preOperational,
+                                     .heartbeat = canopen::Heartbeat::lost,
+                                     .isDoubled = true,
+                                     .error = canopen::Emcy{.code = 0x8130, .errorRegister = 0x11}};
+    QStringList texts;
+    QStringList json;
+    for (const CanopenNodeFact &fact : canopenNodeFacts()) {
+        texts << fact.text(node);
+        json << QStringLiteral("%1=%2").arg(QString::fromLatin1(fact.key),
+                                            fact.json(node).toVariant().toString());
+    }
+    EXPECT_EQ(texts.join(u'|').toStdString(), "26 (1Ah)|pre-operational|lost||two nodes have this number|" +
+                                                  node.error->text().toStdString());
+    EXPECT_EQ(json.join(u' ').toStdString(), "node=26 state=preOperational heartbeat=lost sendsPdos=false "
+                                             "doubled=true error=33072");
+    EXPECT_EQ(nodeTroubles(node).size(), 3);
+    EXPECT_TRUE(nodeTroubles({.node = 5}).isEmpty());
+    EXPECT_TRUE(nmtStateJson(static_cast<canopen::NmtState>(9)).isNull());
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/kinds/canopen/bus/canopen_plant.h"
+#include "widgets/kinds/canopen/can_bus_panel.h"
+#include "widgets/kinds/canopen/can_node_model.h"
+#include "widgets/kinds/canopen/nmt_texts.h"
+#include "widgets/look/label_text.h"
+#include "widgets/look/role_label.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+class CanBusPanelTest : public test::CanopenPlant
+{
+protected:
+    CanBusPanelTest()
+    {
+        panel.setBus(bus.get());
+        panel.show();
+        QObject::connect(
+            &panel, &CanBusPanel::commandWanted, &panel,
+            [this](int node, canopen::NmtCommand command) { wanted.emplace_back(node, command); });
+    }
+    ~CanBusPanelTest() override { panel.setBus(nullptr); }
+
+    QTableView &table() { return *panel.findChild<QTableView *>(); }
+    QString cell(int node, int column)
+    {
+        const auto *model = static_cast<const CanNodeModel *>(table().model());
+        return model->index(model->rowOf(node), column).data().toString();
+    }
+    int columnOf(const QString &title)
+    {
+        for (int column = 0; column < table().model()->columnCount(); ++column)
+            if (table().model()->headerData(column, Qt::Horizontal).toString() == title)
+                return column;
+        ADD_FAILURE() << title.toStdString();
+        return 0;
+    }
+    QString fact(const QString &label)
+    {
+        for (const auto *text : panel.findChildren<QLabel *>())
+            if (text->accessibleName() == label)
+                return text->text();
+        ADD_FAILURE() << label.toStdString();
+        return {};
+    }
+    QPushButton &button(const char *key) { return *panel.findChild<QPushButton *>(QString::fromLatin1(key)); }
+
+    std::vector<std::pair<int, canopen::NmtCommand>> wanted;
+    CanBusPanel panel;
+};
+
+TEST_F(CanBusPanelTest, ListsEncodersAndWhoeverIsHeard)
+{
+    EXPECT_EQ(table().model()->rowCount(), 0);
+    open(EncoderBus::Start::watching);
+    bus->advance(1500ms);
+    ASSERT_EQ(table().model()->rowCount(), 3); // 5 and 6 are encoders of the bus, 7 is heard
+    EXPECT_EQ(cell(6, CanNodeModel::node), QStringLiteral("6 (06h)"));
+    EXPECT_EQ(cell(6, CanNodeModel::name), bus->encoder(six)->device().fullName());
+    EXPECT_EQ(cell(7, CanNodeModel::name), QStringLiteral("\u2013"));
+    EXPECT_EQ(cell(6, columnOf(QStringLiteral("State"))), QStringLiteral("pre-operational"));
+    EXPECT_EQ(cell(6, columnOf(QStringLiteral("Since"))).size(), 8);
+}
+
+TEST_F(CanBusPanelTest, TellsErrorsWithTheirTimeAndFigures)
+{
+    operate();
+    const QString before = cell(6, columnOf(QStringLiteral("Since")));
+    bus->advance(5s);
+    EXPECT_EQ(cell(6, columnOf(QStringLiteral("Since"))), before);
+    plant->withEncoder(1, [](canopen::SimulatedNode &node) { node.setAlarms(1); });
+    bus->advance(200ms);
+    EXPECT_NE(cell(6, columnOf(QStringLiteral("Error"))), QStringLiteral("\u2013"));
+    EXPECT_NE(cell(6, columnOf(QStringLiteral("Since"))), before);
+    EXPECT_EQ(fact(QStringLiteral("Rate")), QStringLiteral("125 kBit/s"));
+    EXPECT_TRUE(fact(QStringLiteral("Load")).endsWith(u'%'));
+    EXPECT_NE(fact(QStringLiteral("Received")), QStringLiteral("0"));
+    EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("Open, in Operate"));
+}
+
+TEST_F(CanBusPanelTest, CommandsNeedOperateAndAChosenNode)
+{
+    open(EncoderBus::Start::watching);
+    bus->advance(1500ms);
+    panel.chooseNode(6);
+    EXPECT_EQ(panel.chosenNode(), 6);
+    EXPECT_FALSE(button("nmtStop").isEnabled());
+    EXPECT_TRUE(button("nmtStop").toolTip().contains(QStringLiteral("Operate")));
+    bus->setOperate(true);
+    bus->advance(200ms);
+    EXPECT_EQ(panel.chosenNode(), 6);
+    ASSERT_TRUE(button("nmtStop").isEnabled());
+    QTest::mouseClick(&button("nmtStop"), Qt::LeftButton);
+    QTest::mouseClick(&button("nmtReset"), Qt::LeftButton);
+    EXPECT_EQ(wanted, (std::vector<std::pair<int, canopen::NmtCommand>>{
+                          {6, canopen::NmtCommand::stop}, {6, canopen::NmtCommand::resetNode}}));
+    table().clearSelection();
+    EXPECT_FALSE(button("nmtStop").isEnabled());
+}
+
+TEST_F(CanBusPanelTest, AClosedBusHasNoNodesAndNoFigures)
+{
+    operate();
+    bus->close();
+    EXPECT_EQ(table().model()->rowCount(), 0);
+    EXPECT_EQ(fact(QStringLiteral("Load")), QStringLiteral("\u2013"));
+    EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("Not connected"));
+}
+
+TEST_F(CanBusPanelTest, EveryCommandSaysWhatItDoesAndIsAskedAbout)
+{
+    for (const NmtAction &action : nmtActions()) {
+        EXPECT_FALSE(action.label().isEmpty() || action.toolTip().isEmpty());
+        EXPECT_TRUE(action.question(6).contains(QStringLiteral("6 (06h)")));
+        EXPECT_EQ(&nmtAction(action.command), &action);
+    }
+    EXPECT_FALSE(table().accessibleName().isEmpty() || table().toolTip().isEmpty());
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/kinds/canopen/can_bus_panel.h"
+
+#include "kinds/canopen/bus/canopen_session.h"
+#include "vocabulary/refusal_text.h"
+#include "widgets/kinds/canopen/can_node_model.h"
+#include "widgets/kinds/canopen/nmt_texts.h"
+#include "widgets/look/describe.h"
+#include "widgets/look/fitted_columns.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/quiet_table.h"
+#include "widgets/look/role_label.h"
+
+#include <QFormLayout>
+#include <QItemSelectionModel>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+
+namespace codewheel {
+namespace {
+
+constexpr int canPanelHeight = 300; // the rest is scrolled to
+constexpr int rowsInSight = 6;
+
+} // namespace
+
+CanBusPanel::CanBusPanel(QWidget *parent)
+    : ScrolledPanel(tr("CAN bus"), canPanelHeight, parent)
+    , m_state(new RoleLabel(content()))
+    , m_nodes(new CanNodeModel(this))
+    , m_table(new QTableView(content()))
+{
+    makeTable();
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(grid::groupGap);
+    form->setVerticalSpacing(grid::unit);
+    for (const CanopenFact &fact : canopenFacts())
+        m_facts.emplace_back(&fact, addLine(*form, fact.label(), fact.toolTip()));
+    auto *column = layOut<QVBoxLayout>(content(), grid::margin, grid::unit);
+    column->addWidget(m_state);
+    column->addWidget(m_table);
+    column->addWidget(makeButtons());
+    column->addLayout(form);
+    column->addStretch(1);
+    setFocusProxy(m_table);
+    showState();
+}
+
+CanBusPanel::~CanBusPanel()
+{
+    m_table->setModel(nullptr);
+}
+
+void CanBusPanel::makeTable()
+{
+    setUpQuietTable(*m_table, *m_nodes, tr("Nodes of the CAN bus"));
+    m_table->setToolTip(tr("Every node that was heard, and the encoders of this bus that were not"));
+    FittedColumns::useIn(*m_table, CanNodeModel::name);
+    m_table->setMinimumHeight(rowsInSight * m_table->fontMetrics().height());
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &CanBusPanel::showWhatIsPossible);
+}
+
+QWidget *CanBusPanel::makeButtons()
+{
+    auto *buttons = new QWidget(content());
+    auto *row = layOut<QHBoxLayout>(buttons, grid::unit);
+    for (const NmtAction &action : nmtActions()) {
+        auto *button = describe(new QPushButton(action.label(), buttons), action.key, action.toolTip());
+        button->setAutoDefault(false);
+        row->addWidget(button);
+        m_commands.push_back(button);
+        connect(button, &QPushButton::clicked, this, [this, command = action.command] {
+            if (const auto node = chosenNode())
+                Q_EMIT commandWanted(*node, command);
+        });
+    }
+    row->addStretch(1);
+    return buttons;
+}
+
+void CanBusPanel::setBus(CanopenSession *bus)
+{
+    if (m_bus)
+        m_bus->disconnect(this);
+    m_bus = bus;
+    if (bus != nullptr) {
+        connect(bus, &CanopenSession::stateChanged, this, &CanBusPanel::showState);
+        connect(bus, &CanopenSession::nodesChanged, this, &CanBusPanel::showNodes);
+        connect(bus, &CanopenSession::updated, this, &CanBusPanel::showNodes);
+        connect(bus, &CanopenSession::updated, this, &CanBusPanel::showFigures);
+        connect(bus, &QObject::destroyed, this, [this] { setBus(nullptr); });
+    }
+    showState();
+}
+
+void CanBusPanel::chooseNode(int node)
+{
+    const int row = m_nodes->rowOf(node);
+    if (row >= 0)
+        m_table->selectRow(row);
+}
+
+std::optional<int> CanBusPanel::chosenNode() const
+{
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    return rows.isEmpty() ? std::nullopt : std::optional(m_nodes->rowAt(rows.front().row()).node);
+}
+
+void CanBusPanel::showState()
+{
+    const bool isOpen = m_bus && m_bus->isOpen();
+    if (!isOpen)
+        m_state->setState(Role::inactive, tr("Not connected"));
+    else if (!m_bus->latest().connected)
+        m_state->setState(Role::fault, tr("No link; it is looked for each second"));
+    else if (m_bus->isOperating())
+        m_state->setState(Role::running, tr("Open, in Operate"));
+    else
+        m_state->setState(Role::running, tr("Open, in Watch: nothing is sent"));
+    showNodes();
+    showFigures();
+}
+
+// The chosen node stays chosen.
+void CanBusPanel::showNodes()
+{
+    const auto chosen = chosenNode();
+    m_nodes->show(m_bus);
+    if (chosen && !chosenNode())
+        chooseNode(*chosen);
+    showWhatIsPossible();
+}
+
+void CanBusPanel::showFigures()
+{
+    for (const auto &[fact, label] : m_facts) {
+        const QString text = m_bus && m_bus->isOpen() ? fact->text(*m_bus) : QString();
+        label->setText(text.isEmpty() ? QStringLiteral("\u2013") : text);
+    }
+}
+
+QString CanBusPanel::whyNoCommand() const
+{
+    if (!m_bus || !m_bus->isOpen() || !m_bus->latest().connected)
+        return tr("The CAN bus is not connected");
+    if (!m_bus->isOperating())
+        return tr("In Watch nothing is sent. Switch to Operate first");
+    return chosenNode() ? QString() : tr("Choose a node of the table first");
+}
+
+void CanBusPanel::showWhatIsPossible()
+{
+    const QString whyNot = whyNoCommand();
+    for (std::size_t i = 0; i < m_commands.size(); ++i) {
+        m_commands[i]->setEnabled(whyNot.isEmpty());
+        m_commands[i]->setToolTip(whyNot.isEmpty() ? nmtActions()[i].toolTip() : whyNot);
+    }
+}
+
+} // namespace codewheel
