@@ -56,7 +56,7 @@ struct DriverAtNode : ::testing::Test
             ask();
         if (const auto frame = m_client.next(now)) {
             node->take(*frame, now);
-            m_client.fate(CanFate::done, now);
+            m_client.fate(m_client.given(), CanFate::done, now);
         }
         if (const auto told = m_client.takeOutcome())
             driver.answered(*std::exchange(m_request, std::nullopt), *told, now);
