@@ -49,13 +49,20 @@ QString dcfHex(std::uint32_t value, int digits)
     return QStringLiteral("0x%1").arg(value, digits, 16, QLatin1Char('0'));
 }
 
-// Read again it is the same: with quotes where blanks or quotes of its own would be lost.
+// With quotes where blanks or quotes of its own would be lost when it is read again.
+QString writtenText(const QString &text)
+{
+    const bool isQuoted = text.size() > 1 && text.startsWith(u'"') && text.endsWith(u'"');
+    return isQuoted || text != text.trimmed() ? u'"' + text + u'"' : text;
+}
+
+// A text that is empty, or of an unknown type, would be taken for nothing or for a number without quotes.
 QString writtenValue(const FileValue &value, std::optional<DataType> type)
 {
     const QString text = value.text(type);
-    const bool isText = std::holds_alternative<QString>(value.value);
-    const bool isQuoted = text.size() > 1 && text.startsWith(u'"') && text.endsWith(u'"');
-    return isText && (isQuoted || text != text.trimmed()) ? u'"' + text + u'"' : text;
+    if (!std::holds_alternative<QString>(value.value))
+        return text;
+    return !type || text.isEmpty() ? u'"' + text + u'"' : writtenText(text);
 }
 
 void writeValue(DcfText &dcf, const char *key, const std::optional<FileValue> &value,
@@ -75,7 +82,7 @@ void writeObject(DcfText &dcf, const QString &section, const FileObject &object)
 {
     constexpr int digitsOfType = 4;
     dcf.section(section);
-    dcf.line("ParameterName", object.name);
+    dcf.line("ParameterName", writtenText(object.name));
     dcf.line("ObjectType", dcfHex(dcfVariable, 1));
     if (object.type)
         dcf.line("DataType", dcfHex(static_cast<std::uint32_t>(*object.type), digitsOfType));
@@ -107,7 +114,8 @@ void writeIndex(DcfText &dcf, const DeviceFile &file, ObjectsOfIndex objects)
         return writeObject(dcf, dcfIndex(index), objects.front());
     const bool hasType = group != file.groups.end() && group->second.objectType == dcfArray;
     dcf.section(dcfIndex(index));
-    dcf.line("ParameterName", group != file.groups.end() ? group->second.name : objectName({index, 0}));
+    dcf.line("ParameterName",
+             group != file.groups.end() ? writtenText(group->second.name) : objectName({index, 0}));
     dcf.line("ObjectType", dcfHex(hasType ? dcfArray : dcfRecord, 1));
     dcf.number("SubNumber", static_cast<std::int64_t>(objects.size()));
     for (const FileObject &object : objects)
@@ -181,7 +189,7 @@ void writeCommissioning(DcfText &dcf, const Commissioning &its)
 {
     dcf.section(QStringLiteral("DeviceComissioning"));
     dcf.line("NodeID", its.node ? QString::number(*its.node) : QString());
-    dcf.line("NodeName", its.nodeName);
+    dcf.line("NodeName", writtenText(its.nodeName));
     dcf.line("Baudrate", its.rate ? QString::number(*its.rate / bdInKbd) : QString());
     dcf.number("NetNumber", 0);
     dcf.number("CANopenManager", 0);
