@@ -3,6 +3,7 @@
 
 #include "can/can_bits.h"
 #include "can/slcan_codec.h"
+#include "kinds/canopen/protocol/cob_id.h"
 
 #include <algorithm>
 #include <array>
@@ -159,9 +160,13 @@ std::vector<TimedFrame> fullBus(int seconds)
         for (int node = 1; node <= nodes; ++node)
             add(pdoOf(node, cycle));
         const std::int64_t end = (cycle + 1) * interval - longestFrame;
-        std::uint8_t filler = 0;
-        while (at < end)
-            add({.id = 0x7A0, .length = 8, .bytes = {filler++, 0x55, 0x12, 0x34, 0xAA, 0xCC, 0x01, 0xFE}});
+        int other = nodes;
+        while (at < end) {
+            other = other < canopen::lastNode ? other + 1 : nodes + 1;
+            add({.id = 0x280U + static_cast<std::uint32_t>(other),
+                 .length = 8,
+                 .bytes = {static_cast<std::uint8_t>(cycle), 0x55, 0x12, 0x34, 0xAA, 0xCC, 0x01, 0xFE}});
+        }
     }
     return frames;
 }

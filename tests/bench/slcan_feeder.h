@@ -8,7 +8,7 @@
 
 namespace codewheel::bench {
 
-// The frames of a full bus of 1 Mbit/s: 64 nodes with a PDO every 10 ms, and background frames in between.
+// The frames of a full bus of 1 Mbit/s: 64 nodes with a PDO every 10 ms, and in between PDOs of others.
 // Each with the microsecond at which it is through.
 struct TimedFrame
 {
