@@ -20,6 +20,7 @@
 #include "widgets/start/recent_list.h"
 #include "widgets/start/start_page.h"
 #include "widgets/structure/structure_model.h"
+#include "widgets/structure/structure_view.h"
 
 #include <QAction>
 #include <QApplication>
