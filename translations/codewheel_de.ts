@@ -327,6 +327,41 @@
     </message>
 </context>
 <context>
+    <name>CanServices</name>
+    <message>
+        <source>States of nodes (NMT)</source>
+        <translation>Zustände von Knoten (NMT)</translation>
+    </message>
+    <message>
+        <source>SYNC and TIME</source>
+        <translation>SYNC und TIME</translation>
+    </message>
+    <message>
+        <source>Emergencies (EMCY)</source>
+        <translation>Notmeldungen (EMCY)</translation>
+    </message>
+    <message>
+        <source>Process data (PDO)</source>
+        <translation>Prozessdaten (PDO)</translation>
+    </message>
+    <message>
+        <source>Transfers of objects (SDO)</source>
+        <translation>Übertragungen von Objekten (SDO)</translation>
+    </message>
+    <message>
+        <source>Boot-up, heartbeat, guarding</source>
+        <translation>Boot-up, Heartbeat, Guarding</translation>
+    </message>
+    <message>
+        <source>Numbers and rates (LSS)</source>
+        <translation>Nummern und Raten (LSS)</translation>
+    </message>
+    <message>
+        <source>Other identifiers, errors</source>
+        <translation>Andere Kennungen, Fehler</translation>
+    </message>
+</context>
+<context>
     <name>CanopenBit</name>
     <message>
         <source>measuring direction reversed</source>
@@ -494,6 +529,17 @@
     <message>
         <source>%1, error gone</source>
         <translation>%1, Fehler behoben</translation>
+    </message>
+</context>
+<context>
+    <name>CanopenFactText</name>
+    <message>
+        <source>sends</source>
+        <translation>sendet</translation>
+    </message>
+    <message>
+        <source>two nodes have this number</source>
+        <translation>zwei Knoten haben diese Nummer</translation>
     </message>
 </context>
 <context>
@@ -1049,6 +1095,10 @@
         <source>read %1</source>
         <translation>%1 lesen</translation>
     </message>
+    <message>
+        <source>wait until the node runs again</source>
+        <translation>warten, bis der Knoten wieder läuft</translation>
+    </message>
 </context>
 <context>
     <name>CheckProject</name>
@@ -1285,6 +1335,161 @@
     <message>
         <source>No word of the encoder is known.</source>
         <translation>Kein Wort des Gebers ist bekannt.</translation>
+    </message>
+</context>
+<context>
+    <name>Eds</name>
+    <message>
+        <source>The text is not UTF-8, and is read as Latin-1: names may be wrong.</source>
+        <translation>Der Text ist kein UTF-8 und wird als Latin-1 gelesen: Namen können falsch sein.</translation>
+    </message>
+    <message>
+        <source>Letters were lost before (U+FFFD): names may be wrong.</source>
+        <translation>Buchstaben sind schon vorher verloren gegangen (U+FFFD): Namen können falsch sein.</translation>
+    </message>
+    <message>
+        <source>This is neither a section nor KEY=VALUE: the line is skipped.</source>
+        <translation>Das ist weder ein Abschnitt noch SCHLÜSSEL=WERT: Die Zeile wird übergangen.</translation>
+    </message>
+    <message>
+        <source>This is before the first section: the line is skipped.</source>
+        <translation>Das steht vor dem ersten Abschnitt: Die Zeile wird übergangen.</translation>
+    </message>
+    <message>
+        <source>The bracket is not closed: the line is read as a section.</source>
+        <translation>Die Klammer ist nicht geschlossen: Die Zeile wird als Abschnitt gelesen.</translation>
+    </message>
+    <message>
+        <source>What is behind the section in this line is skipped.</source>
+        <translation>Was in dieser Zeile hinter dem Abschnitt steht, wird übergangen.</translation>
+    </message>
+    <message>
+        <source>This key is not known: it is skipped.</source>
+        <translation>Dieser Schlüssel ist nicht bekannt: Er wird übergangen.</translation>
+    </message>
+    <message>
+        <source>This section is not known: it is skipped.</source>
+        <translation>Dieser Abschnitt ist nicht bekannt: Er wird übergangen.</translation>
+    </message>
+    <message>
+        <source>This is for modules of the device: it is skipped.</source>
+        <translation>Das gilt für Module des Geräts: Es wird übergangen.</translation>
+    </message>
+    <message>
+        <source>This key is here twice: the first one counts.</source>
+        <translation>Dieser Schlüssel steht hier zweimal: Der erste gilt.</translation>
+    </message>
+    <message>
+        <source>This section is here twice: the first one counts.</source>
+        <translation>Dieser Abschnitt steht hier zweimal: Der erste gilt.</translation>
+    </message>
+    <message>
+        <source>What is behind the value is a comment.</source>
+        <translation>Was hinter dem Wert steht, ist ein Kommentar.</translation>
+    </message>
+    <message>
+        <source>The leading zero does not mean octal: read as %1.</source>
+        <translation>Die führende Null bedeutet nicht oktal: gelesen als %1.</translation>
+    </message>
+    <message>
+        <source>This is an integer: read as %1.</source>
+        <translation>Das ist eine ganze Zahl: gelesen als %1.</translation>
+    </message>
+    <message>
+        <source>The letters behind the number mean nothing here: read as %1.</source>
+        <translation>Die Buchstaben hinter der Zahl bedeuten hier nichts: gelesen als %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: it counts as not stated.</source>
+        <translation>„%1“ ist keine Zahl: Es gilt als nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not fit into the type %2: it counts as not stated.</source>
+        <translation>„%1“ passt nicht in den Typ %2: Es gilt als nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no data type of CiA 301: the device tells how long the object is.</source>
+        <translation>„%1“ ist kein Datentyp von CiA 301: Wie lang das Objekt ist, sagt das Gerät.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no object type of CiA 301: what has no subindexes counts as a variable.</source>
+        <translation>„%1“ ist kein Objekttyp von CiA 301: Was keine Subindizes hat, gilt als Variable.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no access: ro, wo, rw, rwr, rww or const is expected. It counts as not stated.</source>
+        <translation>„%1“ ist kein Zugriff: Erwartet wird ro, wo, rw, rwr, rww oder const. Er gilt als nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not say whether the object can be mapped: 0 or 1 is expected. It counts as 0.</source>
+        <translation>„%1“ sagt nicht, ob das Objekt in ein PDO kann: Erwartet wird 0 oder 1. Es gilt als 0.</translation>
+    </message>
+    <message>
+        <source>The low limit is above the high limit: both count as not stated.</source>
+        <translation>Die untere Grenze liegt über der oberen: Beide gelten als nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; lacks the number of the node ($NODEID): it is never written.</source>
+        <translation>In „%1“ fehlt die Knotennummer ($NODEID): Es wird nie geschrieben.</translation>
+    </message>
+    <message>
+        <source>The list announces %1 and has %2: it is read to its end.</source>
+        <translation>Die Liste kündigt %1 an und hat %2: Sie wird bis zu ihrem Ende gelesen.</translation>
+    </message>
+    <message>
+        <source>There are no lists of objects: the sections decide what there is.</source>
+        <translation>Es gibt keine Listen von Objekten: Was es gibt, entscheiden die Abschnitte.</translation>
+    </message>
+    <message>
+        <source>%1 is in the list and has no section: it is left out.</source>
+        <translation>%1 steht in der Liste und hat keinen Abschnitt: Es wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 has a section and is in no list: it is there.</source>
+        <translation>%1 hat einen Abschnitt und steht in keiner Liste: Es ist vorhanden.</translation>
+    </message>
+    <message>
+        <source>%1 is in the wrong list: its index decides whose object it is.</source>
+        <translation>%1 steht in der falschen Liste: Wessen Objekt es ist, entscheidet sein Index.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no index of an object: it is left out.</source>
+        <translation>„%1“ ist kein Index eines Objekts: Es wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 subindexes are announced, and %2 are there: these count.</source>
+        <translation>%1 Subindizes sind angekündigt, und %2 sind vorhanden: Diese gelten.</translation>
+    </message>
+    <message>
+        <source>%1 has a subindex and no section of its own: the subindex is there.</source>
+        <translation>%1 hat einen Subindex und keinen eigenen Abschnitt: Der Subindex ist vorhanden.</translation>
+    </message>
+    <message>
+        <source>%1 is to have subindexes and has none: it is left out.</source>
+        <translation>%1 soll Subindizes haben und hat keine: Es wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 subindexes are more than there can be: it has %2.</source>
+        <translation>%1 Subindizes sind mehr, als es geben kann: Es hat %2.</translation>
+    </message>
+    <message>
+        <source>Node and rate are here twice, and differ: the first ones count.</source>
+        <translation>Knoten und Rate stehen hier zweimal und verschieden: Die ersten gelten.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number of a node. Numbers go from 1 to 127; leave the value out where it is not set.</source>
+        <translation>„%1“ ist keine Knotennummer. Nummern gehen von 1 bis 127; lassen Sie den Wert weg, wo er nicht gesetzt ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no rate of CANopen in kBd, and what was meant is not guessed. Write 10, 20, 50, 100, 125, 250, 500, 800 or 1000.</source>
+        <translation>„%1“ ist keine Rate von CANopen in kBd, und was gemeint war, wird nicht geraten. Schreiben Sie 10, 20, 50, 100, 125, 250, 500, 800 oder 1000.</translation>
+    </message>
+    <message>
+        <source>There is no object in this file: it is no EDS and no DCF.</source>
+        <translation>In dieser Datei ist kein Objekt: Sie ist keine EDS und keine DCF.</translation>
+    </message>
+    <message>
+        <source>This file has more than %1 objects: it is of no encoder.</source>
+        <translation>Diese Datei hat mehr als %1 Objekte: Sie gehört zu keinem Geber.</translation>
     </message>
 </context>
 <context>
@@ -3980,10 +4185,6 @@
         <translation>%1 ist nicht erreichbar: keine Antwort innerhalb von %2 s. Adresse, Kabel und Versorgung prüfen.</translation>
     </message>
     <message>
-        <source>%1 has closed the connection. It may serve only a few clients at once.</source>
-        <translation>%1 hat die Verbindung beendet. Vielleicht bedient es nur wenige Clients zugleich.</translation>
-    </message>
-    <message>
         <source>Port %1 is used by another program. End it, or take another port.</source>
         <translation>Port %1 wird von einem anderen Programm benutzt. Es beenden oder einen anderen Port nehmen.</translation>
     </message>
@@ -4267,6 +4468,42 @@
         <source>The encoder has accepted the preset, and still shows %2 instead of %1. Read it again before anything relies on it.</source>
         <translation>Der Drehgeber hat den Preset angenommen und zeigt noch immer %2 statt %1. Noch einmal lesen, bevor sich etwas darauf verlässt.</translation>
     </message>
+    <message>
+        <source>There is no CAN frame in %1. See with codewheel-cli frames what is in it.</source>
+        <translation>In %1 steht kein CAN-Telegramm. codewheel-cli frames zeigt, was darin steht.</translation>
+    </message>
+    <message>
+        <source>The frames in %1 have no times, so it is not known when they came. codewheel-cli frames lists them.</source>
+        <translation>Die Telegramme in %1 haben keine Zeiten, also ist nicht bekannt, wann sie kamen. codewheel-cli frames listet sie auf.</translation>
+    </message>
+    <message>
+        <source>There is no frame of %2 in %1. Name another interface, or leave it out for that of the first frame.</source>
+        <translation>In %1 steht kein Telegramm von %2. Eine andere Schnittstelle nennen, oder keine für die des ersten Telegramms.</translation>
+    </message>
+    <message>
+        <source>%1 is a log: what is in it is over, and nobody can be asked or told anything there.</source>
+        <translation>%1 ist ein Log: Was darin steht, ist vorbei, und niemandem dort lässt sich etwas sagen oder eine Frage stellen.</translation>
+    </message>
+    <message>
+        <source>Two devices have the node number %1: of which one an answer is, and which has taken what was sent, is not known. Give one of them another number, with only one of them on the bus.</source>
+        <translation>Zwei Geräte haben die Knotennummer %1: Von welchem eine Antwort ist und welches das Gesendete angenommen hat, ist nicht bekannt. Geben Sie einem davon eine andere Nummer, mit nur einem der beiden auf dem Bus.</translation>
+    </message>
+    <message>
+        <source>Node %1 was stopped for what it takes only then, and does not run again, though it was started. Start it once more before anything relies on its positions.</source>
+        <translation>Knoten %1 wurde angehalten, für etwas, das er nur dann annimmt, und läuft nicht wieder, obwohl er gestartet wurde. Starten Sie ihn noch einmal, bevor sich etwas auf seine Positionen verlässt.</translation>
+    </message>
+    <message>
+        <source>Node %1 was stopped for what it takes only then, and started again: whether it runs is not known, as it shows neither its state nor PDOs. Check that its positions come.</source>
+        <translation>Knoten %1 wurde angehalten, für etwas, das er nur dann annimmt, und wieder gestartet: Ob er läuft, ist nicht bekannt, da er weder seinen Zustand noch PDOs zeigt. Prüfen Sie, ob seine Positionen kommen.</translation>
+    </message>
+    <message>
+        <source>%1 closes the connection without an answer. It may serve only a few clients at once.</source>
+        <translation>%1 schließt die Verbindung, ohne zu antworten. Vielleicht bedient es nur wenige Clients zugleich.</translation>
+    </message>
+    <message>
+        <source>%1 has closed the connection.</source>
+        <translation>%1 hat die Verbindung geschlossen.</translation>
+    </message>
 </context>
 <context>
     <name>Resolution</name>
@@ -4389,6 +4626,37 @@
     <message>
         <source>Inactive</source>
         <translation>Inaktiv</translation>
+    </message>
+</context>
+<context>
+    <name>SdoDialogue</name>
+    <message>
+        <source>write %1</source>
+        <translation>Schreiben %1</translation>
+    </message>
+    <message>
+        <source>read %1</source>
+        <translation>Lesen %1</translation>
+    </message>
+    <message>
+        <source>%1, not answered</source>
+        <translation>%1, nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>%1, broken off by whoever asked, %2</source>
+        <translation>%1, vom Fragenden abgebrochen, %2</translation>
+    </message>
+    <message>
+        <source>%1, refused, %2</source>
+        <translation>%1, abgelehnt, %2</translation>
+    </message>
+    <message>
+        <source>Node %1: %2</source>
+        <translation>Knoten %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ms)</source>
+        <translation>%1 (%2 ms)</translation>
     </message>
 </context>
 <context>
@@ -6050,6 +6318,433 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CanBusPanel</name>
+    <message>
+        <source>CAN bus</source>
+        <translation>CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Nodes of the CAN bus</source>
+        <translation>Knoten des CAN-Busses</translation>
+    </message>
+    <message>
+        <source>Every node that was heard, and the encoders of this bus that were not</source>
+        <translation>Jeder Knoten, der zu hören war, und die Geber dieses Busses, die es nicht waren</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>No link; it is looked for each second</source>
+        <translation>Keine Verbindung; sie wird jede Sekunde gesucht</translation>
+    </message>
+    <message>
+        <source>Open, in Operate</source>
+        <translation>Offen, auf Bedienen</translation>
+    </message>
+    <message>
+        <source>Open, in Watch: nothing is sent</source>
+        <translation>Offen, auf Beobachten: gesendet wird nichts</translation>
+    </message>
+    <message>
+        <source>The CAN bus is not connected</source>
+        <translation>Der CAN-Bus ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>In Watch nothing is sent. Switch to Operate first</source>
+        <translation>Beim Beobachten wird nichts gesendet. Schalten Sie zuerst auf Bedienen</translation>
+    </message>
+    <message>
+        <source>Choose a node of the table first</source>
+        <translation>Wählen Sie zuerst einen Knoten der Tabelle</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanFoundModel</name>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Vendor</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produkt</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>Revision</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>%1, on this bus already</source>
+        <translation>%1, schon an diesem Bus</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanInterfaceField</name>
+    <message>
+        <source>CAN interface</source>
+        <translation>CAN-Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Choose the interface of the system, or type its name</source>
+        <translation>Die Schnittstelle des Systems wählen oder ihren Namen eingeben</translation>
+    </message>
+    <message>
+        <source>&amp;Refresh</source>
+        <translation>Neu su&amp;chen</translation>
+    </message>
+    <message>
+        <source>Looks for CAN interfaces again (Alt+R)</source>
+        <translation>Sucht noch einmal nach CAN-Schnittstellen (Alt+C)</translation>
+    </message>
+    <message>
+        <source>The system has no CAN interface of this name now</source>
+        <translation>Das System hat jetzt keine CAN-Schnittstelle dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanInterfaceRows</name>
+    <message>
+        <source>switched off</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>%1 kBit/s</source>
+        <translation>%1 kBit/s</translation>
+    </message>
+    <message>
+        <source>virtual: no adapter is behind it</source>
+        <translation>virtuell: kein Adapter steht dahinter</translation>
+    </message>
+    <message>
+        <source>listens only</source>
+        <translation>hört nur mit</translation>
+    </message>
+    <message>
+        <source>%1 has left the bus after too many errors (bus off): the rate or the wiring is wrong, or nobody else is there. Check these, then start it again.</source>
+        <translation>%1 hat den Bus nach zu vielen Fehlern verlassen (Bus-Off): Rate oder Verdrahtung stimmen nicht, oder niemand sonst ist da. Prüfen Sie das, dann starten Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>%1 acknowledges what others send, in Watch too. If it is to do nothing but listen, set it so; for Operate, set it back.</source>
+        <translation>%1 bestätigt, was andere senden, auch beim Beobachten. Soll sie nur mithören, stellen Sie das ein; für Bedienen stellen Sie es zurück.</translation>
+    </message>
+    <message>
+        <source>This computer has no CAN interface. Plug its adapter in and refresh the list; one that is a serial port is another link, above.</source>
+        <translation>Dieser Rechner hat keine CAN-Schnittstelle. Stecken Sie ihren Adapter ein und suchen Sie neu; ein Adapter an einem seriellen Anschluss ist eine andere Kopplung, oben.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanNodeModel</name>
+    <message>
+        <source>What its encoder is taken for. Nothing: it is no encoder of this bus</source>
+        <translation>Wofür sein Geber gehalten wird. Nichts: Er ist kein Geber dieses Busses</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>When its state, heartbeat and errors became what they are</source>
+        <translation>Wann Zustand, Heartbeat und Fehler so wurden, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Seit</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>nicht gehört</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanSearchPage</name>
+    <message>
+        <source>Each number from 1 to 127 is asked for its device type and its identity, with at most 30 % of the bus. Nothing is written.</source>
+        <translation>Jede Nummer von 1 bis 127 wird nach Gerätetyp und Identität gefragt, mit höchstens 30 % des Busses. Geschrieben wird nichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>S&amp;uchen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Ends the search (Alt+C)</source>
+        <translation>Beendet die Suche (Alt+C)</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>Überneh&amp;men</translation>
+    </message>
+    <message>
+        <source>Adds the ticked nodes to the bus structure and the project (Alt+T)</source>
+        <translation>Nimmt die angehakten Knoten in Busaufbau und Projekt auf (Alt+M)</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>Fortschritt der Suche</translation>
+    </message>
+    <message>
+        <source>No search yet</source>
+        <translation>Noch keine Suche</translation>
+    </message>
+    <message>
+        <source>Nodes found</source>
+        <translation>Gefundene Knoten</translation>
+    </message>
+    <message>
+        <source>Space chooses a node</source>
+        <translation>Die Leertaste wählt einen Knoten</translation>
+    </message>
+    <message>
+        <source>The CAN bus is not connected. Connect it first.</source>
+        <translation>Der CAN-Bus ist nicht verbunden. Verbinden Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>The search sends on the bus, and in Watch nothing is sent. Switch to Operate first. Nodes that tell of themselves are in the CAN bus panel without it.</source>
+        <translation>Die Suche sendet auf dem Bus, und beim Beobachten wird nichts gesendet. Schalten Sie zuerst auf Bedienen. Knoten, die von selbst etwas sagen, stehen auch ohne sie im Bereich CAN-Bus.</translation>
+    </message>
+    <message>
+        <source>&amp;Ask now</source>
+        <translation>&amp;Jetzt fragen</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>Es wird gesucht</translation>
+    </message>
+    <message>
+        <source>no encoder (device type %1)</source>
+        <translation>kein Geber (Gerätetyp %1)</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 asked</source>
+        <translation>%1 von %2 gefragt</translation>
+    </message>
+    <message>
+        <source>The search was cancelled.</source>
+        <translation>Die Suche wurde abgebrochen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Nodes found: %n.</source>
+        <translation>
+            <numerusform>Gefundene Knoten: %n.</numerusform>
+            <numerusform>Gefundene Knoten: %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The search was cancelled</source>
+        <translation>Die Suche wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>No node has answered</source>
+        <translation>Kein Knoten hat geantwortet</translation>
+    </message>
+    <message>
+        <source>Check the rate of the bus, its terminators, wiring and supply. A node that was stopped does not answer; one without a number is found by LSS.</source>
+        <translation>Prüfen Sie die Rate des Busses, seine Abschlüsse, Verdrahtung und Versorgung. Ein angehaltener Knoten antwortet nicht; einen ohne Nummer findet LSS.</translation>
+    </message>
+    <message>
+        <source>Asks who is there, after a question (Alt+S)</source>
+        <translation>Fragt nach einer Rückfrage, wer da ist (Alt+U)</translation>
+    </message>
+    <message>
+        <source>Search for nodes</source>
+        <translation>Knoten suchen</translation>
+    </message>
+    <message>
+        <source>Sends on the bus: asks each number what it is. Nothing is written.</source>
+        <translation>Sendet auf dem Bus: fragt jede Nummer, was sie ist. Geschrieben wird nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanSettings</name>
+    <message>
+        <source>R&amp;ate of the bus</source>
+        <translation>&amp;Rate des Busses</translation>
+    </message>
+    <message>
+        <source>The same for all nodes of the bus; a node at another rate disturbs it</source>
+        <translation>Für alle Knoten des Busses gleich; ein Knoten mit einer anderen Rate stört ihn</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ud rate of the port</source>
+        <translation>Ba&amp;udrate des Anschlusses</translation>
+    </message>
+    <message>
+        <source>Between this computer and the adapter. Adapters that are USB devices themselves take any</source>
+        <translation>Zwischen diesem Rechner und dem Adapter. Adapter, die selbst USB-Geräte sind, nehmen jede</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanSettingsForm</name>
+    <message>
+        <source>%1 kBit/s</source>
+        <translation>%1 kBit/s</translation>
+    </message>
+    <message>
+        <source>Settings of the CAN bus</source>
+        <translation>Einstellungen des CAN-Busses</translation>
+    </message>
+    <message>
+        <source>Serial CAN adapter (SLCAN)</source>
+        <translation>Serieller CAN-Adapter (SLCAN)</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>CAN-Schnittstelle</translation>
+    </message>
+    <message>
+        <source>An adapter at a serial port that speaks SLCAN. From connecting on the bus is listened to; nothing is sent before you switch to Operate.</source>
+        <translation>Ein Adapter an einem seriellen Anschluss, der SLCAN spricht. Ab dem Verbinden wird am Bus mitgehört; gesendet wird erst, wenn Sie auf Bedienen schalten.</translation>
+    </message>
+    <message>
+        <source>An interface of the system (SocketCAN). From connecting on the bus is listened to; nothing is sent before you switch to Operate.</source>
+        <translation>Eine Schnittstelle des Systems (SocketCAN). Ab dem Verbinden wird am Bus mitgehört; gesendet wird erst, wenn Sie auf Bedienen schalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>An&amp;schluss</translation>
+    </message>
+    <message>
+        <source>&amp;Interface</source>
+        <translation>&amp;Schnittstelle</translation>
+    </message>
+    <message>
+        <source>While the interface is on, that of the system counts. This one is in the command that switches it on</source>
+        <translation>Solange die Schnittstelle an ist, gilt die des Systems. Diese steht in dem Befehl, der sie einschaltet</translation>
+    </message>
+    <message>
+        <source> Bd</source>
+        <comment>unit of a rate</comment>
+        <translation>Bd</translation>
+    </message>
+    <message>
+        <source>Choose a serial port, or type the path of one.</source>
+        <translation>Wählen Sie einen seriellen Anschluss, oder geben Sie den Pfad eines Anschlusses ein.</translation>
+    </message>
+    <message>
+        <source>Choose a CAN interface, or type the name of one.</source>
+        <translation>Wählen Sie eine CAN-Schnittstelle, oder geben Sie den Namen einer Schnittstelle ein.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanState</name>
+    <message>
+        <source>no errors</source>
+        <translation>keine Fehler</translation>
+    </message>
+    <message>
+        <source>many errors</source>
+        <translation>viele Fehler</translation>
+    </message>
+    <message>
+        <source>error passive</source>
+        <translation>fehlerpassiv</translation>
+    </message>
+    <message>
+        <source>bus off</source>
+        <translation>Bus-Off</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanTrafficFilter</name>
+    <message>
+        <source>What comes again and again (PDO, SYNC, polling)</source>
+        <translation>Was immer wieder kommt (PDO, SYNC, zyklisches Fragen)</translation>
+    </message>
+    <message>
+        <source>A transfer as one row</source>
+        <translation>Eine Übertragung als eine Zeile</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
+    <message>
+        <source>Rows to show</source>
+        <translation>Angezeigte Zeilen</translation>
+    </message>
+    <message>
+        <source>Which rows are shown. Those that are hidden are kept.</source>
+        <translation>Welche Zeilen angezeigt werden. Ausgeblendete bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Filter by text</source>
+        <translation>Nach Text filtern</translation>
+    </message>
+    <message>
+        <source>Shows only rows with this in them: 185, can:5, 6004h, boot-up</source>
+        <translation>Zeigt nur Zeilen, in denen das steht: 185, can:5, 6004h, Boot-up</translation>
+    </message>
+    <message>
+        <source>Node, object or text</source>
+        <translation>Knoten, Objekt oder Text</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanTrafficView</name>
+    <message>
+        <source>Frames on the bus</source>
+        <translation>Telegramme auf dem Bus</translation>
+    </message>
+    <message>
+        <source>CAN traffic</source>
+        <translation>CAN-Verkehr</translation>
+    </message>
+    <message>
+        <source>Nothing has passed on the bus yet</source>
+        <translation>Auf dem Bus ist noch nichts vorbeigekommen</translation>
+    </message>
+    <message>
+        <source>Each frame on a CAN bus is shown here, with what it means. Connect one to watch it.</source>
+        <translation>Hier steht jedes Telegramm eines CAN-Busses, mit dem, was es bedeutet. Verbinden Sie einen, um ihn zu beobachten.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>Export the rows</source>
+        <translation>Zeilen exportieren</translation>
+    </message>
+    <message>
+        <source>can.txt</source>
+        <comment>name of a file</comment>
+        <translation>can.txt</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt)</source>
+        <translation>Textdateien (*.txt)</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CancelQuestion</name>
     <message>
         <source>words of a cam program</source>
@@ -6138,6 +6833,89 @@
     <message>
         <source>Restore writes the earlier values again. EEPROM writes for that: %1 at most.</source>
         <translation>Wiederherstellen schreibt die vorigen Werte zurück. EEPROM-Schreibvorgänge dafür: höchstens %1.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenActions</name>
+    <message>
+        <source>CA&amp;N bus</source>
+        <translation>CA&amp;N-Bus</translation>
+    </message>
+    <message>
+        <source>&amp;Connection…</source>
+        <translation>&amp;Verbindung…</translation>
+    </message>
+    <message>
+        <source>How the CAN bus is connected: interface or adapter, and rate. Nothing is sent</source>
+        <translation>Wie der CAN-Bus verbunden ist: Schnittstelle oder Adapter, und Rate. Gesendet wird nichts</translation>
+    </message>
+    <message>
+        <source>CANopen, SocketCAN, SLCAN, interface, adapter, bit rate</source>
+        <translation>CANopen, SocketCAN, SLCAN, Schnittstelle, Adapter, Bitrate</translation>
+    </message>
+    <message>
+        <source>&amp;Search for nodes…</source>
+        <translation>Knoten &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Asks all numbers who is there, after a question; nothing is written</source>
+        <translation>Fragt nach einer Rückfrage alle Nummern, wer da ist; geschrieben wird nichts</translation>
+    </message>
+    <message>
+        <source>scan, node number</source>
+        <translation>Scan, Knotennummer</translation>
+    </message>
+    <message>
+        <source>&amp;Nodes and figures</source>
+        <translation>&amp;Knoten und Zahlen</translation>
+    </message>
+    <message>
+        <source>Nodes with state, heartbeat and errors; load and counters of the bus</source>
+        <translation>Knoten mit Zustand, Heartbeat und Fehlern; Last und Zähler des Busses</translation>
+    </message>
+    <message>
+        <source>NMT, start, stop, reset, EMCY, heartbeat, load</source>
+        <translation>NMT, starten, anhalten, zurücksetzen, EMCY, Heartbeat, Last</translation>
+    </message>
+    <message>
+        <source>CAN t&amp;raining bus</source>
+        <translation>CAN-Ü&amp;bungsbus</translation>
+    </message>
+    <message>
+        <source>Three simulated encoders on CANopen, and one without a node number, in place of an adapter</source>
+        <translation>Drei simulierte Geber an CANopen und einer ohne Knotennummer, anstelle eines Adapters</translation>
+    </message>
+    <message>
+        <source>CANopen, simulated</source>
+        <translation>CANopen, simuliert</translation>
+    </message>
+    <message>
+        <source>Start a&amp;fresh</source>
+        <translation>Neu b&amp;eginnen</translation>
+    </message>
+    <message>
+        <source>reset, factory settings, no faults</source>
+        <translation>zurücksetzen, Werkseinstellungen, keine Fehler</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect the CAN bus</source>
+        <translation>CAN-Bus t&amp;rennen</translation>
+    </message>
+    <message>
+        <source>Leaves the CAN bus</source>
+        <translation>Verlässt den CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Remove from the CAN b&amp;us</source>
+        <translation>Aus dem CAN-B&amp;us nehmen</translation>
+    </message>
+    <message>
+        <source>The encoder is not asked any more; what it has stays as it is</source>
+        <translation>Der Geber wird nicht mehr gefragt; was er hat, bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>For encoders on the CAN bus</source>
+        <translation>Für Geber am CAN-Bus</translation>
     </message>
 </context>
 <context>
@@ -6278,6 +7056,270 @@
         <source>Alarms and warnings</source>
         <translation>Alarme und Warnungen</translation>
     </message>
+    <message>
+        <source>none with the position</source>
+        <translation>keines mit der Position</translation>
+    </message>
+    <message>
+        <source>No PDO of the node has the position (6004h) in it. Map it, in 1A00h, while the node is pre-operational.</source>
+        <translation>Kein PDO des Knotens enthält die Position (6004h). Bilden Sie sie ab, in 1A00h, während der Knoten pre-operational ist.</translation>
+    </message>
+    <message>
+        <source>TPDO%1 is switched off</source>
+        <translation>TPDO%1 ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>The node sends no TPDO%1: bit 31 of %2 is set. Clear it, and store the parameters.</source>
+        <translation>Der Knoten sendet kein TPDO%1: Bit 31 von %2 ist gesetzt. Löschen Sie es und speichern Sie die Parameter.</translation>
+    </message>
+    <message>
+        <source>TPDO%1 waits for SYNC</source>
+        <translation>TPDO%1 wartet auf SYNC</translation>
+    </message>
+    <message>
+        <source>TPDO%1 is sent with SYNC, and none is heard. Let the master send SYNC, or set %2 to 254, and the event timer.</source>
+        <translation>TPDO%1 wird mit SYNC gesendet, und keines ist zu hören. Lassen Sie den Master SYNC senden, oder setzen Sie %2 auf 254, dazu den Ereigniszeitgeber.</translation>
+    </message>
+    <message>
+        <source>TPDO%1 waits to be asked for</source>
+        <translation>TPDO%1 wartet darauf, gefragt zu werden</translation>
+    </message>
+    <message>
+        <source>TPDO%1 is sent only when a remote frame asks for it. Set %2 to 254, and the event timer.</source>
+        <translation>TPDO%1 wird nur gesendet, wenn ein Remote-Telegramm danach fragt. Setzen Sie %2 auf 254, dazu den Ereigniszeitgeber.</translation>
+    </message>
+    <message>
+        <source>none: the shaft is at rest</source>
+        <translation>keines: die Welle steht</translation>
+    </message>
+    <message>
+        <source>TPDO%1 is sent only when the position changes. Turn the shaft, or set the event timer %2, in milliseconds.</source>
+        <translation>TPDO%1 wird nur gesendet, wenn sich die Position ändert. Drehen Sie die Welle, oder setzen Sie den Ereigniszeitgeber %2, in Millisekunden.</translation>
+    </message>
+    <message>
+        <source>Positions come each %1 ms at the most: the inhibit time (1800h:3) holds them back.</source>
+        <translation>Positionen kommen höchstens alle %1 ms: Die Sperrzeit (1800h:3) hält sie zurück.</translation>
+    </message>
+    <message>
+        <source>The position is asked for (SDO). %1</source>
+        <translation>Die Position wird gefragt (SDO). %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenFacts</name>
+    <message>
+        <source>comes</source>
+        <translation>kommt</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>verspätet</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>ausgefallen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>percent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 kBit/s</source>
+        <translation>%1 kBit/s</translation>
+    </message>
+    <message>
+        <source>acknowledges nothing</source>
+        <translation>bestätigt nichts</translation>
+    </message>
+    <message>
+        <source>acknowledges frames</source>
+        <translation>bestätigt Telegramme</translation>
+    </message>
+    <message>
+        <source>none is heard</source>
+        <translation>keiner zu hören</translation>
+    </message>
+    <message>
+        <source>Adapter</source>
+        <translation>Adapter</translation>
+    </message>
+    <message>
+        <source>The interface or the port of this bus</source>
+        <translation>Die Schnittstelle oder der Anschluss dieses Busses</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Of the bus, as far as the adapter tells it</source>
+        <translation>Des Busses, soweit der Adapter sie sagt</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>How much of the last second frames were on the bus</source>
+        <translation>Wie viel der letzten Sekunde Telegramme auf dem Bus waren</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Controller</translation>
+    </message>
+    <message>
+        <source>The error state of our adapter: error passive from 128 errors on, bus off at 256</source>
+        <translation>Der Fehlerzustand unseres Adapters: ab 128 Fehlern fehlerpassiv, bei 256 Bus-Off</translation>
+    </message>
+    <message>
+        <source>Acknowledging</source>
+        <translation>Bestätigen</translation>
+    </message>
+    <message>
+        <source>Whether our adapter acknowledges what others send. One that only listens does not</source>
+        <translation>Ob unser Adapter bestätigt, was andere senden. Einer, der nur mithört, tut es nicht</translation>
+    </message>
+    <message>
+        <source>Another master</source>
+        <translation>Anderer Master</translation>
+    </message>
+    <message>
+        <source>Who commands or asks nodes and is not this program, such as a PLC</source>
+        <translation>Wer Knoten Befehle gibt oder sie fragt und nicht dieses Programm ist, etwa eine SPS</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Empfangen</translation>
+    </message>
+    <message>
+        <source>Frames, since the bus was connected</source>
+        <translation>Telegramme, seit der Bus verbunden wurde</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet</translation>
+    </message>
+    <message>
+        <source>Frames of this program</source>
+        <translation>Telegramme dieses Programms</translation>
+    </message>
+    <message>
+        <source>Not sent</source>
+        <translation>Nicht gesendet</translation>
+    </message>
+    <message>
+        <source>Frames that the adapter has refused</source>
+        <translation>Telegramme, die der Adapter abgelehnt hat</translation>
+    </message>
+    <message>
+        <source>Error frames</source>
+        <translation>Fehlertelegramme</translation>
+    </message>
+    <message>
+        <source>As far as the adapter reports them. Many: the rate or the wiring is wrong</source>
+        <translation>Soweit der Adapter sie meldet. Viele: Rate oder Verdrahtung stimmen nicht</translation>
+    </message>
+    <message>
+        <source>Not acknowledged</source>
+        <translation>Nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Error frames since a frame was last received, because nobody acknowledges: no other node is there, or none at this rate</source>
+        <translation>Fehlertelegramme seit dem letzten empfangenen Telegramm, weil niemand bestätigt: Kein anderer Knoten ist da, oder keiner mit dieser Rate</translation>
+    </message>
+    <message>
+        <source>Transmit errors</source>
+        <translation>Sendefehler</translation>
+    </message>
+    <message>
+        <source>The counter of the controller</source>
+        <translation>Der Zähler des Controllers</translation>
+    </message>
+    <message>
+        <source>Receive errors</source>
+        <translation>Empfangsfehler</translation>
+    </message>
+    <message>
+        <source>With 29 bits</source>
+        <translation>Mit 29 Bit</translation>
+    </message>
+    <message>
+        <source>Frames with extended identifiers, which CANopen does not use: J1939, say</source>
+        <translation>Telegramme mit erweiterten Identifiern, die CANopen nicht benutzt: etwa J1939</translation>
+    </message>
+    <message>
+        <source>Answers to others</source>
+        <translation>Antworten an andere</translation>
+    </message>
+    <message>
+        <source>SDO answers that this program did not ask for. They are never taken</source>
+        <translation>SDO-Antworten, nach denen dieses Programm nicht gefragt hat. Sie werden nie übernommen</translation>
+    </message>
+    <message>
+        <source>Late answers</source>
+        <translation>Späte Antworten</translation>
+    </message>
+    <message>
+        <source>SDO answers that came after their time-out</source>
+        <translation>SDO-Antworten, die nach ihrer Zeitgrenze kamen</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Its number, in decimal as on switches, and in hexadecimal</source>
+        <translation>Seine Nummer, dezimal wie an Schaltern, und hexadezimal</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>The NMT state that the node has told last. Only an operational one sends PDOs, and a stopped one answers nothing</source>
+        <translation>Der NMT-Zustand, den der Knoten zuletzt gesagt hat. Nur einer auf Operational sendet PDOs, und ein angehaltener antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Heartbeat</translation>
+    </message>
+    <message>
+        <source>Whether it comes in time. A node may have none</source>
+        <translation>Ob er rechtzeitig kommt. Ein Knoten kann keinen haben</translation>
+    </message>
+    <message>
+        <source>PDO</source>
+        <translation>PDO</translation>
+    </message>
+    <message>
+        <source>Whether it sends process data</source>
+        <translation>Ob er Prozessdaten sendet</translation>
+    </message>
+    <message>
+        <source>Doubled</source>
+        <translation>Doppelt</translation>
+    </message>
+    <message>
+        <source>Two devices have this number</source>
+        <translation>Zwei Geräte haben diese Nummer</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>The newest emergency message (EMCY) that stands</source>
+        <translation>Die neueste Emergency-Meldung (EMCY), die noch steht</translation>
+    </message>
+    <message>
+        <source>two nodes have this number</source>
+        <translation>zwei Knoten haben diese Nummer</translation>
+    </message>
+    <message>
+        <source>no heartbeat any more</source>
+        <translation>kein Heartbeat mehr</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenFaults</name>
@@ -6331,6 +7373,21 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CanopenKeeper</name>
+    <message>
+        <source>CAN bus</source>
+        <translation>CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Encoders of the CAN bus</source>
+        <translation>Geber des CAN-Busses</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CanopenKind</name>
     <message>
         <source>CAN bus (CANopen)</source>
@@ -6343,6 +7400,77 @@
     <message>
         <source>training bus (simulated)</source>
         <translation>Trainingsbus (simuliert)</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenLinkCheck</name>
+    <message>
+        <source>CAN adapter</source>
+        <translation>CAN-Adapter</translation>
+    </message>
+    <message>
+        <source>Traffic on the bus</source>
+        <translation>Verkehr auf dem Bus</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Not tested: the test was ended.</source>
+        <translation>Nicht geprüft: Die Prüfung wurde beendet.</translation>
+    </message>
+    <message>
+        <source>Not tested, because of what failed before.</source>
+        <translation>Nicht geprüft, wegen des Fehlers davor.</translation>
+    </message>
+    <message>
+        <source>%1 is open at %2 kBit/s, and listens only.</source>
+        <translation>%1 ist mit %2 kBit/s offen und hört nur mit.</translation>
+    </message>
+    <message>
+        <source>%1 is open at %2 kBit/s. Nothing is sent.</source>
+        <translation>%1 ist mit %2 kBit/s offen. Gesendet wird nichts.</translation>
+    </message>
+    <message>
+        <source>Error frames: %1, others: %2. The rate is probably wrong, or the wiring: check the terminators at both ends, and that CAN_H and CAN_L are not swapped.</source>
+        <translation>Fehlertelegramme: %1, andere: %2. Wahrscheinlich stimmt die Rate nicht, oder die Verdrahtung: Prüfen Sie die Abschlüsse an beiden Enden und ob CAN_H und CAN_L vertauscht sind.</translation>
+    </message>
+    <message>
+        <source>Nothing was heard for three seconds. Nodes may be silent until they are started or asked; or check the rate, the wiring and the supply of the nodes.</source>
+        <translation>Drei Sekunden lang war nichts zu hören. Knoten können still sein, bis sie gestartet oder gefragt werden; sonst prüfen Sie Rate, Verdrahtung und Versorgung der Knoten.</translation>
+    </message>
+    <message>
+        <source>%1 frames came in three seconds.</source>
+        <translation>In drei Sekunden kamen %1 Telegramme.</translation>
+    </message>
+    <message>
+        <source>Another master is at work (heard: %1).</source>
+        <translation>Ein anderer Master ist am Werk (gehört: %1).</translation>
+    </message>
+    <message>
+        <source>It was not heard. It may tell nothing by itself: connected, in Operate, it is asked.</source>
+        <translation>Er war nicht zu hören. Vielleicht sagt er von selbst nichts: Verbunden, auf Bedienen, wird er gefragt.</translation>
+    </message>
+    <message>
+        <source>It is heard.</source>
+        <translation>Er ist zu hören.</translation>
+    </message>
+    <message>
+        <source>It is heard: %1.</source>
+        <translation>Er ist zu hören: %1.</translation>
+    </message>
+    <message>
+        <source>None is heard. The search asks each number.</source>
+        <translation>Keiner ist zu hören. Die Suche fragt jede Nummer.</translation>
+    </message>
+    <message>
+        <source>Heard: %1.</source>
+        <translation>Zu hören: %1.</translation>
     </message>
 </context>
 <context>
@@ -6472,6 +7600,70 @@ Telegramme: %5, Fehler: %6</translation>
     <message>
         <source>The cams of CiA 406 are one program, without a mode and without a shift: write {&quot;programs&quot;: 1, &quot;mode&quot;: false, &quot;shift&quot;: false}.</source>
         <translation>Die Nocken von CiA 406 sind ein Programm, ohne Modus und ohne Verschiebung: schreiben: {&quot;programs&quot;: 1, &quot;mode&quot;: false, &quot;shift&quot;: false}.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenStatus</name>
+    <message>
+        <source>%1: no link</source>
+        <comment>CAN adapter</comment>
+        <translation>%1: keine Verbindung</translation>
+    </message>
+    <message>
+        <source>%1, %2 kBit/s, load %3 %, %4 of %5 heard</source>
+        <comment>CAN adapter, rate, encoders</comment>
+        <translation>%1, %2 kBit/s, Last %3 %, %4 von %5 zu hören</translation>
+    </message>
+    <message>
+        <source>CAN bus: %1 frames received, %2 sent, %3 error frames. State of the controller: %4</source>
+        <translation>CAN-Bus: %1 Telegramme empfangen, %2 gesendet, %3 Fehlertelegramme. Zustand des Controllers: %4</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanopenViews</name>
+    <message>
+        <source>CAN training bus</source>
+        <translation>CAN-Übungsbus</translation>
+    </message>
+    <message>
+        <source>Four simulated encoders on CANopen, one of them without a node number, in this program. Nothing leaves this computer.</source>
+        <translation>Vier simulierte Geber an CANopen, einer davon ohne Knotennummer, in diesem Programm. Nichts verlässt diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>The CAN bus is not connected.</source>
+        <translation>Der CAN-Bus ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>&amp;Watch all the same</source>
+        <translation>Trot&amp;zdem beobachten</translation>
+    </message>
+    <message>
+        <source>%1 may be stopped for a moment by the next job: start that again.</source>
+        <translation>%1 darf vom nächsten Auftrag kurz angehalten werden: Starten Sie ihn noch einmal.</translation>
+    </message>
+    <message>
+        <source>S&amp;top it for a moment</source>
+        <translation>&amp;Kurz anhalten</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>&amp;Leave it</source>
+        <translation>&amp;Lassen</translation>
+    </message>
+    <message>
+        <source>Nothing is sent (Esc)</source>
+        <translation>Gesendet wird nichts (Esc)</translation>
+    </message>
+    <message>
+        <source>The command to the node could not be sent. Check the CAN bus, then send it again.</source>
+        <translation>Der Befehl an den Knoten konnte nicht gesendet werden. Prüfen Sie den CAN-Bus, dann senden Sie ihn noch einmal.</translation>
+    </message>
+    <message>
+        <source>&amp;Send all the same</source>
+        <translation>Trotzdem &amp;senden</translation>
     </message>
 </context>
 <context>
@@ -7509,20 +8701,8 @@ die Nockenprogramme, die das Projekt wünscht; solange zeigen sie keine Position
 Bus mit dem Projekt verglichen. Eine vorhandene FILE wird nur mit --yes ersetzt.</translation>
     </message>
     <message>
-        <source>of 1000 bytes, so many are lost</source>
-        <translation>so viele von 1000 Bytes gehen verloren</translation>
-    </message>
-    <message>
         <source>of 1000 bytes, so many are wrong in one bit</source>
         <translation>so viele von 1000 Bytes sind in einem Bit falsch</translation>
-    </message>
-    <message>
-        <source>of 1000 bytes, so many come twice</source>
-        <translation>so viele von 1000 Bytes kommen doppelt</translation>
-    </message>
-    <message>
-        <source>of 1000 bytes, so many come later, with all that follow them</source>
-        <translation>so viele von 1000 Bytes kommen später, mit allen, die ihnen folgen</translation>
     </message>
     <message>
         <source>how much later (20)</source>
@@ -8831,30 +10011,6 @@ Aufgezeichnete auf diesem Rechner und wird nachgereicht.</translation>
         <translation>„%1“ kann nicht angeboten werden. Es gibt: %2.</translation>
     </message>
     <message>
-        <source>offer the simulated serial line or a simulated ring to other programs</source>
-        <translation>die simulierte serielle Leitung oder einen simulierten Ring anderen Programmen anbieten</translation>
-    </message>
-    <message>
-        <source>esc: prints the path of a pseudo terminal, which any program on this computer opens as a serial port, and
-serves the encoders 03, 05 and 12 there, at the speed of a real line. Baud rates other than that of the
-encoders give junk.
-
-modbus-tcp, modbus-rtu: offers the process image of the training ring, or of the rings of --project that are
-linked to it, as Modbus registers, as a gateway does; several clients at once over TCP. A write is
-confirmed once it was on the bus. The ring runs in real time, in Operate.
-
-Each serves until it is ended with Ctrl+C (SIGINT or SIGTERM).</source>
-        <translation>esc: gibt den Pfad eines Pseudoterminals aus, das jedes Programm auf diesem Rechner als seriellen Anschluss
-öffnet, und bietet dort die Geber 03, 05 und 12 mit der Geschwindigkeit einer echten Leitung an. Andere
-Baudraten als die der Geber ergeben Datenmüll.
-
-modbus-tcp, modbus-rtu: bietet das Prozessabbild des Übungsrings, oder der Ringe von --project, die mit ihm
-verbunden sind, als Modbus-Register an, wie es ein Gateway tut; über TCP mehreren Clients zugleich. Ein
-Schreiben wird bestätigt, sobald es auf dem Bus war. Der Ring läuft in Echtzeit und auf Bedienen.
-
-Läuft, bis es mit Strg+C (SIGINT oder SIGTERM) beendet wird.</translation>
-    </message>
-    <message>
         <source>ok</source>
         <translation>ok</translation>
     </message>
@@ -9080,17 +10236,6 @@ wenn etwas eine Kopplung verhindert, sonst mit 0.</translation>
     <message>
         <source>find encoders and gateways at ports and hosts</source>
         <translation>Geber und Gateways an Anschlüssen und Hosts finden</translation>
-    </message>
-    <message>
-        <source>Looks for whoever is at these serial ports and hosts, or at every serial port of this computer. First
-it listens: where somebody talks, a master is at work, and nothing is sent. Then it says what it would
-send to lines that are silent, and to hosts, and asks whether it may. Only reads are sent. Each find is
-told with how sure it is and the link that leads there. Ends with 1 if nobody was found.</source>
-        <translation>Sucht, wer an diesen seriellen Anschlüssen und Hosts ist, oder an jedem seriellen Anschluss dieses
-Rechners. Zuerst wird gehorcht: Wo jemand spricht, arbeitet ein Master, und nichts wird gesendet. Dann
-wird gesagt, was an stille Leitungen und an Hosts gesendet würde, und gefragt, ob es darf. Nur Lesen
-wird gesendet. Zu jedem Fund steht, wie sicher er ist, und die Kopplung, die dorthin führt. Endet mit
-1, wenn niemand gefunden wurde.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is a link. The search takes serial ports and hosts, such as ttyUSB0 or 192.168.0.5, and says which links lead there.</source>
@@ -9659,14 +10804,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>Fehlertelegramme: %1. Die Rate kann falsch sein oder die Verdrahtung.</translation>
     </message>
     <message>
-        <source>two nodes have this number</source>
-        <translation>zwei Knoten haben diese Nummer</translation>
-    </message>
-    <message>
-        <source>no heartbeat any more</source>
-        <translation>kein Heartbeat mehr</translation>
-    </message>
-    <message>
         <source>CAN bus: also ask each of the nodes 1 to 127 what it is; sends on the bus</source>
         <translation>CAN-Bus: auch jeden der Knoten 1 bis 127 fragen, was er ist; sendet auf dem Bus</translation>
     </message>
@@ -9883,10 +11020,6 @@ schreibt in das EEPROM.</translation>
         <translation>Knoten %1 ist %2.</translation>
     </message>
     <message>
-        <source>Sent. Node %1 does not tell its state.</source>
-        <translation>Gesendet. Knoten %1 sagt seinen Zustand nicht.</translation>
-    </message>
-    <message>
         <source>The command could not be sent. Check the CAN bus, then send it again.</source>
         <translation>Der Befehl konnte nicht gesendet werden. Prüfen Sie den CAN-Bus und senden Sie ihn erneut.</translation>
     </message>
@@ -9905,18 +11038,6 @@ schreibt in das EEPROM.</translation>
     <message>
         <source>start, stop or reset nodes on CANopen</source>
         <translation>Knoten an CANopen starten, anhalten oder zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Sends the command to the node at PLACE, or to all nodes. A node that is started sends its PDOs; one
-that is stopped answers nothing. It is asked for first; where nobody can be asked, --yes is needed.
-
-Nodes do not answer it. What the node tells afterwards by its heartbeat or boot-up is shown: exit
-code 1 if it is in another state, or does not report after a reset.</source>
-        <translation>Sendet den Befehl an den Knoten an PLACE oder an alle Knoten. Ein gestarteter Knoten sendet seine PDOs; ein
-angehaltener antwortet nicht. Vorher wird gefragt; ist niemand zu fragen, braucht es --yes.
-
-Knoten antworten darauf nicht. Gezeigt wird, was der Knoten danach durch Heartbeat oder Boot-up sagt:
-Exit-Code 1, wenn er in einem anderen Zustand ist oder sich nach einem Reset nicht meldet.</translation>
     </message>
     <message>
         <source>take the object for this: u8, u16, u32, i8, i16, i32 or text</source>
@@ -10027,6 +11148,289 @@ weiß, die noch da sind.</translation>
     <message>
         <source>Another value is read back: %1.</source>
         <translation>Es wird ein anderer Wert zurückgelesen: %1.</translation>
+    </message>
+    <message>
+        <source>offer the simulated serial line, CAN bus or ring to other programs</source>
+        <translation>simulierte serielle Leitung, CAN-Bus oder Ring anderen Programmen anbieten</translation>
+    </message>
+    <message>
+        <source>esc: prints the path of a pseudo terminal, which any program on this computer opens as a serial port, and
+serves the encoders 03, 05 and 12 there, at the speed of a real line. Baud rates other than that of the
+encoders give junk.
+
+canopen: serves the nodes 5, 6 and 7, and an encoder without a number, in real time, behind an SLCAN adapter
+on a pseudo terminal, the path of which is printed, or on an interface. An adapter opened at another rate
+than that of the encoders disturbs the bus, as a real one does. Quirks: autostart, fixed-mapping,
+highest-range, keeps-identifiers, keeps-preset, lss-forgets, lss-stopped, restore-at-once, silent-store,
+speed-off, switches, writes-pre-operational.
+
+modbus-tcp, modbus-rtu: offers the process image of the training ring, or of the rings of --project that are
+linked to it, as Modbus registers, as a gateway does; several clients at once over TCP. A write is
+confirmed once it was on the bus. The ring runs in real time, in Operate.
+
+Each serves until it is ended with Ctrl+C (SIGINT or SIGTERM).</source>
+        <translation>esc: gibt den Pfad eines Pseudoterminals aus, das jedes Programm auf diesem Computer als seriellen Port öffnet,
+und bedient dort die Geber 03, 05 und 12, so schnell wie eine echte Leitung. Andere Baudraten als die der
+Geber ergeben Unsinn.
+
+canopen: bedient die Knoten 5, 6 und 7 und einen Geber ohne Nummer, in Echtzeit, hinter einem SLCAN-Adapter an
+einem Pseudoterminal, dessen Pfad ausgegeben wird, oder an einer Schnittstelle. Ein Adapter, der mit einer
+anderen Rate geöffnet wird als der der Geber, stört den Bus, wie ein echter. Eigenheiten: autostart,
+fixed-mapping, highest-range, keeps-identifiers, keeps-preset, lss-forgets, lss-stopped, restore-at-once,
+silent-store, speed-off, switches, writes-pre-operational.
+
+modbus-tcp, modbus-rtu: bietet das Prozessabbild des Trainingsrings, oder der Ringe aus --project, die mit ihm
+verbunden sind, als Modbus-Register an, wie ein Gateway; über TCP mehreren Clients zugleich. Ein Schreiben
+wird bestätigt, wenn es auf dem Bus war. Der Ring läuft in Echtzeit, im Betrieb.
+
+Jedes bedient, bis es mit Strg+C (SIGINT oder SIGTERM) beendet wird.</translation>
+    </message>
+    <message>
+        <source>of 1000 bytes (esc) or frames (canopen), so many are lost</source>
+        <translation>von 1000 Bytes (esc) oder Telegrammen (canopen) gehen so viele verloren</translation>
+    </message>
+    <message>
+        <source>of 1000 bytes or frames, so many come twice</source>
+        <translation>von 1000 Bytes oder Telegrammen kommen so viele doppelt</translation>
+    </message>
+    <message>
+        <source>of 1000 bytes or frames, so many come later, with all that follow them</source>
+        <translation>von 1000 Bytes oder Telegrammen kommen so viele später, mit allen danach</translation>
+    </message>
+    <message>
+        <source>keep in the project (--project) what is known of the encoder then</source>
+        <translation>im Projekt (--project) behalten, was dann vom Geber bekannt ist</translation>
+    </message>
+    <message>
+        <source>--store keeps values in a project. Name it with --project FILE.</source>
+        <translation>--store behält Werte in einem Projekt. Geben Sie es mit --project DATEI an.</translation>
+    </message>
+    <message>
+        <source>%1 is a log: what is in it is over. It can be looked at by scan, monitor and record.</source>
+        <translation>%1 ist ein Log: Was darin steht, ist vorbei. Ansehen lässt es sich mit scan, monitor und record.</translation>
+    </message>
+    <message>
+        <source>Node %1 tells nothing in this log. codewheel-cli scan lists those that do.</source>
+        <translation>Knoten %1 sagt in diesem Log nichts. codewheel-cli scan listet die auf, die etwas sagen.</translation>
+    </message>
+    <message>
+        <source>A log has no setting &quot;%1&quot;. Its settings are: %2.</source>
+        <translation>Ein Log hat keine Einstellung „%1“. Seine Einstellungen sind: %2.</translation>
+    </message>
+    <message>
+        <source>log:FILE, the log of a CAN bus, which can be listened to, as log:candump.log</source>
+        <translation>log:FILE, das Log eines CAN-Busses, dem sich zuhören lässt, etwa log:candump.log</translation>
+    </message>
+    <message>
+        <source>describe the encoder by it: it is known and recognised from then on</source>
+        <translation>beschreibt den Geber damit: Von da an ist er bekannt und wird erkannt</translation>
+    </message>
+    <message>
+        <source>with --import: the form of encoder, where the file does not say it</source>
+        <translation>mit --import: die Bauform des Gebers, wo die Datei sie nicht sagt</translation>
+    </message>
+    <message>
+        <source>with --import: the name of the description; else of vendor and product</source>
+        <translation>mit --import: der Name der Beschreibung; sonst aus Hersteller und Produkt</translation>
+    </message>
+    <message>
+        <source>read the objects of the node there, and compare them with the file</source>
+        <translation>liest die Objekte des Knotens dort und vergleicht sie mit der Datei</translation>
+    </message>
+    <message>
+        <source>compare with this EDS or DCF instead</source>
+        <translation>vergleicht stattdessen mit dieser EDS oder DCF</translation>
+    </message>
+    <message>
+        <source>write a DCF with the values of the file, or those read</source>
+        <translation>schreibt eine DCF mit den Werten der Datei, oder mit den gelesenen</translation>
+    </message>
+    <message>
+        <source>with --save: the number of the node in the DCF</source>
+        <translation>mit --save: die Knotennummer in der DCF</translation>
+    </message>
+    <message>
+        <source>with --save: the rate in the DCF, in Bd</source>
+        <translation>mit --save: die Rate in der DCF, in Bd</translation>
+    </message>
+    <message>
+        <source>replace a file that is there</source>
+        <translation>ersetzt eine Datei, die da ist</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>additional</source>
+        <translation>zusätzlich</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>All values are the same.</source>
+        <translation>Alle Werte sind gleich.</translation>
+    </message>
+    <message>
+        <source>%1 differs. Objects that differ: %2.</source>
+        <translation>%1 ist verschieden. Objekte, die sich unterscheiden: %2.</translation>
+    </message>
+    <message>
+        <source>import, compare and write files of CANopen devices (EDS, DCF)</source>
+        <translation>Dateien von CANopen-Geräten (EDS, DCF) importieren, vergleichen und schreiben</translation>
+    </message>
+    <message>
+        <source>FILE is an electronic data sheet (EDS) or the configuration of a device (DCF). Without an option it is
+listed, as by devices --check.
+
+--read reads every object of the node that the file names, one after the other, and writes nothing to it.
+A DCF gets the values that the objects have, but none of objects that can only be written, and none whose
+writing does more than giving a value, such as storing, restoring and the preset.</source>
+        <translation>FILE ist ein elektronisches Datenblatt (EDS) oder die Konfiguration eines Geräts (DCF). Ohne Option wird
+sie aufgelistet, wie mit devices --check.
+
+--read liest jedes Objekt des Knotens, das die Datei nennt, eines nach dem anderen, und schreibt nichts.
+Eine DCF bekommt die Werte, die die Objekte haben, aber keine von Objekten, die nur geschrieben werden
+können, und keine, deren Schreiben mehr tut, als einen Wert zu geben, wie Speichern, Wiederherstellen und
+der Preset.</translation>
+    </message>
+    <message>
+        <source>More than one device answers by LSS. Have one device alone on the bus.</source>
+        <translation>Mehr als ein Gerät antwortet über LSS. Betreiben Sie ein Gerät allein am Bus.</translation>
+    </message>
+    <message>
+        <source>The device was selected, and then does not tell its identity and number, without which nothing is written.</source>
+        <translation>Das Gerät wurde ausgewählt und nennt dann Identität und Nummer nicht; ohne sie wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Sent. Node %1 does not tell its state, so whether it has done it is not known.</source>
+        <translation>Gesendet. Knoten %1 nennt seinen Zustand nicht; ob er es getan hat, ist daher nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Sends the command to the node at PLACE, or to all nodes. A node that is started sends its PDOs; one
+that is stopped answers nothing. It is asked for first; where nobody can be asked, --yes is needed.
+
+Nodes do not answer it. What the node tells afterwards by its heartbeat or boot-up is shown: exit
+code 1 if it is in another state, does not tell its state, or does not report after a reset.</source>
+        <translation>Sendet den Befehl an den Knoten an PLATZ, oder an alle Knoten. Ein Knoten, der gestartet wird, sendet seine
+PDOs; einer, der angehalten ist, antwortet nicht. Vorher wird gefragt; wo niemand gefragt werden kann, ist
+--yes nötig.
+
+Knoten beantworten ihn nicht. Was der Knoten danach mit Heartbeat oder Boot-up meldet, wird gezeigt: Exitcode 1,
+wenn er in einem anderen Zustand ist, seinen Zustand nicht nennt oder sich nach einem Reset nicht meldet.</translation>
+    </message>
+    <message>
+        <source>It sets the position at once.</source>
+        <translation>Es setzt die Position sofort.</translation>
+    </message>
+    <message>
+        <source>It is an object of the maker: it may set the position, change number or rate, or be stored at once. Look into the manual.</source>
+        <translation>Es ist ein Objekt des Herstellers: Es kann die Position setzen, Nummer oder Rate ändern oder sofort gespeichert werden. Sehen Sie ins Handbuch.</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>access</source>
+        <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>kleinster</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>größter</translation>
+    </message>
+    <message>
+        <source>mapped</source>
+        <translation>in PDO</translation>
+    </message>
+    <message>
+        <source>Node: %1</source>
+        <translation>Knoten: %1</translation>
+    </message>
+    <message>
+        <source>Rate: %1 Bd</source>
+        <translation>Rate: %1 Bd</translation>
+    </message>
+    <message>
+        <source>%1 is read: %2, objects: %3</source>
+        <translation>%1 ist gelesen: %2, Objekte: %3</translation>
+    </message>
+    <message>
+        <source>device without a name</source>
+        <translation>Gerät ohne Namen</translation>
+    </message>
+    <message>
+        <source>Further notes: %1. All of them with --json.</source>
+        <translation>Weitere Hinweise: %1. Alle mit --json.</translation>
+    </message>
+    <message>
+        <source>%1 is no form of encoder. Write canopen-406-single-turn, canopen-406-multi-turn or canopen-406-linear.</source>
+        <translation>%1 ist keine Bauform eines Gebers. Schreiben Sie canopen-406-single-turn, canopen-406-multi-turn oder canopen-406-linear.</translation>
+    </message>
+    <message>
+        <source>The file does not say whether the device is an encoder (1000h). If it is one, say of which form, as --as canopen-406-multi-turn.</source>
+        <translation>Die Datei sagt nicht, ob das Gerät ein Geber ist (1000h). Ist es einer, so sagen Sie, welcher Bauform, wie mit --as canopen-406-multi-turn.</translation>
+    </message>
+    <message>
+        <source>This is no encoder of CiA 406: its device type (1000h) is %1h.</source>
+        <translation>Das ist kein Geber nach CiA 406: Sein Gerätetyp (1000h) ist %1h.</translation>
+    </message>
+    <message>
+        <source>%1 is described as %2, with %3 parameters: %4</source>
+        <translation>%1 ist als %2 beschrieben, mit %3 Parametern: %4</translation>
+    </message>
+    <message>
+        <source>canopen: behind an SLCAN adapter on a pseudo terminal (so it is, unless --interface is given)</source>
+        <translation>canopen: hinter einem SLCAN-Adapter an einem Pseudoterminal (so ist es, wenn --interface nicht angegeben ist)</translation>
+    </message>
+    <message>
+        <source>canopen: on this interface, as can0</source>
+        <translation>canopen: an dieser Schnittstelle, etwa can0</translation>
+    </message>
+    <message>
+        <source>canopen: of the encoders (that of the interface, otherwise 125000)</source>
+        <translation>canopen: der Geber (die der Schnittstelle, sonst 125000)</translation>
+    </message>
+    <message>
+        <source>of 1000 frames, so many are destroyed by an error frame and sent again</source>
+        <translation>von 1000 Telegrammen werden so viele durch ein Error Frame zerstört und noch einmal gesendet</translation>
+    </message>
+    <message>
+        <source>canopen: what makers do otherwise, on all encoders; several as autostart,fixed-mapping</source>
+        <translation>canopen: was Hersteller anders machen, an allen Gebern; mehrere als autostart,fixed-mapping</translation>
+    </message>
+    <message>
+        <source>Give --slcan or --interface, not both: the bus is in one place.</source>
+        <translation>Geben Sie --slcan oder --interface an, nicht beides: Der Bus ist nur an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>Test the registers of the gateway with codewheel-cli gateway.</source>
+        <translation>Prüfen Sie die Register des Gateways mit codewheel-cli gateway.</translation>
+    </message>
+    <message>
+        <source>Looks for whoever is at these serial ports, CAN interfaces and hosts, or at every port and interface of this
+computer. First it listens: where somebody talks, a master is at work, and nothing is sent. Then it says what it would
+send to lines that are silent, and to hosts, and asks whether it may. Only reads are sent. Each find is
+told with how sure it is and the link that leads there. Ends with 1 if nobody was found.</source>
+        <translation>Sucht, wer an diesen seriellen Ports, CAN-Schnittstellen und Hosts ist, oder an jedem Port und jeder
+Schnittstelle dieses Computers. Zuerst wird gelauscht: Wo jemand spricht, arbeitet ein Master, und nichts wird
+gesendet. Dann steht da, was an stille Leitungen und an Hosts gesendet würde, und es wird gefragt, ob das sein
+darf. Gesendet werden nur Leseanfragen. Zu jedem Fund steht, wie sicher er ist, und welcher Link dorthin führt.
+Endet mit 1, wenn niemand gefunden wurde.</translation>
     </message>
 </context>
 <context>
@@ -13157,26 +14561,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Noch ging nichts über die Leitung</translation>
     </message>
     <message>
-        <source>Follow</source>
-        <translation>Folgen</translation>
-    </message>
-    <message>
-        <source>Keep the newest row in view</source>
-        <translation>Automatisch folgen: Die neueste Zeile bleibt im Blick</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the selected rows, or all shown, with tabs between the columns</source>
-        <translation>Die gewählten oder alle gezeigten Zeilen kopieren, mit Tabulatoren zwischen den Spalten</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -13187,22 +14571,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Look at a saved session, and send it again</source>
         <translation>Eine Aufzeichnung ansehen und noch einmal senden</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Write the rows shown to a text file</source>
-        <translation>Die gezeigten Zeilen in eine Textdatei schreiben</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Remove all rows</source>
-        <translation>Alle Zeilen entfernen</translation>
     </message>
     <message>
         <source>Request to send</source>
@@ -13221,14 +14589,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Anfrage</translation>
     </message>
     <message>
-        <source>Bring back</source>
-        <translation>Zurückholen</translation>
-    </message>
-    <message>
-        <source>Show the rows again that Clear removed</source>
-        <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
-    </message>
-    <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
     </message>
@@ -13243,10 +14603,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>What is sent and answered on a serial line is shown here. Connect one, or open a saved session.</source>
         <translation>Hier steht, was auf einer seriellen Leitung gesendet und geantwortet wird. Eine Leitung verbinden oder eine Aufzeichnung öffnen.</translation>
-    </message>
-    <message>
-        <source>Hold the table; new rows are kept and shown afterwards</source>
-        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
     </message>
     <message>
         <source>Save all rows in a file, to look at and send again</source>
@@ -13794,6 +15150,58 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Nobody sends on this line by itself.</source>
         <translation>Von selbst sendet auf dieser Leitung niemand.</translation>
+    </message>
+    <message>
+        <source>Listening. Nothing is sent.</source>
+        <translation>Es wird gehorcht und nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Only errors are heard: the rate of the interface may be another one than that of the bus.</source>
+        <translation>Zu hören sind nur Fehler: Die Rate der Schnittstelle ist womöglich eine andere als die des Busses.</translation>
+    </message>
+    <message>
+        <source>Nobody is heard. codewheel-cli scan --ask asks each node.</source>
+        <translation>Niemand ist zu hören. codewheel-cli scan --ask fragt jeden Knoten.</translation>
+    </message>
+    <message>
+        <source>Frames are heard, but none of a CANopen node.</source>
+        <translation>Telegramme sind zu hören, aber keines von einem CANopen-Knoten.</translation>
+    </message>
+    <message>
+        <source>CANopen node %1 is heard.</source>
+        <translation>Der CANopen-Knoten %1 ist zu hören.</translation>
+    </message>
+    <message>
+        <source>CANopen nodes are heard: %1.</source>
+        <translation>CANopen-Knoten sind zu hören: %1.</translation>
+    </message>
+    <message>
+        <source>Only frames of 29 bits are heard: J1939, not CANopen.</source>
+        <translation>Zu hören sind nur Telegramme mit 29 Bit: J1939, nicht CANopen.</translation>
+    </message>
+    <message>
+        <source>Another master is at work.</source>
+        <translation>Ein anderer Master ist am Werk.</translation>
+    </message>
+    <message>
+        <source>Listens through a serial CAN adapter at %1 Bd.</source>
+        <translation>Horcht durch einen seriellen CAN-Adapter bei %1 Bd.</translation>
+    </message>
+    <message>
+        <source>A serial CAN adapter (%1).</source>
+        <translation>Ein serieller CAN-Adapter (%1).</translation>
+    </message>
+    <message>
+        <source>Nobody is heard at any rate: nodes that were not started may tell nothing by themselves, and the rate is not known.</source>
+        <translation>Bei keiner Rate ist jemand zu hören: Knoten, die nicht gestartet wurden, sagen womöglich von selbst nichts, und die Rate ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A serial CAN adapter that is open; its rate is not known.</source>
+        <translation>Ein serieller CAN-Adapter, der offen ist; seine Rate ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>SLCAN: at ports as ttyACM0 a serial CAN adapter is asked for its version, then it listens at each rate. On the CAN bus nothing is sent.</source>
+        <translation>SLCAN: An Anschlüssen wie ttyACM0 wird ein serieller CAN-Adapter nach seiner Version gefragt, dann horcht er bei jeder Rate. Auf dem CAN-Bus wird nichts gesendet.</translation>
     </message>
 </context>
 <context>
@@ -16489,6 +17897,57 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::NmtAction</name>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Sends the chosen node to operational: it sends its PDOs then</source>
+        <translation>Setzt den gewählten Knoten auf Operational: Er sendet dann seine PDOs</translation>
+    </message>
+    <message>
+        <source>Start node %1? It sends its PDOs then.</source>
+        <translation>Knoten %1 starten? Er sendet dann seine PDOs.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stops the chosen node: it answers nothing until it is started again</source>
+        <translation>Hält den gewählten Knoten an: Er antwortet nicht, bis er wieder gestartet wird</translation>
+    </message>
+    <message>
+        <source>Stop node %1? It sends no position and answers nothing until it is started again.</source>
+        <translation>Knoten %1 anhalten? Er sendet keine Position und antwortet nicht, bis er wieder gestartet wird.</translation>
+    </message>
+    <message>
+        <source>Pre-operational</source>
+        <translation>Pre-operational</translation>
+    </message>
+    <message>
+        <source>Sends the chosen node to pre-operational: it sends no PDOs, and takes what a running one does not</source>
+        <translation>Setzt den gewählten Knoten auf Pre-operational: Er sendet keine PDOs und nimmt an, was ein laufender nicht annimmt</translation>
+    </message>
+    <message>
+        <source>Set node %1 to pre-operational? It sends no PDOs until it is started again.</source>
+        <translation>Knoten %1 auf Pre-operational setzen? Er sendet keine PDOs, bis er wieder gestartet wird.</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Resets the chosen node: it begins anew with what it has stored</source>
+        <translation>Setzt den gewählten Knoten zurück: Er beginnt neu mit dem, was er gespeichert hat</translation>
+    </message>
+    <message>
+        <source>Reset node %1? What is not stored is lost, and it has to be started again.</source>
+        <translation>Knoten %1 zurücksetzen? Was nicht gespeichert ist, geht verloren, und er muss neu gestartet werden.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::NoteBar</name>
     <message>
         <source>&amp;Set note</source>
@@ -16982,6 +18441,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>In Operate, what you write goes to the encoders on the line. A preset or a parameter changes the position that the controller sees. Switching over sends nothing.</source>
         <translation>Beim Bedienen geht das, was Sie schreiben, an die Geber der Leitung. Ein Preset oder ein Parameter ändert die Position, die die Steuerung sieht. Das Umschalten sendet nichts.</translation>
     </message>
+    <message>
+        <source>This CAN bus is real. Shall the program send to it?</source>
+        <translation>Dieser CAN-Bus ist echt. Soll das Programm an ihn senden?</translation>
+    </message>
+    <message>
+        <source>%1 is a real CAN bus. Shall the program send to it?</source>
+        <translation>%1 ist ein echter CAN-Bus. Soll das Programm an ihn senden?</translation>
+    </message>
+    <message>
+        <source>In Operate, the encoders are asked for what they do not tell by themselves, and what you write goes to them. A preset or a parameter changes the position that the controller sees.</source>
+        <translation>Beim Bedienen werden die Geber gefragt, was sie nicht von selbst sagen, und was Sie schreiben, geht an sie. Ein Preset oder ein Parameter ändert die Position, die die Steuerung sieht.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::OrderingKeyReader</name>
@@ -17287,6 +18758,14 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Shows or hides the panel &quot;%1&quot;</source>
         <translation>Blendet den Bereich „%1“ ein oder aus</translation>
+    </message>
+    <message>
+        <source>CAN traffic</source>
+        <translation>CAN-Verkehr</translation>
+    </message>
+    <message>
+        <source>CAN bus</source>
+        <translation>CAN-Bus</translation>
     </message>
 </context>
 <context>
@@ -18808,6 +20287,14 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>Ends here; nothing is written</source>
         <translation>Endet hier; nichts wird geschrieben</translation>
     </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Begins anew, with what was given of the new encoder</source>
+        <translation>Beginnt von vorn, mit dem, was zum neuen Geber angegeben wurde</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplacePositionStep</name>
@@ -18973,6 +20460,10 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>The project has no values for it, neither wanted nor stored: what the previous encoder had is not written.</source>
         <translation>Das Projekt hat keine Werte dafür, weder gewünschte noch gespeicherte: Was der vorige Geber hatte, wird nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>To have values written, enter them in the panel Parameters first.</source>
+        <translation>Damit Werte geschrieben werden, tragen Sie sie zuerst im Fenster Parameter ein.</translation>
     </message>
 </context>
 <context>
@@ -21429,6 +22920,69 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::SendFrameBar</name>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Telegramm</translation>
+    </message>
+    <message>
+        <source>Frame to send</source>
+        <translation>Zu sendendes Telegramm</translation>
+    </message>
+    <message>
+        <source>Send the frame</source>
+        <translation>Das Telegramm senden</translation>
+    </message>
+    <message>
+        <source>Sends the frame once (Enter)</source>
+        <translation>Sendet das Telegramm einmal (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Identifier and data in hexadecimal digits, as in 605#4004600000000000; eight digits for an identifier of 29 bits, R for a remote frame.</source>
+        <translation>Kennung und Daten in Hexadezimalziffern, wie in 605#4004600000000000; acht Ziffern für eine Kennung mit 29 Bit, R für ein Remote-Telegramm.</translation>
+    </message>
+    <message>
+        <source>Error frames cannot be sent.</source>
+        <translation>Fehlertelegramme lassen sich nicht senden.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent. %1 Write it as 605#4004600000000000.</source>
+        <translation>Nichts wurde gesendet. %1 Schreiben Sie es wie 605#4004600000000000.</translation>
+    </message>
+    <message>
+        <source>What this frame does is not known to the program.</source>
+        <translation>Was dieses Telegramm bewirkt, weiß das Programm nicht.</translation>
+    </message>
+    <message>
+        <source>This is sent: %1.</source>
+        <translation>Gesendet wird: %1.</translation>
+    </message>
+    <message>
+        <source>A drive may move.</source>
+        <translation>Ein Antrieb kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>It costs an EEPROM write.</source>
+        <translation>Es kostet einen EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>&amp;Send it</source>
+        <translation>&amp;Senden</translation>
+    </message>
+    <message>
+        <source>Do &amp;not send</source>
+        <translation>&amp;Nicht senden</translation>
+    </message>
+    <message>
+        <source>The frame was not sent: the adapter refused it.</source>
+        <translation>Das Telegramm wurde nicht gesendet: Der Adapter hat es abgelehnt.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::SequenceModel</name>
     <message>
         <source>Word</source>
@@ -23161,42 +24715,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>Handshake-Protokoll</translation>
     </message>
     <message>
-        <source>Follow</source>
-        <translation>Folgen</translation>
-    </message>
-    <message>
-        <source>Keep the newest row in view</source>
-        <translation>Automatisch folgen: Die neueste Zeile bleibt im Blick</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the selected rows, or all, with tabs between the columns</source>
-        <translation>Die gewählten Zeilen oder alle kopieren, mit Tabulatoren zwischen den Spalten</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Save all rows as a CSV file</source>
-        <translation>Alle Zeilen als CSV-Datei speichern</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Remove all rows of this encoder</source>
-        <translation>Alle Zeilen dieses Gebers entfernen</translation>
-    </message>
-    <message>
         <source>Export the trace</source>
         <translation>Handshake-Protokoll exportieren</translation>
     </message>
@@ -23222,20 +24740,8 @@ Worte: IN %3, OUT %4</translation>
         <translation>Terminal öffnen</translation>
     </message>
     <message>
-        <source>Bring back</source>
-        <translation>Zurückholen</translation>
-    </message>
-    <message>
-        <source>Show the rows again that Clear removed</source>
-        <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
-    </message>
-    <message>
         <source>%1 is not connected</source>
         <translation>%1 ist nicht verbunden</translation>
-    </message>
-    <message>
-        <source>Hold the table; new rows are kept and shown afterwards</source>
-        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
     </message>
     <message>
         <source>It has no words. The traffic of its line is in the terminal.</source>
@@ -23369,6 +24875,57 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Node</source>
         <translation>Knoten</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::TrafficTools</name>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keep the newest row in view</source>
+        <translation>Automatisch folgen: Die neueste Zeile bleibt im Blick</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Hold the table; new rows are kept and shown afterwards</source>
+        <translation>Die Tabelle anhalten; neue Zeilen bleiben erhalten und erscheinen danach</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected rows, or all shown, with tabs between the columns</source>
+        <translation>Die gewählten oder alle gezeigten Zeilen kopieren, mit Tabulatoren zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the rows shown to a file</source>
+        <translation>Die gezeigten Zeilen in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Remove all rows</source>
+        <translation>Alle Zeilen entfernen</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Show the rows again that Clear removed</source>
+        <translation>Die mit Leeren entfernten Zeilen wieder zeigen</translation>
     </message>
 </context>
 <context>
@@ -25445,6 +27002,11 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Not known what is there.</source>
         <translation>Nicht bekannt, was dort steht.</translation>
+    </message>
+    <message>
+        <source>%1, or no supply</source>
+        <comment>meaning of a word</comment>
+        <translation>%1, oder keine Versorgung</translation>
     </message>
 </context>
 <context>

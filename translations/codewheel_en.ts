@@ -36,6 +36,16 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CanSearchPage</name>
+    <message numerus="yes">
+        <source>Nodes found: %n.</source>
+        <translation>
+            <numerusform>Nodes found: %n.</numerusform>
+            <numerusform>Nodes found: %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CommandPalette</name>
     <message numerus="yes">
         <source>%n found</source>
