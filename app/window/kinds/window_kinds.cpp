@@ -52,11 +52,8 @@ std::vector<WindowKind> &kinds()
          nullptr, &gatewaySearch},
         {QString::fromLatin1(escKind), &make<EscLineAtWork>, &makeViews<EscLineViews, EscLineAtWork>,
          linePanels, &adapterRows, nullptr, &keysOfLines},
-        {QString::fromLatin1(canopenKind),
-         &make<CanopenAtWork>,
-         &makeViews<CanopenViews, CanopenAtWork>,
-         {},
-         &canAdapterRows},
+        {QString::fromLatin1(canopenKind), &make<CanopenAtWork>, &makeViews<CanopenViews, CanopenAtWork>,
+         canPanels, &canAdapterRows},
         {ReplayAtWork::kindKey(), nullptr, &makeViews<ReplayViews, ReplayAtWork>}};
     return all;
 }
