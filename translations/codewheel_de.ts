@@ -5232,8 +5232,8 @@
 <context>
     <name>codewheel</name>
     <message>
-        <source>Sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines.</source>
-        <translation>Richtet Absolutgeber am INTERBUS und an seriellen Leitungen ein, beobachtet sie und findet Fehler.</translation>
+        <source>Sets up, watches and diagnoses absolute encoders on INTERBUS, CANopen and serial lines.</source>
+        <translation>Richtet Absolutgeber an INTERBUS, CANopen und seriellen Leitungen ein, beobachtet sie und findet Fehler.</translation>
     </message>
     <message>
         <source>Standard output cannot be written: %1.</source>
@@ -8965,8 +8965,8 @@ ist die erste Anfrage die letzte, die falsch ist, keine Antwort bekommt oder man
         <translation>Eine Anfrage braucht kein --other. Weglassen oder --direction in angeben, um eine Antwort zu erklären.</translation>
     </message>
     <message>
-        <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS and on serial lines.</source>
-        <translation>codewheel-cli richtet Absolutgeber am INTERBUS und an seriellen Leitungen ein, beobachtet sie und findet Fehler.</translation>
+        <source>codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS, CANopen and serial lines.</source>
+        <translation>codewheel-cli richtet Absolutgeber an INTERBUS, CANopen und seriellen Leitungen ein, beobachtet sie und findet Fehler.</translation>
     </message>
     <message>
         <source>No encoder answers at %1 at %2 Bd. Check address, baud rate, wiring and supply; an RS-422 encoder also needs ST (pin 7) at +UB. codewheel-cli scan --all-rates looks for encoders.</source>

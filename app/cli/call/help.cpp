@@ -120,7 +120,7 @@ QString overallHelp()
     for (const Subcommand *command : allCommands())
         commands.add({QString::fromLatin1(command->name), CommandLine::tr(command->summary)});
     return CommandLine::tr(
-               "codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS and on "
+               "codewheel-cli sets up, watches and diagnoses absolute encoders on INTERBUS, CANopen and "
                "serial lines.") +
            QStringLiteral("\n\n") + CommandLine::tr("Usage: codewheel-cli COMMAND ...") +
            QStringLiteral("\n\n") + CommandLine::tr("Commands:") + u'\n' + commands.toString(2) + u'\n' +
