@@ -60,7 +60,8 @@ TEST(Completion, OptionsAreThoseOfTheCommandWhichAreNotYetGiven)
 TEST(Completion, PlacesOfTheTrainingBusAreItsPlan)
 {
     EXPECT_THAT(completed(QStringLiteral("read ")),
-                ElementsAre("1.0", "2.0", "3.0", "4.0", "5.0", "6.1", "esc:03", "esc:05", "esc:12"));
+                ElementsAre("1.0", "2.0", "3.0", "4.0", "5.0", "6.1", "esc:03", "esc:05", "esc:12", "can:5",
+                            "can:6", "can:7"));
     EXPECT_THAT(completed(QStringLiteral("read --link interbus:training 1")), ElementsAre("1.0"));
     EXPECT_THAT(completed(QStringLiteral("clone 1.0 6")), ElementsAre("6.1"));
     EXPECT_THAT(completed(QStringLiteral("monitor --link esc:ttyUSB0 ")), IsEmpty()) << "nobody knows";
