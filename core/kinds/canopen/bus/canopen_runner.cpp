@@ -2,6 +2,7 @@
 #include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_runner_private.h"
 #include "kinds/canopen/protocol/canopen_address.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
 #include "vocabulary/port_text.h"
 
@@ -14,17 +15,16 @@ constexpr Instant betweenSnapshots = std::chrono::milliseconds(10); // on a bus 
 
 } // namespace
 
-CanopenRunner::Private::Private(CanLink &usedLink, int usedRate, CanUse usedFirst, Mail &usedMail)
-    : link(usedLink)
+CanopenWork::CanopenWork(CanLink &usedLink, int usedRate, CanUse usedFirst, Mail &usedMail)
+    : AskingWork(usedLink, usedMail)
     , rate(usedRate)
     , use(usedFirst)
     , load(usedRate)
-    , mail(usedMail)
 {
     state.operate = usedFirst == CanUse::operate;
 }
 
-CanopenRunner::Private::Node &CanopenRunner::Private::nodeAt(int number)
+CanopenWork::Node &CanopenWork::nodeAt(int number)
 {
     auto &node = nodes.at(static_cast<std::size_t>(number));
     if (!node)
@@ -32,76 +32,48 @@ CanopenRunner::Private::Node &CanopenRunner::Private::nodeAt(int number)
     return *node;
 }
 
-void CanopenRunner::Private::collect(std::size_t device)
+Place CanopenWork::placeOf(const canopen::NodeDriver &driver) const
 {
-    std::vector<Event> events = driver(device)->takeEvents();
-    isPublishDue = isPublishDue || !events.empty();
-    for (Event &event : events)
-        tellEvent(std::move(event), device);
-    for (Message &message : driver(device)->takeMessages()) {
-        message.place = Place{firstCanBus, CanopenAddress{driver(device)->node()}.place()};
-        tell(std::move(message));
-    }
-    if (!events.empty())
-        publish();
+    return {firstCanBus, CanopenAddress{driver.node()}.place()};
 }
 
-void CanopenRunner::Private::look(std::size_t device)
+Result<void> CanopenWork::mayStart(const canopen::NodeDriver &driver, const Job & /*job*/) const
 {
-    tap.look(device, driver(device)->reading(), state.connected && state.running, link.now());
+    auto allowed = codewheel::mayStart(state, placeOf(driver).toString());
+    if (allowed && nodes.at(static_cast<std::size_t>(driver.node()))->watch.isDoubled())
+        allowed = tl::unexpected(canopen::nodeIsDoubled(driver.node()));
+    return allowed;
 }
 
-void CanopenRunner::Private::tellEvent(decltype(CanopenEvent::what) what, std::size_t device)
-{
-    mail.tell({.device = device, .what = std::move(what), .at = link.now()});
-}
-
-void CanopenRunner::Private::tell(Message message)
-{
-    message.at = link.now();
-    tellEvent(std::move(message));
-}
-
-void CanopenRunner::Private::tellOfNode(int number, Severity severity, MessageCode id)
+void CanopenWork::tellOfNode(int number, Severity severity, MessageCode id)
 {
     tell({.place = Place{firstCanBus, CanopenAddress{number}.place()}, .severity = severity, .id = id});
 }
 
-void CanopenRunner::Private::tellRow(const CanFrame &frame, Instant at, CanopenRow row)
+void CanopenWork::tellRow(const CanFrame &frame, Instant at, CanopenRow row)
 {
     row.frame = frame;
     mail.tell({.what = std::move(row), .at = at});
 }
 
-void CanopenRunner::Private::publishIfDue()
+void CanopenWork::publishIfDue()
 {
     if (isPublishDue && link.now() >= publishedAt + betweenSnapshots)
         publish();
 }
 
-void CanopenRunner::Private::publish()
+void CanopenWork::show(std::size_t device, AskedDevice &shown) const
+{
+    if (shown.present)
+        shown.answers = nodes.at(static_cast<std::size_t>(driver(device)->node()))->answers;
+}
+
+void CanopenWork::complete(CanopenSnapshot &made)
 {
     isPublishDue = false;
     publishedAt = link.now();
-    CanopenSnapshot made;
-    static_cast<CanopenState &>(made) = state;
-    made.at = link.now();
-    made.awakeSince = awakeSince;
     made.status = status;
     made.figures = figures;
-    made.droppedRows = mail.droppedRows();
-    for (std::size_t device = 0; device < drivers.size(); ++device) {
-        CanopenSnapshot::Device &shown = made.devices.emplace_back();
-        const canopen::NodeDriver *its = driver(device);
-        shown.present = its != nullptr;
-        if (its == nullptr)
-            continue;
-        shown = {.node = CanopenAddress{its->node()}.place(),
-                 .reading = its->reading(),
-                 .hasJob = its->busy(),
-                 .answers = nodeAt(its->node()).answers};
-        look(device);
-    }
     for (int number = 1; number <= canopen::lastNode; ++number) {
         const auto &node = nodes.at(static_cast<std::size_t>(number));
         if (!node || !node->heardAt)
@@ -121,86 +93,37 @@ void CanopenRunner::Private::publish()
                                       : std::nullopt,
              .heardAt = *node->heardAt});
     }
-    mail.note(tap.noted());
-    tap.clear();
-    mail.publish(made);
+}
+
+void CanopenWork::step(Instant until)
+{
+    carryOutCommands();
+    if (state.connected)
+        useAsWanted();
+    if (state.connected)
+        send();
+    if (state.connected)
+        receive(until);
+    lookAtScan();
+    publishIfDue();
+}
+
+void CanopenWork::turn(Instant until)
+{
+    AskingWork::turn(until);
+    publish();
+}
+
+void CanopenWork::slept(std::chrono::milliseconds duration)
+{
+    AskingWork::slept(duration);
+    leaveOff();
+    publish();
 }
 
 CanopenRunner::CanopenRunner(CanLink &link, int rate, CanUse use)
-    : d(std::make_unique<Private>(link, rate, use, m_mail))
-{}
-
-CanopenRunner::~CanopenRunner() = default;
-
-Result<void> CanopenRunner::open(const std::stop_token &stop)
 {
-    auto opened = openUnlessStopped(stop, [this] { return d->link.open(d->use); });
-    d->tellEvent(LinkOpened{opened});
-    return opened;
-}
-
-void CanopenRunner::turn(Instant until)
-{
-    while (d->link.now() < until) {
-        if (!d->state.connected) {
-            d->waitForLink(until);
-            continue;
-        }
-        d->carryOutCommands();
-        if (d->state.connected)
-            d->useAsWanted();
-        if (d->state.connected)
-            d->send();
-        if (d->state.connected)
-            d->receive(until);
-        d->lookAtScan();
-        d->publishIfDue();
-    }
-    d->publish();
-}
-
-void CanopenRunner::slept(std::chrono::milliseconds duration)
-{
-    d->awakeSince = d->link.now();
-    d->carryOutCommands(); // posted before
-    d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});
-    d->dropTyped();
-    d->endScan(true);
-    d->leaveOff();
-    d->state.operate = false;
-    d->tap.interrupt();
-    d->tellEvent(Slept{duration});
-    d->publish();
-}
-
-void CanopenRunner::close()
-{
-    d->carryOutCommands();
-    d->stopJobs({RefusalKind::stopped, RefusalId::busStopped, {}});
-    d->dropTyped();
-    d->endScan(true);
-    d->sendLastStops();
-    d->leaveOff();
-    if (d->state.stopsWait)
-        d->tell({.severity = Severity::fault, .id = CanopenBusMessageId::stopsNotSent});
-    d->publish();
-    d->link.close();
-}
-
-Instant CanopenRunner::now() const
-{
-    return d->link.now();
-}
-
-void CanopenRunner::interrupt()
-{
-    d->link.interrupt();
-}
-
-void CanopenRunner::post(CanopenCommand command)
-{
-    BusRunner::post(std::move(command));
-    interrupt();
+    m_work = std::make_unique<CanopenWork>(link, rate, use, m_mail);
 }
 
 QString linkArgument(const CanLink &link)

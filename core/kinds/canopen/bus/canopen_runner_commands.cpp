@@ -2,7 +2,6 @@
 #include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_runner_private.h"
 #include "kinds/canopen/protocol/canopen_address.h"
-#include "kinds/canopen/protocol/canopen_refusals.h"
 
 #include <QStringList>
 
@@ -16,68 +15,25 @@ QString placeText(int node)
 
 } // namespace
 
-void CanopenRunner::Private::carryOutCommands()
+void CanopenWork::carryOutNext(CanopenCommand &command)
 {
-    bool isOther = false;
-    while (auto next = mail.nextCommand()) {
-        std::visit([this](auto &c) { carryOut(c); }, *next);
-        isOther = true;
-    }
-    if (isOther)
-        publish();
+    std::visit([this](auto &c) { carryOut(c); }, command);
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::StartJob &c)
+void CanopenWork::carryOut(canopen_command::StartJob &c)
 {
-    canopen::NodeDriver *its = driver(c.device);
-    if (its == nullptr)
-        return;
-    const QString place = placeText(its->node());
-    auto taken = mayStart(state, place);
-    if (taken && its->busy())
-        taken = refuse(RefusalKind::busy, RefusalId::jobRunning, {place});
-    if (taken && nodeAt(its->node()).watch.isDoubled())
-        taken = tl::unexpected(canopen::nodeIsDoubled(its->node()));
-    if (taken)
-        taken = its->begin(c.id, c.job, c.pace, link.now());
-    its->mayStopNode(false); // it was agreed to for this one
-    if (!taken)
-        tellEvent(Event(notTaken(c.id, taken.error(), its->reading().state)), c.device);
-    collect(c.device);
-    settle(its->node());
-}
-
-void CanopenRunner::Private::carryOut(canopen_command::Proceed &c)
-{
-    if (driver(c.device) == nullptr)
-        return;
-    driver(c.device)->proceed();
-    settle(driver(c.device)->node());
-}
-
-// The job may have ended while the command was on its way.
-void CanopenRunner::Private::carryOut(canopen_command::Cancel &c)
-{
-    if (driver(c.device) == nullptr || !driver(c.device)->busy())
-        return;
-    driver(c.device)->cancel(c.how, link.now());
-    collect(c.device);
-    settle(driver(c.device)->node());
-}
-
-void CanopenRunner::Private::carryOut(canopen_command::SetKnown &c)
-{
+    AskingWork::carryOut(c);
     if (driver(c.device) != nullptr)
-        driver(c.device)->setKnown(c.known);
+        driver(c.device)->mayStopNode(false); // it was agreed to for this one
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::MayStopNode &c)
+void CanopenWork::carryOut(canopen_command::MayStopNode &c)
 {
     if (driver(c.device) != nullptr)
         driver(c.device)->mayStopNode(true);
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::AddNode &c)
+void CanopenWork::carryOut(canopen_command::AddNode &c)
 {
     const int number = c.driver->node();
     nodeAt(number).device = drivers.size();
@@ -92,61 +48,34 @@ void CanopenRunner::Private::carryOut(canopen_command::AddNode &c)
     settle(number);
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::RemoveDevice &c)
+void CanopenWork::carryOut(canopen_command::RemoveDevice &c)
 {
     if (driver(c.device) == nullptr)
         return;
-    if (driver(c.device)->busy())
-        driver(c.device)->stop({RefusalKind::stopped, RefusalId::busStopped, {}}, link.now());
-    collect(c.device);
     Node &node = nodeAt(driver(c.device)->node());
+    AskingWork::carryOut(c);
     node.device.reset();
     if (node.request && std::holds_alternative<canopen::NmtRequest>(*node.request))
         node.request.reset();
     for (auto &[identifier, devices] : listeners)
         devices.erase(c.device);
-    drivers[c.device].reset();
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::SetRunning &c)
+bool CanopenWork::useOperate(bool on)
 {
-    if (c.on == state.running)
-        return;
-    state.running = c.on;
-    if (!state.running)
-        stopJobs({RefusalKind::stopped, RefusalId::busStopped, {}});
-    settleAll();
-    tell({.id = c.on ? MessageId::busStarted : MessageId::busStopped});
-}
-
-void CanopenRunner::Private::carryOut(canopen_command::SetOperate &c)
-{
-    if (c.on == state.operate || !state.connected)
-        return;
-    if (const auto busy = busyDevice()) {
-        tell({.severity = Severity::attention,
-              .refusal =
-                  Refusal{RefusalKind::busy, RefusalId::jobRunning, {placeText(driver(*busy)->node())}}});
-        return;
-    }
-    if (!c.on) {
+    if (!on) {
         dropTyped();
         endScan(true);
         leaveOff();
     }
-    state.operate = c.on;
+    state.operate = on;
     useAsWanted();
-    if (!state.connected)
-        return;
-    settleAll();
-    tell({.id = c.on ? MessageId::operateOn : MessageId::watchOn});
+    return state.connected;
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::AlarmStop & /*c*/)
+void CanopenWork::carryOut(canopen_command::AlarmStop &c)
 {
-    dropTyped();
-    endScan(true);
-    stopJobs({RefusalKind::stopped, RefusalId::alarmStop, {}});
+    AskingWork::carryOut(c);
     for (const auto &node : nodes)
         if (node && node->isTypedUnderWay) {
             node->client.cancel(link.now());
@@ -175,19 +104,19 @@ void CanopenRunner::Private::carryOut(canopen_command::AlarmStop & /*c*/)
                              : std::vector<RefusalArgument>{numbers.join(QStringLiteral(", "))}});
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::SendBesideOthers & /*c*/)
+void CanopenWork::carryOut(canopen_command::SendBesideOthers & /*c*/)
 {
     state.besideOthers = true;
     settleAll();
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::TakeUnsureWatch & /*c*/)
+void CanopenWork::carryOut(canopen_command::TakeUnsureWatch & /*c*/)
 {
     link.takeUnsureWatch();
     reopenAt = link.now();
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::Send &c)
+void CanopenWork::carryOut(canopen_command::Send &c)
 {
     const auto allowed = maySend(state, {});
     if (allowed)
@@ -196,7 +125,7 @@ void CanopenRunner::Private::carryOut(canopen_command::Send &c)
         tellEvent(FrameSent{c.frame, CanFate::refused, allowed.error()});
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::Transfer &c)
+void CanopenWork::carryOut(canopen_command::Transfer &c)
 {
     const int number = c.request.node;
     if (const auto allowed = maySend(state, placeText(number)); !allowed) {
@@ -207,7 +136,7 @@ void CanopenRunner::Private::carryOut(canopen_command::Transfer &c)
     settle(number);
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::Configure &c)
+void CanopenWork::carryOut(canopen_command::Configure &c)
 {
     const auto allowed = maySend(state, {});
     if (allowed)
@@ -216,18 +145,18 @@ void CanopenRunner::Private::carryOut(canopen_command::Configure &c)
         tellEvent(Configured{.request = c.request, .refused = allowed.error()});
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::CancelConfigure & /*c*/)
+void CanopenWork::carryOut(canopen_command::CancelConfigure & /*c*/)
 {
     breakOffConfiguration();
     while (!configurations.empty())
         endConfiguration({.kind = canopen::LssOutcome::Kind::notSent});
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::Scan & /*c*/)
+void CanopenWork::carryOut(canopen_command::Scan & /*c*/)
 {
     auto allowed = maySend(state, {});
-    if (const auto busy = busyDevice(); allowed && busy)
-        allowed = refuse(RefusalKind::busy, RefusalId::jobRunning, {placeText(driver(*busy)->node())});
+    if (const auto busy = busyRefusal(); allowed && busy)
+        allowed = tl::unexpected(*busy);
     if (!allowed) {
         tell({.severity = Severity::attention, .refusal = allowed.error()});
         tellEvent(NodesScanned{.isDone = true, .isCancelled = true});
@@ -238,39 +167,9 @@ void CanopenRunner::Private::carryOut(canopen_command::Scan & /*c*/)
     foundTold = 0;
 }
 
-void CanopenRunner::Private::carryOut(canopen_command::CancelScan & /*c*/)
+void CanopenWork::jobStopped(std::size_t device)
 {
-    endScan(true);
-}
-
-void CanopenRunner::Private::settleAll()
-{
-    for (const auto &its : drivers)
-        if (its)
-            settle(its->node());
-}
-
-std::optional<std::size_t> CanopenRunner::Private::busyDevice() const
-{
-    for (std::size_t device = 0; device < drivers.size(); ++device)
-        if (driver(device) != nullptr && driver(device)->busy())
-            return device;
-    return std::nullopt;
-}
-
-void CanopenRunner::Private::stopJobs(const Refusal &why)
-{
-    for (std::size_t device = 0; device < drivers.size(); ++device) {
-        if (driver(device) == nullptr || !driver(device)->busy())
-            continue;
-        driver(device)->stop(why, link.now());
-        collect(device);
-        breakOff(driver(device)->node());
-    }
-}
-
-void CanopenRunner::Private::breakOff(int number)
-{
+    const int number = driver(device)->node();
     Node &node = nodeAt(number);
     if (!node.request)
         return;
@@ -286,7 +185,7 @@ void CanopenRunner::Private::breakOff(int number)
     settle(number);
 }
 
-void CanopenRunner::Private::dropTyped()
+void CanopenWork::dropTyped()
 {
     for (const CanFrame &frame : std::exchange(typed, {}))
         tellEvent(FrameSent{frame});
@@ -301,7 +200,7 @@ void CanopenRunner::Private::dropTyped()
     }
 }
 
-void CanopenRunner::Private::endScan(bool cancelled)
+void CanopenWork::endScan(bool cancelled)
 {
     if (!scan)
         return;
@@ -314,7 +213,7 @@ void CanopenRunner::Private::endScan(bool cancelled)
     publish();
 }
 
-void CanopenRunner::Private::endConfiguration(const canopen::LssOutcome &outcome)
+void CanopenWork::endConfiguration(const canopen::LssOutcome &outcome)
 {
     tellEvent(Configured{configurations.front(), outcome, {}});
     configurations.pop_front();
@@ -322,7 +221,7 @@ void CanopenRunner::Private::endConfiguration(const canopen::LssOutcome &outcome
     isPublishDue = true;
 }
 
-void CanopenRunner::Private::breakOffConfiguration()
+void CanopenWork::breakOffConfiguration()
 {
     lss.cancel();
     const auto outcome = lss.takeOutcome();

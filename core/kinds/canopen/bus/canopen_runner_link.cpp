@@ -9,8 +9,7 @@
 namespace codewheel {
 namespace {
 
-constexpr std::chrono::seconds untilOpenedAgain{1}; // of a link that is gone
-constexpr int mostInterruptions = 20;               // of its opening
+constexpr int mostInterruptions = 20; // of its opening
 constexpr Instant forLastStops = std::chrono::milliseconds(100);
 
 bool isAboutWatching(const Refusal &why)
@@ -21,7 +20,7 @@ bool isAboutWatching(const Refusal &why)
 } // namespace
 
 // Each command that is posted meanwhile interrupts it.
-Result<void> CanopenRunner::Private::openLink(CanUse wanted)
+Result<void> CanopenWork::openFor(CanUse wanted)
 {
     auto opened = link.open(wanted);
     for (int i = 0; i < mostInterruptions && !opened && opened.error().kind == RefusalKind::stopped; ++i)
@@ -29,9 +28,9 @@ Result<void> CanopenRunner::Private::openLink(CanUse wanted)
     return opened;
 }
 
-bool CanopenRunner::Private::reopen(CanUse wanted)
+bool CanopenWork::reopen(CanUse wanted)
 {
-    const auto opened = openLink(wanted);
+    const auto opened = openFor(wanted);
     if (!opened) {
         linkIsGone(opened.error());
         return false;
@@ -42,7 +41,7 @@ bool CanopenRunner::Private::reopen(CanUse wanted)
 }
 
 // An ALARM STOP is sent in Watch, too.
-void CanopenRunner::Private::useAsWanted()
+void CanopenWork::useAsWanted()
 {
     const bool mustSend = state.operate || !stops.empty();
     const bool isSending = waiting || !underWay.empty();
@@ -51,7 +50,7 @@ void CanopenRunner::Private::useAsWanted()
         reopen(wanted);
 }
 
-void CanopenRunner::Private::sendLastStops()
+void CanopenWork::sendLast()
 {
     const Instant end = link.now() + forLastStops;
     while (state.connected && state.stopsWait && link.now() < end) {
@@ -60,30 +59,22 @@ void CanopenRunner::Private::sendLastStops()
         if (state.connected)
             receive(end);
     }
+    if (state.stopsWait)
+        tell({.severity = Severity::fault, .id = CanopenBusMessageId::stopsNotSent});
 }
 
-void CanopenRunner::Private::linkIsGone(const Refusal &why)
+void CanopenWork::tellGone(const Refusal &why)
 {
-    state.connected = false;
-    state.whyLost = why;
-    reopenAt = link.now() + untilOpenedAgain;
-    notBack = why;
-    tell({.severity = Severity::fault, .refusal = why});
+    AskingWork::tellGone(why);
     if (isAboutWatching(why))
         tellEvent(WatchNotSure{why});
     keepStops();
     if (state.stopsWait)
         tell({.severity = Severity::fault, .id = CanopenBusMessageId::stopsNotSent});
-    stopJobs(why);
-    state.operate = false;
-    dropTyped();
-    leaveOff();
-    endScan(true);
-    for (std::size_t device = 0; device < drivers.size(); ++device)
-        if (driver(device)) {
-            driver(device)->lost(link.now());
-            collect(device);
-        }
+}
+
+void CanopenWork::forget()
+{
     for (int number = 1; number <= canopen::lastNode; ++number)
         if (auto &node = nodes.at(static_cast<std::size_t>(number))) {
             node->watch = canopen::NodeWatch(number);
@@ -93,12 +84,10 @@ void CanopenRunner::Private::linkIsGone(const Refusal &why)
     listeners.clear();
     pdoSenders.clear();
     status = {};
-    link.close();
-    publish();
 }
 
 // A node that is stopped twice is stopped.
-void CanopenRunner::Private::keepStops()
+void CanopenWork::keepStops()
 {
     for (const Outgoing &sent : underWay)
         if (sent.by == Outgoing::By::alarmStop)
@@ -109,7 +98,7 @@ void CanopenRunner::Private::keepStops()
 }
 
 // What was sent may have been carried out, though nobody will see its answer.
-void CanopenRunner::Private::leaveOff()
+void CanopenWork::leaveOff()
 {
     keepStops();
     for (const Outgoing &sent : std::exchange(underWay, {}))
@@ -133,40 +122,29 @@ void CanopenRunner::Private::leaveOff()
     breakOffConfiguration();
 }
 
-void CanopenRunner::Private::waitForLink(Instant until)
+Result<void> CanopenWork::reopenLink()
 {
-    carryOutCommands();
-    if (link.now() < reopenAt)
-        link.wait(std::min(until, reopenAt));
-    else
-        tryToReopen();
+    return openFor(CanUse::watch);
 }
 
-// That it is missing was reported. Anything else in the way is reported once.
-void CanopenRunner::Private::tryToReopen()
+void CanopenWork::tellNotBack(const Refusal &why, bool isNew)
 {
-    reopenAt = link.now() + untilOpenedAgain;
-    const auto opened = openLink(CanUse::watch);
-    if (!opened) {
-        const bool isNew = notBack != opened.error();
-        notBack = opened.error();
-        if (!isNew)
-            return;
-        state.whyLost = opened.error();
-        tell({.severity = Severity::attention, .refusal = opened.error()});
-        if (isAboutWatching(opened.error()))
-            tellEvent(WatchNotSure{opened.error()});
-        publish();
+    if (!isNew)
         return;
-    }
+    state.whyLost = why;
+    tell({.severity = Severity::attention, .refusal = why});
+    if (isAboutWatching(why))
+        tellEvent(WatchNotSure{why});
+    publish();
+}
+
+void CanopenWork::linkIsBack()
+{
     use = CanUse::watch;
-    state.connected = true;
-    state.whyLost.reset();
     state.otherMaster = {};
     state.besideOthers = false;
     statusAt = link.now();
     tell({.id = CanopenBusMessageId::back, .arguments = {linkArgument(link)}});
-    publish();
 }
 
 } // namespace codewheel

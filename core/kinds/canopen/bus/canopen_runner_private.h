@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/asking_work.h"
 #include "can/can_load.h"
 #include "kinds/canopen/bus/canopen_runner.h"
 #include "kinds/canopen/protocol/cob_id.h"
@@ -12,7 +13,8 @@
 
 namespace codewheel {
 
-struct CanopenRunner::Private
+struct CanopenWork final
+    : AskingWork<CanopenCommand, CanopenEvent, CanopenSnapshot, CanLink, canopen::NodeDriver>
 {
     // A frame to be sent, and whose it is.
     struct Outgoing
@@ -51,18 +53,22 @@ struct CanopenRunner::Private
         bool isDoubledTold = false;                                  // since it has booted
     };
 
-    Private(CanLink &usedLink, int usedRate, CanUse usedFirst, Mail &usedMail);
+    CanopenWork(CanLink &usedLink, int usedRate, CanUse usedFirst, Mail &usedMail);
+    void turn(Instant until) override;
+    void slept(std::chrono::milliseconds duration) override;
+    void step(Instant until) override;
+    Result<void> mayStart(const canopen::NodeDriver &driver, const Job &job) const override;
+    Place placeOf(const canopen::NodeDriver &driver) const override;
+    void driverHasTold() override { publish(); }
+    void show(std::size_t device, AskedDevice &shown) const override;
+    void complete(CanopenSnapshot &made) override;
 
     // canopen_runner_commands.cpp
-    void carryOutCommands();
+    using AskingWork::carryOut;
+    void carryOutNext(CanopenCommand &command) override;
     void carryOut(canopen_command::StartJob &c);
-    void carryOut(canopen_command::Proceed &c);
-    void carryOut(canopen_command::Cancel &c);
-    void carryOut(canopen_command::SetKnown &c);
     void carryOut(canopen_command::AddNode &c);
     void carryOut(canopen_command::RemoveDevice &c);
-    void carryOut(canopen_command::SetRunning &c);
-    void carryOut(canopen_command::SetOperate &c);
     void carryOut(canopen_command::AlarmStop &c);
     void carryOut(canopen_command::SendBesideOthers &c);
     void carryOut(canopen_command::TakeUnsureWatch &c);
@@ -72,12 +78,10 @@ struct CanopenRunner::Private
     void carryOut(canopen_command::Configure &c);
     void carryOut(canopen_command::CancelConfigure &c);
     void carryOut(canopen_command::Scan &c);
-    void carryOut(canopen_command::CancelScan &c);
-    std::optional<std::size_t> busyDevice() const;
-    void stopJobs(const Refusal &why);
-    void breakOff(int number); // the transfer of its driver, of which nothing more is sent
-    void dropTyped();          // what was not sent yet
-    void endScan(bool cancelled);
+    bool useOperate(bool on) override;
+    void jobStopped(std::size_t device) override; // its transfer, of which nothing more is sent
+    void dropTyped() override;
+    void endScan(bool cancelled) override;
     void endConfiguration(const canopen::LssOutcome &outcome);
     void breakOffConfiguration();
 
@@ -90,7 +94,7 @@ struct CanopenRunner::Private
     void beginRequest(int number);
     bool mayAsk(const Node &node) const;
     void settle(int number); // its transfer may have ended; then when it is due is worked out
-    void settleAll();
+    void settleDevice(std::size_t device) override { settle(drivers[device]->node()); }
     void ended(Node &node, const canopen::SdoOutcome &outcome);
     void answerDriver(Node &node, const canopen::SdoOutcome &outcome);
     void learn(Node &node, const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome);
@@ -116,35 +120,27 @@ struct CanopenRunner::Private
     void lookAtScan();
 
     // canopen_runner_link.cpp
-    Result<void> openLink(CanUse wanted);
+    Result<void> openLink() override { return link.open(use); }
+    Result<void> reopenLink() override;
+    void tellGone(const Refusal &why) override;
+    void tellNotBack(const Refusal &why, bool isNew) override;
+    void linkIsBack() override;
+    void forget() override;
+    void sendLast() override; // stops of an ALARM STOP
+    void leaveOff() override;
+    Result<void> openFor(CanUse wanted);
     bool reopen(CanUse wanted); // false: it is gone
     void useAsWanted();
-    void sendLastStops(); // before it is closed
-    void linkIsGone(const Refusal &why);
     void keepStops(); // of an ALARM STOP that may not have gone out
-    void leaveOff();  // transfers under way, which nobody will see the end of
-    void waitForLink(Instant until);
-    void tryToReopen();
 
     Node &nodeAt(int number);
-    canopen::NodeDriver *driver(std::size_t device) const
-    {
-        return device < drivers.size() ? drivers[device].get() : nullptr;
-    }
     int rateNow() const { return status.rate.value_or(rate); }
-    void collect(std::size_t device);
-    void look(std::size_t device); // at what it shows
-    void tellEvent(decltype(CanopenEvent::what) what, std::size_t device = 0);
-    void tell(Message message);
     void tellOfNode(int number, Severity severity, MessageCode id);
     void tellRow(const CanFrame &frame, Instant at, CanopenRow row);
-    void publish();
     void publishIfDue();
 
-    CanLink &link;
     const int rate;
-    CanUse use;                                                // as opened
-    std::vector<std::unique_ptr<canopen::NodeDriver>> drivers; // null: removed
+    CanUse use; // as opened
     std::array<std::unique_ptr<Node>, canopen::lastNode + 1> nodes{};
     std::map<std::uint32_t, std::set<std::size_t>> listeners{}; // devices whose PDOs have these identifiers
     std::map<std::uint32_t, int> pdoSenders{};                  // by identifier, as the nodes have told
@@ -164,19 +160,13 @@ struct CanopenRunner::Private
     std::optional<Outgoing> waiting{}; // for it
     std::deque<Outgoing> underWay{};   // whose fate is not known yet
 
-    CanopenState state{{.connected = true}};
     CanStatus status{};
     CanopenFigures figures{};
     CanLoad load;
     bool isLoadTold = false;
-    ValueTap tap{};
-    Instant awakeSince{};
-    Instant reopenAt{};
     Instant statusAt{};
     Instant publishedAt{};
     bool isPublishDue = false;
-    std::optional<Refusal> notBack{}; // as reported
-    Mail &mail;
 };
 
 } // namespace codewheel

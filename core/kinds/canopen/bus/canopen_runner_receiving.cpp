@@ -21,7 +21,7 @@ constexpr std::uint32_t nobodyAcknowledged = 0x020; // linux/can/error.h
 
 } // namespace
 
-Instant CanopenRunner::Private::wakesAt(Instant until) const
+Instant CanopenWork::wakesAt(Instant until) const
 {
     const Instant now = link.now();
     Instant wakes = std::min(until, statusAt);
@@ -43,7 +43,7 @@ Instant CanopenRunner::Private::wakesAt(Instant until) const
     return std::max(wakes, now);
 }
 
-void CanopenRunner::Private::receive(Instant until)
+void CanopenWork::receive(Instant until)
 {
     auto news = link.receive(wakesAt(until));
     if (!news) {
@@ -60,7 +60,7 @@ void CanopenRunner::Private::receive(Instant until)
     lookAtBus();
 }
 
-void CanopenRunner::Private::take(const CanFrame &frame)
+void CanopenWork::take(const CanFrame &frame)
 {
     const Instant now = frame.time.value_or(link.now());
     isPublishDue = true;
@@ -110,7 +110,7 @@ void CanopenRunner::Private::take(const CanFrame &frame)
 }
 
 // Transfers of others tell of the node as well.
-void CanopenRunner::Private::hear(const Node &node, const CanFrame &frame, bool isAnswer)
+void CanopenWork::hear(const Node &node, const CanFrame &frame, bool isAnswer)
 {
     const auto sdo =
         isAnswer ? canopen::SdoFrame::answer(frame.data()) : canopen::SdoFrame::request(frame.data());
@@ -121,7 +121,7 @@ void CanopenRunner::Private::hear(const Node &node, const CanFrame &frame, bool 
 }
 
 // As the nodes have told; that with this number where none has told otherwise. 0: nobody.
-int CanopenRunner::Private::senderOf(const canopen::CobId &cob, std::uint32_t identifier) const
+int CanopenWork::senderOf(const canopen::CobId &cob, std::uint32_t identifier) const
 {
     if (const auto told = pdoSenders.find(identifier); told != pdoSenders.end())
         return told->second;
@@ -129,7 +129,7 @@ int CanopenRunner::Private::senderOf(const canopen::CobId &cob, std::uint32_t id
     return own && own->pdos.contains(cob.number) ? 0 : cob.node;
 }
 
-void CanopenRunner::Private::takeError(const CanFrame &frame)
+void CanopenWork::takeError(const CanFrame &frame)
 {
     ++figures.errorFrames;
     if ((frame.id & nobodyAcknowledged) != 0)
@@ -138,7 +138,7 @@ void CanopenRunner::Private::takeError(const CanFrame &frame)
 }
 
 // One that nobody asked for belongs to another master, and is not taken.
-void CanopenRunner::Private::takeAnswer(int number, const CanFrame &frame)
+void CanopenWork::takeAnswer(int number, const CanFrame &frame)
 {
     Node &node = nodeAt(number);
     const std::uint64_t foreign = node.client.foreignAnswers();
@@ -154,7 +154,7 @@ void CanopenRunner::Private::takeAnswer(int number, const CanFrame &frame)
     settle(number);
 }
 
-void CanopenRunner::Private::takeOfOthers(const CanFrame &frame)
+void CanopenWork::takeOfOthers(const CanFrame &frame)
 {
     if (state.otherMaster.take(frame)) {
         tell({.severity = Severity::attention,
@@ -169,7 +169,7 @@ void CanopenRunner::Private::takeOfOthers(const CanFrame &frame)
 }
 
 // To the one with this number, to those who send PDOs with this identifier, or, of no node, to all.
-void CanopenRunner::Private::showToDrivers(const CanFrame &frame, int number)
+void CanopenWork::showToDrivers(const CanFrame &frame, int number)
 {
     std::optional<std::size_t> own;
     if (number != 0)
@@ -186,7 +186,7 @@ void CanopenRunner::Private::showToDrivers(const CanFrame &frame, int number)
     }
 }
 
-void CanopenRunner::Private::showToDriver(std::size_t device, const CanFrame &frame)
+void CanopenWork::showToDriver(std::size_t device, const CanFrame &frame)
 {
     if (driver(device) == nullptr)
         return;
@@ -196,7 +196,7 @@ void CanopenRunner::Private::showToDriver(std::size_t device, const CanFrame &fr
     settle(driver(device)->node());
 }
 
-void CanopenRunner::Private::compareNode(int number)
+void CanopenWork::compareNode(int number)
 {
     Node &node = nodeAt(number);
     const canopen::Heartbeat heartbeat = node.watch.heartbeat(link.now());
@@ -212,14 +212,11 @@ void CanopenRunner::Private::compareNode(int number)
         return;
     if (!std::exchange(node.isDoubledTold, true))
         tellOfNode(number, Severity::fault, CanopenBusMessageId::nodeDoubled);
-    if (node.device && driver(*node.device)->busy()) {
-        driver(*node.device)->stop(canopen::nodeIsDoubled(number), link.now());
-        collect(*node.device);
-        breakOff(number);
-    }
+    if (node.device)
+        stopJob(*node.device, canopen::nodeIsDoubled(number));
 }
 
-void CanopenRunner::Private::lookAtScan()
+void CanopenWork::lookAtScan()
 {
     if (!scan)
         return;
@@ -232,7 +229,7 @@ void CanopenRunner::Private::lookAtScan()
         tellEvent(NodesScanned{scan->progress(), std::move(found)});
 }
 
-void CanopenRunner::Private::lookAtBus()
+void CanopenWork::lookAtBus()
 {
     const Instant now = link.now();
     if (now < statusAt)

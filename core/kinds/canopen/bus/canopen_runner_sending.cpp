@@ -27,7 +27,7 @@ bool isPdoIdentifier(const canopen::SdoObject &object)
 
 } // namespace
 
-void CanopenRunner::Private::send()
+void CanopenWork::send()
 {
     isQueueFull = false;
     while (state.connected) {
@@ -54,7 +54,7 @@ void CanopenRunner::Private::send()
     }
 }
 
-std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextFrame()
+std::optional<CanopenWork::Outgoing> CanopenWork::nextFrame()
 {
     using By = Outgoing::By;
     const Instant now = link.now();
@@ -89,7 +89,7 @@ std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextFram
     return nextCommand();
 }
 
-std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextCommand()
+std::optional<CanopenWork::Outgoing> CanopenWork::nextCommand()
 {
     if (commands.empty())
         return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextComm
     return command;
 }
 
-std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextOfConfiguration()
+std::optional<CanopenWork::Outgoing> CanopenWork::nextOfConfiguration()
 {
     const Instant now = link.now();
     if (const auto outcome = lss.takeOutcome())
@@ -113,7 +113,7 @@ std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextOfCo
     return Outgoing{.frame = *frame, .by = Outgoing::By::configuration, .number = lss.given()};
 }
 
-std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextOf(int number)
+std::optional<CanopenWork::Outgoing> CanopenWork::nextOf(int number)
 {
     Node &node = nodeAt(number);
     beginRequest(number);
@@ -129,7 +129,7 @@ std::optional<CanopenRunner::Private::Outgoing> CanopenRunner::Private::nextOf(i
 }
 
 // Only where nothing is under way with the node.
-void CanopenRunner::Private::beginRequest(int number)
+void CanopenWork::beginRequest(int number)
 {
     Node &node = nodeAt(number);
     if (node.client.isBusy() || node.request)
@@ -153,14 +153,14 @@ void CanopenRunner::Private::beginRequest(int number)
 }
 
 // A job that has begun goes to its end.
-bool CanopenRunner::Private::mayAsk(const Node &node) const
+bool CanopenWork::mayAsk(const Node &node) const
 {
     if (!node.device || !state.operate || !state.running)
         return false;
     return driver(*node.device)->busy() || (!state.isHeldBack() && !scan);
 }
 
-void CanopenRunner::Private::settle(int number)
+void CanopenWork::settle(int number)
 {
     Node &node = nodeAt(number);
     const Instant now = link.now();
@@ -176,7 +176,7 @@ void CanopenRunner::Private::settle(int number)
             node.dueAt = std::min(node.dueAt, *wakes);
 }
 
-void CanopenRunner::Private::ended(Node &node, const SdoOutcome &outcome)
+void CanopenWork::ended(Node &node, const SdoOutcome &outcome)
 {
     if (outcome.kind != SdoOutcome::Kind::notSent)
         node.answers = outcome.kind != SdoOutcome::Kind::noAnswer;
@@ -197,7 +197,7 @@ void CanopenRunner::Private::ended(Node &node, const SdoOutcome &outcome)
     isPublishDue = true;
 }
 
-void CanopenRunner::Private::answerDriver(Node &node, const SdoOutcome &outcome)
+void CanopenWork::answerDriver(Node &node, const SdoOutcome &outcome)
 {
     const canopen::NodeRequest request = *std::exchange(node.request, std::nullopt);
     if (!node.device) // removed meanwhile
@@ -209,7 +209,7 @@ void CanopenRunner::Private::answerDriver(Node &node, const SdoOutcome &outcome)
 }
 
 // What has to be known of a node to hear it right.
-void CanopenRunner::Private::learn(Node &node, const canopen::SdoRequest &request, const SdoOutcome &outcome)
+void CanopenWork::learn(Node &node, const canopen::SdoRequest &request, const SdoOutcome &outcome)
 {
     const bool isRead = outcome.kind == SdoOutcome::Kind::read;
     if (!isRead && outcome.kind != SdoOutcome::Kind::written)
@@ -221,7 +221,7 @@ void CanopenRunner::Private::learn(Node &node, const canopen::SdoRequest &reques
         learnPdo(node, request.node, request.object.index - firstPdoIndex + 1, number);
 }
 
-void CanopenRunner::Private::learnPdo(Node &node, int number, int pdo, std::uint32_t told)
+void CanopenWork::learnPdo(Node &node, int number, int pdo, std::uint32_t told)
 {
     const std::uint32_t identifier = told & identifierBits;
     const auto cob = canopen::CobId::of(identifier);
@@ -246,7 +246,7 @@ void CanopenRunner::Private::learnPdo(Node &node, int number, int pdo, std::uint
         listeners[identifier].insert(*node.device);
 }
 
-void CanopenRunner::Private::fate(CanFate fate)
+void CanopenWork::fate(CanFate fate)
 {
     using By = Outgoing::By;
     if (underWay.empty())
@@ -289,7 +289,7 @@ void CanopenRunner::Private::fate(CanFate fate)
         !stops.empty() || (waiting && isStop(*waiting)) || std::ranges::any_of(underWay, isStop);
 }
 
-void CanopenRunner::Private::wasSent(const Outgoing &sent)
+void CanopenWork::wasSent(const Outgoing &sent)
 {
     CanFrame frame = sent.frame;
     frame.time = sent.at;
@@ -311,7 +311,7 @@ void CanopenRunner::Private::wasSent(const Outgoing &sent)
 }
 
 // Whose answer may come before it is told that the request was sent.
-void CanopenRunner::Private::noteRequest(const Outgoing &request)
+void CanopenWork::noteRequest(const Outgoing &request)
 {
     const auto cob = canopen::CobId::of(request.frame.id);
     if (!cob || cob->service != canopen::CobId::Service::sdoRequest)
@@ -322,7 +322,7 @@ void CanopenRunner::Private::noteRequest(const Outgoing &request)
 }
 
 // Which nodes an ALARM STOP stops.
-void CanopenRunner::Private::noteCommand(const canopen::NmtRequest &command, bool isOurs)
+void CanopenWork::noteCommand(const canopen::NmtRequest &command, bool isOurs)
 {
     if (command.command == canopen::NmtCommand::start) {
         if (isOurs)

@@ -188,7 +188,7 @@ void EscDriver::count(const esc::ExchangeResult &result, Instant now)
 }
 
 // Neither silence nor its end: it is the line that has something to report.
-void EscDriver::lineLost(Instant now)
+void EscDriver::lost(Instant now)
 {
     m_encoder.reading.state = EncoderState::notSeen;
     m_encoder.reading.suspect = false;

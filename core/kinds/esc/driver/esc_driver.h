@@ -48,7 +48,7 @@ public:
     // What somebody else asked this encoder, e.g. at a terminal.
     void observe(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
 
-    void lineLost(Instant now) override;
+    void lost(Instant now) override;
     void setFractionBits(int bits) override { m_encoder.settings.fractionBits = bits; }
     void setSwapsWarningBytes(bool on) override { m_encoder.setSwapsWarningBytes(on); }
 

@@ -53,7 +53,7 @@ public:
 
     // The line is gone, and what answers when it is back may be another device. Its job has already been
     // stopped.
-    virtual void lineLost(Instant /*now*/) {}
+    virtual void lost(Instant /*now*/) {}
     // For the scaling factor, from now on.
     virtual void setFractionBits(int /*bits*/) {}
     // Whether its warnings come with their two bytes in the other order, from now on.

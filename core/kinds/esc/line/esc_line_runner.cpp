@@ -11,16 +11,15 @@ constexpr Instant withoutLowLatency = std::chrono::milliseconds(18);
 
 } // namespace
 
-EscLineRunner::Private::Private(ByteLink &usedLink, const SerialSettings &lineSettings,
-                                const esc::Timing &lineTiming, Mail &usedMail)
-    : link(usedLink)
+EscLineWork::EscLineWork(ByteLink &usedLink, const SerialSettings &lineSettings,
+                         const esc::Timing &lineTiming, Mail &usedMail)
+    : AskingWork(usedLink, usedMail)
     , settings(lineSettings)
     , timing(lineTiming)
     , baudRate(lineSettings.baudRate)
-    , mail(usedMail)
 {}
 
-void EscLineRunner::Private::step(Instant until)
+void EscLineWork::step(Instant until)
 {
     carryOutCommands();
     if (underWay || begin()) {
@@ -31,12 +30,12 @@ void EscLineRunner::Private::step(Instant until)
     listen(wish ? std::min(*wish, until) : until);
 }
 
-bool EscLineRunner::Private::begin()
+bool EscLineWork::begin()
 {
     return beginTyped() || beginScanStep() || beginDevice();
 }
 
-bool EscLineRunner::Private::beginTyped()
+bool EscLineWork::beginTyped()
 {
     if (typed.empty())
         return false;
@@ -46,15 +45,15 @@ bool EscLineRunner::Private::beginTyped()
 }
 
 // An encoder may use a different rate than its line.
-int EscLineRunner::Private::baudRateAt(EscLineAddress address) const
+int EscLineWork::baudRateAt(EscLineAddress address) const
 {
-    const auto there = std::ranges::find_if(
-        devices, [&](const Device &device) { return device.driver && device.driver->address() == address; });
-    const auto wanted = there != devices.end() ? there->driver->wantedBaudRate() : std::nullopt;
+    const auto there =
+        std::ranges::find_if(drivers, [&](const auto &its) { return its && its->address() == address; });
+    const auto wanted = there != drivers.end() ? (*there)->wantedBaudRate() : std::nullopt;
     return wanted.value_or(settings.baudRate);
 }
 
-bool EscLineRunner::Private::beginScanStep()
+bool EscLineWork::beginScanStep()
 {
     if (!scan)
         return false;
@@ -65,7 +64,7 @@ bool EscLineRunner::Private::beginScanStep()
     return false;
 }
 
-bool EscLineRunner::Private::ask(Asker asker, std::size_t device, const esc::Request &request, int rate)
+bool EscLineWork::ask(Asker asker, std::size_t device, const esc::Request &request, int rate)
 {
     if (!useBaudRate(rate))
         return false;
@@ -83,30 +82,30 @@ bool EscLineRunner::Private::ask(Asker asker, std::size_t device, const esc::Req
     return true;
 }
 
-bool EscLineRunner::Private::useBaudRate(int wanted)
+bool EscLineWork::useBaudRate(int wanted)
 {
     if (wanted == baudRate)
         return true;
     if (const auto set = link.setBaudRate(wanted); !set) {
-        portIsGone(set.error());
+        linkIsGone(set.error());
         return false;
     }
     baudRate = wanted;
     return true;
 }
 
-void EscLineRunner::Private::goOn(Instant until)
+void EscLineWork::goOn(Instant until)
 {
     const esc::Exchange::Action action = underWay->exchange.next(link.now());
     if (const auto *send = std::get_if<esc::Exchange::Send>(&action)) {
         if (const auto written = link.write(send->bytes); !written)
-            portIsGone(written.error());
+            linkIsGone(written.error());
         else if (underWay->exchange.result().timeOuts > 0)
             publish(); // what was seen has grown old meanwhile
     } else if (const auto *wait = std::get_if<esc::Exchange::Wait>(&action)) {
         const auto bytes = link.read(std::min(wait->until, until));
         if (!bytes)
-            portIsGone(bytes.error());
+            linkIsGone(bytes.error());
         else if (!bytes->isEmpty())
             underWay->exchange.received(*bytes, link.now());
     } else {
@@ -116,7 +115,7 @@ void EscLineRunner::Private::goOn(Instant until)
     }
 }
 
-void EscLineRunner::Private::end(UnderWay ended)
+void EscLineWork::end(UnderWay ended)
 {
     const esc::ExchangeResult &result = ended.exchange.result();
     tellRows(ended.exchange.takeRows());
@@ -142,8 +141,8 @@ void EscLineRunner::Private::end(UnderWay ended)
     publish();
 }
 
-void EscLineRunner::Private::deviceAnswered(std::size_t device, const esc::Request &request,
-                                            const esc::ExchangeResult &result)
+void EscLineWork::deviceAnswered(std::size_t device, const esc::Request &request,
+                                 const esc::ExchangeResult &result)
 {
     const EscLineAddress before = driver(device)->address();
     driver(device)->answered(request, result, link.now());
@@ -161,7 +160,7 @@ static bool mayReach(EscLineAddress sentTo, EscLineAddress encoder)
 
 // What was typed may have changed what the drivers know: they report that first, so that its end really is
 // the end.
-void EscLineRunner::Private::typedEnded(const esc::Request &request, const esc::ExchangeResult &result)
+void EscLineWork::typedEnded(const esc::Request &request, const esc::ExchangeResult &result)
 {
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (!driver(i) || !mayReach(request.to, driver(i)->address()))
@@ -172,11 +171,11 @@ void EscLineRunner::Private::typedEnded(const esc::Request &request, const esc::
     tellEvent(TypedAnswered{request, result});
 }
 
-void EscLineRunner::Private::listen(Instant until)
+void EscLineWork::listen(Instant until)
 {
     auto bytes = link.read(until);
     if (!bytes) {
-        portIsGone(bytes.error());
+        linkIsGone(bytes.error());
         return;
     }
     if (bytes->isEmpty())
@@ -186,22 +185,7 @@ void EscLineRunner::Private::listen(Instant until)
     publish();
 }
 
-void EscLineRunner::Private::collect(std::size_t device)
-{
-    for (Event &event : driver(device)->takeEvents())
-        tellEvent(std::move(event), device);
-    for (Message &message : driver(device)->takeMessages()) {
-        message.place = placeOnLine(driver(device)->address());
-        tell(std::move(message));
-    }
-}
-
-void EscLineRunner::Private::tellEvent(decltype(EscLineEvent::what) what, std::size_t device)
-{
-    mail.tell({.device = device, .what = std::move(what), .at = link.now()});
-}
-
-void EscLineRunner::Private::tellRows(std::vector<esc::EscLineRow> rows)
+void EscLineWork::tellRows(std::vector<esc::EscLineRow> rows)
 {
     for (esc::EscLineRow &row : rows) {
         const Instant at = row.at;
@@ -209,103 +193,23 @@ void EscLineRunner::Private::tellRows(std::vector<esc::EscLineRow> rows)
     }
 }
 
-void EscLineRunner::Private::tell(Message message)
+void EscLineWork::show(std::size_t device, EscLineDevice &shown) const
 {
-    message.at = link.now();
-    tellEvent(std::move(message));
+    shown.figures = devices[device].counter.figures();
+    shown.answers = devices[device].answers;
+    if (shown.present)
+        shown.lateAfter = lateAfter(device);
 }
 
-void EscLineRunner::Private::publish()
+void EscLineWork::complete(EscLineSnapshot &made)
 {
-    EscLineSnapshot made;
-    made.at = link.now();
-    static_cast<LineState &>(made) = state;
-    made.awakeSince = awakeSince;
     made.scanning = scan.has_value();
     made.figures = counter.figures();
-    made.droppedRows = mail.droppedRows();
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        const Device &device = devices[i];
-        EscLineSnapshot::Device shown{{}, device.counter.figures()};
-        shown.present = device.driver != nullptr;
-        if (device.driver) {
-            shown.node = device.driver->address().node();
-            shown.reading = device.driver->reading();
-            shown.hasJob = device.driver->busy();
-            shown.lateAfter = lateAfter(i);
-            shown.answers = device.answers;
-            tap.look(i, shown.reading, state.connected && state.running, made.at);
-        }
-        made.devices.push_back(shown);
-    }
-    mail.note(tap.noted());
-    tap.clear();
-    mail.publish(made);
 }
 
 EscLineRunner::EscLineRunner(ByteLink &link, const SerialSettings &settings, const esc::Timing &timing)
-    : d(std::make_unique<Private>(link, settings, timing, m_mail))
-{}
-
-EscLineRunner::~EscLineRunner() = default;
-
-Result<void> EscLineRunner::open(const std::stop_token &stop)
 {
-    auto opened = openUnlessStopped(stop, [this] { return d->link.open(d->settings); });
-    d->tellEvent(LinkOpened{opened});
-    if (opened)
-        d->takeLowLatency();
-    return opened;
-}
-
-void EscLineRunner::turn(Instant until)
-{
-    while (d->link.now() < until) {
-        if (d->state.connected)
-            d->step(until);
-        else
-            d->waitForPort(until);
-    }
-}
-
-void EscLineRunner::slept(std::chrono::milliseconds duration)
-{
-    d->awakeSince = d->link.now();
-    d->carryOutCommands(); // posted before
-    d->dropTyped();
-    d->endScan(true);
-    d->stopJobs({RefusalKind::stopped, RefusalId::computerSlept, {}});
-    d->state.operate = false;
-    d->tap.interrupt();
-    d->tellEvent(Slept{duration});
-    d->publish();
-}
-
-void EscLineRunner::close()
-{
-    d->carryOutCommands();
-    d->endScan(true);
-    d->stopJobs({RefusalKind::stopped, RefusalId::busStopped, {}});
-    d->tearOff();
-    d->dropTyped();
-    d->publish();
-    d->link.close();
-}
-
-Instant EscLineRunner::now() const
-{
-    return d->link.now();
-}
-
-void EscLineRunner::interrupt()
-{
-    d->link.interrupt();
-}
-
-void EscLineRunner::post(EscLineCommand command)
-{
-    BusRunner::post(std::move(command));
-    interrupt();
+    m_work = std::make_unique<EscLineWork>(link, settings, timing, m_mail);
 }
 
 } // namespace codewheel

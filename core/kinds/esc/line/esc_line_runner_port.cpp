@@ -4,40 +4,17 @@
 #include "kinds/esc/line/port_argument.h"
 #include "kinds/esc/protocol/esc_messages.h"
 
-#include <algorithm>
-
 namespace codewheel {
-namespace {
-
-constexpr std::chrono::seconds betweenTries{1}; // of opening a port that is gone
-
-} // namespace
-
-void EscLineRunner::Private::portIsGone(const Refusal &why)
+void EscLineWork::tellGone(const Refusal &why)
 {
-    state.connected = false;
-    state.whyLost = why;
-    reopenAt = link.now() + betweenTries;
-    notBack.reset();
     if (why.id == RefusalId::portLost)
         tell({.severity = Severity::fault, .id = EscMessageId::portLost, .arguments = {portArgument(link)}});
     else
-        tell({.severity = Severity::fault, .refusal = why});
-    stopJobs(why);
-    state.operate = false;
-    tearOff();
-    dropTyped();
-    endScan(true);
-    for (std::size_t i = 0; i < devices.size(); ++i)
-        if (driver(i))
-            driver(i)->lineLost(link.now());
-    forgetTurns();
-    link.close();
-    publish();
+        AskingWork::tellGone(why);
 }
 
 // A write that was sent may have been carried out, though nobody will see its answer.
-void EscLineRunner::Private::tearOff()
+void EscLineWork::leaveOff()
 {
     if (!underWay)
         return;
@@ -53,38 +30,18 @@ void EscLineRunner::Private::tearOff()
     }
 }
 
-void EscLineRunner::Private::waitForPort(Instant until)
+void EscLineWork::linkIsBack()
 {
-    carryOutCommands();
-    if (link.now() < reopenAt)
-        link.wait(std::min(until, reopenAt));
-    else
-        tryToReopen();
-}
-
-void EscLineRunner::Private::tryToReopen()
-{
-    reopenAt = link.now() + betweenTries;
-    if (const auto opened = link.open(settings); !opened) {
-        portIsNotBack(opened.error());
-        return;
-    }
     baudRate = settings.baudRate;
-    state.connected = true;
-    state.whyLost.reset();
     state.otherAdapter = false;
-    state.operate = false;
     tell({.id = EscMessageId::portBack, .arguments = {portArgument(link)}});
-    takeLowLatency();
-    publish();
+    linkIsOpen();
 }
 
-// That it is missing has been reported. Anything else in the way is reported once.
-void EscLineRunner::Private::portIsNotBack(const Refusal &why)
+// That it is missing has been reported.
+void EscLineWork::tellNotBack(const Refusal &why, bool isNew)
 {
     const bool isOther = why.id == RefusalId::portOfOther;
-    const bool isNew = notBack != why;
-    notBack = why;
     if (isNew && why.id != RefusalId::portNotFound)
         tell({.severity = Severity::attention, .refusal = why});
     if (isNew && isOther)
@@ -93,7 +50,7 @@ void EscLineRunner::Private::portIsNotBack(const Refusal &why)
         publish();
 }
 
-void EscLineRunner::Private::takeLowLatency()
+void EscLineWork::linkIsOpen()
 {
     state.lowLatency = link.lowLatency();
     if (state.lowLatency == LowLatency::refused && !std::exchange(latencyTold, true))

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/asking_work.h"
 #include "kinds/esc/line/esc_line_runner.h"
 
 #include <deque>
 
 namespace codewheel {
 
-struct EscLineRunner::Private
+struct EscLineWork final : AskingWork<EscLineCommand, EscLineEvent, EscLineSnapshot, ByteLink, RequestDriver>
 {
     // Who asked for the request under way.
     enum class Asker : std::uint8_t { terminal, scan, device };
 
     struct Device
     {
-        std::unique_ptr<RequestDriver> driver; // null: removed
         QString name;
         LineCounter counter;
         std::uint64_t turn = 0; // when it was last asked, in requests of the line
@@ -31,33 +31,29 @@ struct EscLineRunner::Private
         esc::Exchange exchange;
     };
 
-    Private(ByteLink &link, const SerialSettings &settings, const esc::Timing &timing, Mail &mail);
+    EscLineWork(ByteLink &usedLink, const SerialSettings &lineSettings, const esc::Timing &lineTiming,
+                Mail &usedMail);
+    Place placeOf(const RequestDriver &driver) const override { return placeOnLine(driver.address()); }
+    Result<void> mayStart(const RequestDriver &driver, const Job &job) const override;
+    void show(std::size_t device, EscLineDevice &shown) const override;
+    void complete(EscLineSnapshot &made) override;
 
-    // line_runner_commands.cpp
-    void carryOutCommands();
-    void carryOut(line_command::StartJob &c);
-    void carryOut(line_command::Proceed &c);
-    void carryOut(line_command::Cancel &c);
-    void carryOut(line_command::SetKnown &c);
+    // esc_line_runner_commands.cpp
+    using AskingWork::carryOut;
+    void carryOutNext(EscLineCommand &command) override;
     void carryOut(line_command::AddDevice &c);
     void carryOut(line_command::RemoveDevice &c);
-    void carryOut(line_command::SetRunning &c);
-    void carryOut(line_command::SetOperate &c);
-    void carryOut(line_command::AlarmStop &c);
     void carryOut(line_command::Send &c);
     void carryOut(line_command::Scan &c);
-    void carryOut(line_command::CancelScan &c);
     void carryOut(line_command::TakeOtherAdapter &c);
     void carryOut(line_command::SetFractionBits &c);
     void carryOut(line_command::SetSwapsWarningBytes &c);
-    Result<void> mayStart(std::size_t device, const Job &job) const;
-    void stopJobs(const Refusal &why);
-    void dropTyped();
-    void endScan(bool cancelled);
+    void dropTyped() override;
+    void endScan(bool cancelled) override;
     void tellTaken();
 
-    // line_runner.cpp
-    void step(Instant until);
+    // esc_line_runner.cpp
+    void step(Instant until) override;
     bool begin(); // the next request; false: nobody wants anything now
     bool beginTyped();
     int baudRateAt(EscLineAddress address) const; // also for what is typed for it
@@ -70,7 +66,7 @@ struct EscLineRunner::Private
     void listen(Instant until); // for what comes unasked
     bool useBaudRate(int baudRate);
 
-    // line_runner_turns.cpp
+    // esc_line_runner_turns.cpp
     bool beginDevice();
     std::optional<std::size_t> deviceInTurn() const;
     std::optional<Instant> nextWish() const;
@@ -81,41 +77,29 @@ struct EscLineRunner::Private
     void noteTurn(const UnderWay &ended);
     void noteRound(std::size_t device);
     Instant lateAfter(std::size_t device) const;
-    void forgetTurns();
+    void forget() override;
 
-    // line_runner_port.cpp
-    void portIsGone(const Refusal &why);
-    void tearOff(); // the request under way: it will never be answered
-    void waitForPort(Instant until);
-    void tryToReopen();
-    void portIsNotBack(const Refusal &why);
-    void takeLowLatency();
+    // esc_line_runner_port.cpp
+    Result<void> openLink() override { return link.open(settings); }
+    void linkIsOpen() override; // whether it answers at once
+    void tellGone(const Refusal &why) override;
+    void tellNotBack(const Refusal &why, bool isNew) override;
+    void linkIsBack() override;
+    void leaveOff() override;
 
-    RequestDriver *driver(std::size_t device) const { return devices[device].driver.get(); }
-    void collect(std::size_t device);
-    void tellEvent(decltype(EscLineEvent::what) what, std::size_t device = 0);
     void tellRows(std::vector<esc::EscLineRow> rows);
-    void tell(Message message);
-    void publish();
 
-    ByteLink &link;
     SerialSettings settings;
     esc::Timing timing;
     int baudRate;
-    std::vector<Device> devices;
+    std::vector<Device> devices; // as the drivers
     std::optional<UnderWay> underWay;
     std::deque<esc::Request> typed;
     std::optional<EscLineScan> scan;
     LineCounter counter;
     std::uint64_t turns = 0;
     Instant doubtfulFrom{}; // before that, none that did not answer is asked while others answer
-    LineState state{{.connected = true}};
-    ValueTap tap{};
-    Instant awakeSince{};
-    Instant reopenAt{};
-    std::optional<Refusal> notBack; // as reported
     bool latencyTold = false;
-    Mail &mail;
 };
 
 } // namespace codewheel

@@ -22,7 +22,7 @@ constexpr int roundsForgotten = 8; // so soon one that took longer no longer cou
 
 } // namespace
 
-bool EscLineRunner::Private::beginDevice()
+bool EscLineWork::beginDevice()
 {
     const auto device = state.running ? deviceInTurn() : std::nullopt;
     if (!device)
@@ -34,7 +34,7 @@ bool EscLineRunner::Private::beginDevice()
                           driver(*device)->wantedBaudRate().value_or(settings.baudRate));
 }
 
-std::optional<std::size_t> EscLineRunner::Private::deviceInTurn() const
+std::optional<std::size_t> EscLineWork::deviceInTurn() const
 {
     std::optional<std::size_t> chosen;
     for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -45,7 +45,7 @@ std::optional<std::size_t> EscLineRunner::Private::deviceInTurn() const
     return chosen;
 }
 
-std::optional<Instant> EscLineRunner::Private::nextWish() const
+std::optional<Instant> EscLineWork::nextWish() const
 {
     std::optional<Instant> first;
     for (std::size_t i = 0; i < devices.size() && state.running; ++i) {
@@ -57,22 +57,25 @@ std::optional<Instant> EscLineRunner::Private::nextWish() const
 }
 
 // A job has its time-outs and retries, whatever happened before: its answers are awaited.
-bool EscLineRunner::Private::isDoubtful(std::size_t device) const
+bool EscLineWork::isDoubtful(std::size_t device) const
 {
     return !devices[device].answers && !driver(device)->busy();
 }
 
-bool EscLineRunner::Private::isSilent(std::size_t device) const
+bool EscLineWork::isSilent(std::size_t device) const
 {
     return isDoubtful(device) && driver(device)->reading().state == EncoderState::silent;
 }
 
-bool EscLineRunner::Private::anyAnswers() const
+bool EscLineWork::anyAnswers() const
 {
-    return std::ranges::any_of(devices, [](const Device &device) { return device.driver && device.answers; });
+    for (std::size_t i = 0; i < devices.size(); ++i)
+        if (drivers[i] && devices[i].answers)
+            return true;
+    return false;
 }
 
-std::optional<Instant> EscLineRunner::Private::turnOf(std::size_t device) const
+std::optional<Instant> EscLineWork::turnOf(std::size_t device) const
 {
     const auto wakes = driver(device) ? driver(device)->wakesAt() : std::nullopt;
     if (wakes && isDoubtful(device) && anyAnswers())
@@ -80,7 +83,7 @@ std::optional<Instant> EscLineRunner::Private::turnOf(std::size_t device) const
     return wakes;
 }
 
-void EscLineRunner::Private::noteTurn(const UnderWay &ended)
+void EscLineWork::noteTurn(const UnderWay &ended)
 {
     Device &device = devices[ended.device];
     device.answers = ended.exchange.result().answer.has_value();
@@ -90,7 +93,7 @@ void EscLineRunner::Private::noteTurn(const UnderWay &ended)
     doubtfulFrom = link.now() + (link.now() - ended.begun) * (100 - share) / share;
 }
 
-void EscLineRunner::Private::noteRound(std::size_t device)
+void EscLineWork::noteRound(std::size_t device)
 {
     Device &its = devices[device];
     const Instant at = driver(device)->reading().at;
@@ -100,13 +103,13 @@ void EscLineRunner::Private::noteRound(std::size_t device)
     its.round = std::max(at - before, its.round - (its.round - (at - before)) / roundsForgotten);
 }
 
-Instant EscLineRunner::Private::lateAfter(std::size_t device) const
+Instant EscLineWork::lateAfter(std::size_t device) const
 {
     const Instant round = std::max(devices[device].round, driver(device)->positionInterval());
     return std::clamp<Instant>(roundsUntilLate * round, soonestLate, Freshness::lateAfter);
 }
 
-void EscLineRunner::Private::forgetTurns()
+void EscLineWork::forget()
 {
     doubtfulFrom = {};
     for (Device &device : devices)

@@ -217,7 +217,7 @@ TEST(EscPolling, WhenTheLineIsBackTheEncoderIsAskedWhoItIs)
 {
     EscBench bench;
     bench.settle();
-    bench.driver.lineLost(bench.now);
+    bench.driver.lost(bench.now);
     EXPECT_EQ(bench.driver.reading().state, EncoderState::notSeen);
     bench.now += 5s;
     bench.has["N"] = "00000007";
