@@ -46,10 +46,10 @@ void AskedEncoder::post(JobCommand command)
     m_bus.postJob(std::move(command));
 }
 
-AskedBus::AskedBus(BusId id, const QDateTime &begin, const Kind &kind, const Catalog &catalog,
+AskedBus::AskedBus(BusId id, const QDateTime &begin, const Traits &traits, const Catalog &catalog,
                    QObject *parent)
-    : EncoderBus(id, begin, kind.columns, parent)
-    , m_kind(kind)
+    : EncoderBus(id, begin, traits.columns, parent)
+    , m_traits(traits)
     , m_catalog(catalog)
 {}
 
@@ -61,13 +61,13 @@ Result<void> AskedBus::add(NodeId node, const QString &deviceKey)
         return tl::unexpected(closedRefusal());
     if (const EncoderSession *there = encoderAt(node))
         return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
-                      {m_kind.address(node), there->device().fullName()});
+                      {m_traits.address(node), there->device().fullName()});
     if (auto may = mayAdd(node); !may)
         return may;
     const DeviceDescription *described = m_catalog.find(deviceKey);
-    if (described == nullptr || described->profile != m_kind.profile)
+    if (described == nullptr || described->profile != m_traits.profile)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice,
-                      {deviceKey, QString::fromLatin1(m_kind.name)});
+                      {deviceKey, QString::fromLatin1(m_traits.name)});
     take(node, *described);
     Q_EMIT nodesChanged();
     return {};
@@ -143,7 +143,7 @@ AskedEncoder *AskedBus::encoderOf(std::size_t device) const
 
 Result<void> AskedBus::canBe(Place place, const DeviceDescription &device) const
 {
-    if (device.profile == m_kind.profile)
+    if (device.profile == m_traits.profile)
         return {};
     return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
 }
@@ -194,7 +194,7 @@ std::optional<Refusal> AskedBus::isOther(Place place, const QString &deviceKey,
                        {place.shown(), planned->fullName(), there->device().fullName()}};
     const auto told = there->known(Parameter::serialNumber);
     if (!told || told->evidence != Evidence::read ||
-        mayBeOnLabel(serialNumber, told->value.number(), m_kind.hexadecimalLabels))
+        mayBeOnLabel(serialNumber, told->value.number(), m_traits.hexadecimalLabels))
         return std::nullopt;
     return Refusal{RefusalKind::link,
                    RefusalId::serialDiffers,

@@ -35,7 +35,7 @@ class AskedBus : public EncoderBus
 {
 public:
     // What is peculiar to a kind of bus.
-    struct Kind
+    struct Traits
     {
         std::span<const TrafficColumn> columns;
         Profile profile;            // of all its encoders
@@ -45,7 +45,7 @@ public:
         QString (*address)(NodeId); // as shown: "12h (18)"
     };
 
-    AskedBus(BusId id, const QDateTime &begin, const Kind &kind, const Catalog &catalog, QObject *parent);
+    AskedBus(BusId id, const QDateTime &begin, const Traits &traits, const Catalog &catalog, QObject *parent);
     ~AskedBus() override;
 
     // Adds an encoder, which is asked from then on. Refused for an address that cannot be or is taken, and
@@ -66,7 +66,7 @@ public:
 
     // Whether the open bus allows the job now.
     virtual Result<void> mayStart(const Job &job, const QString &place) const = 0;
-    Refusal closedRefusal() const { return {RefusalKind::link, m_kind.closed, {}}; }
+    Refusal closedRefusal() const { return {RefusalKind::link, m_traits.closed, {}}; }
 
 protected:
     friend class AskedEncoder;
@@ -99,7 +99,7 @@ private:
     AskedEncoder &take(NodeId node, const DeviceDescription &device);
     std::unique_ptr<AskedEncoder> leave(AskedEncoder &encoder);
 
-    const Kind m_kind;
+    const Traits m_traits;
     const Catalog &m_catalog;
     std::vector<Encoder> m_encoders; // by the runner's index
     std::vector<Encoder> m_retired;  // from an earlier connection, one of which may be emitting right now

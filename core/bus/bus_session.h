@@ -71,9 +71,9 @@ public:
     void cancelScan() { post(command::CancelScan{}); }
 
 protected:
-    BusSession(BusId id, const QDateTime &begin, const Kind &kind, std::unique_ptr<Link> link,
+    BusSession(BusId id, const QDateTime &begin, const Traits &traits, std::unique_ptr<Link> link,
                const Catalog &catalog, QObject *parent)
-        : AskedBus(id, begin, kind, catalog, parent)
+        : AskedBus(id, begin, traits, catalog, parent)
         , m_link(std::move(link))
         , m_engine(*this)
     {}
