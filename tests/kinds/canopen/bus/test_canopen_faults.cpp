@@ -345,11 +345,16 @@ TEST_F(CanopenBusFaults, WhyNoPdoComesIsSaid)
 
 TEST_F(CanopenBusFaults, PdosUnderUnusualTermsAreNoted)
 {
+    const auto operateStarted = [this] {
+        operate(3s);
+        bus->send(test::canFrame(0, {1, 5}));
+        bus->advance(1s);
+    };
     operate();
     bus->transfer({.node = 5, .object = {0x1800, 5}, .value = std::vector<std::uint8_t>{50, 0}});
     bus->advance(200ms);
     bus->close();
-    operate(3s);
+    operateStarted();
     const auto pdo = [&] {
         const DataChecks checks = bus->dataChecks(five.node, {});
         return *std::ranges::find(checks, QStringLiteral("Positions by PDO"), &DataCheck::what);
@@ -358,7 +363,7 @@ TEST_F(CanopenBusFaults, PdosUnderUnusualTermsAreNoted)
     bus->transfer({.node = 5, .object = {0x1800, 3}, .value = std::vector<std::uint8_t>{0xD0, 7}}); // 200 ms
     bus->advance(200ms);
     bus->close();
-    operate(3s);
+    operateStarted();
     EXPECT_EQ(pdo().outcome, DataCheck::Outcome::remark);
     EXPECT_TRUE(pdo().remedy.startsWith(QStringLiteral("Positions come each 200 ms at the most")))
         << pdo().remedy.toStdString();

@@ -175,6 +175,35 @@ TEST_F(CanopenByHand, ASearchIsCancelled)
     EXPECT_FALSE(bus->latest().scanning);
 }
 
+TEST_F(CanopenByHand, ASearchEndsWhereNothingGoesOut)
+{
+    operate();
+    hear();
+    link->isFull = true;
+    bus->scan();
+    bus->advance(5s);
+    ASSERT_FALSE(scans.empty());
+    EXPECT_TRUE(scans.back().isDone && scans.back().isCancelled);
+}
+
+TEST_F(CanopenByHand, AnIdentifierThatWasWrittenIsThatOfItsNode)
+{
+    operate();
+    hear();
+    for (const std::vector<std::uint8_t> &identifier : {std::vector<std::uint8_t>{0x85, 0x01, 0, 0xC0},
+                                                        {0x89, 0x01, 0, 0x40}}) // off, and as that of node 9
+        bus->transfer({.node = 5, .object = {0x1800, 1}, .value = identifier});
+    bus->advance(1s);
+    ASSERT_EQ(transfers.size(), 2U);
+    EXPECT_EQ(transfers.back().outcome.kind, SdoOutcome::Kind::written);
+    bus->send(test::canFrame(0, {1, 5}));
+    bus->advance(2s);
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const CanopenRow &row) { return row.frame.id == 0x189; }));
+    EXPECT_EQ(bus->latest().heard(9), nullptr);
+    EXPECT_EQ(bus->latest().heard(5)->state, canopen::NmtState::operational);
+    EXPECT_TRUE(bus->latest().heard(5)->sendsPdos);
+}
+
 TEST_F(CanopenByHand, ADeviceWithoutANumberGetsOneByLss)
 {
     operate();
