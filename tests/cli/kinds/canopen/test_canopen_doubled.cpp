@@ -40,6 +40,41 @@ private:
     std::deque<CanFrame> m_frames;
 };
 
+// Answers by LSS what is asked, after the other one, as another device.
+class LssTwin final : public CanParticipant
+{
+public:
+    int rate() const override { return 125'000; }
+    const CanFrame *toSend() const override { return m_frames.empty() ? nullptr : &m_frames.front(); }
+    void sent(const CanFrame & /*frame*/, Instant /*now*/) override { m_frames.pop_front(); }
+    void take(const CanFrame &frame, Instant /*now*/) override
+    {
+        if (frame.id == 0x7E5 && frame.bytes[0] == 0x11)
+            ++numbers;
+        if (frame.id != 0x7E4 || frame.bytes[0] < 0x5A || frame.bytes[0] > 0x5E)
+            return;
+        CanFrame own = frame;
+        own.bytes[1] = static_cast<std::uint8_t>(own.bytes[1] + 1);
+        m_frames.push_back(own);
+    }
+
+    int numbers = 0;
+
+private:
+    std::deque<CanFrame> m_frames;
+};
+
+TEST(CliLssOfSeveral, NothingIsWritten)
+{
+    SharedCanBus bus({canopen::trainingEncoders()[1]});
+    const auto twin = std::make_shared<LssTwin>();
+    bus.plant().bus()->add(twin);
+    const CliRun run = bus.runLine(QStringLiteral("lss node 9 --alone --yes --json"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "lssSeveral");
+    EXPECT_EQ(twin->numbers, 0);
+}
+
 class CliCanDoubled : public testing::Test
 {
 protected:

@@ -117,13 +117,42 @@ TEST(CliCanEncoder, OfAProjectIsStoredComparedAndTransferred)
     EXPECT_EQ(runLine(QStringLiteral("read can:6 steps --project %1 --link project").arg(file)).exit, 0);
 }
 
-TEST(CliCanEncoder, IsRecorded)
+TEST(CliCanEncoder, IsRecordedBeforeItWasStarted)
 {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("r.cwrec"));
     const CliRun run = runLine(QStringLiteral("record can:6 --for 1 --link canopen:training -o ") + file);
     EXPECT_EQ(run.exit, 0) << run.err;
     EXPECT_TRUE(QFile::exists(file));
+    EXPECT_THAT(run.out, HasSubstr("can:6  position"));
+}
+
+TEST(CliCanEncoder, ATransferBeforeItWasStartedIsDone)
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("p.codewheel"));
+    SharedCanBus bus;
+    EXPECT_EQ(bus.runLine(QStringLiteral("scan --ask --save ") + file).exit, 0);
+    EXPECT_EQ(bus.runLine(QStringLiteral("write can:6 steps=4096 --yes")).exit, 0);
+    EXPECT_EQ(bus.runLine(QStringLiteral("store %1 can:6").arg(file)).exit, 0);
+    EXPECT_EQ(bus.runLine(QStringLiteral("write can:6 steps=8192 --yes")).exit, 0);
+    const CliRun run = bus.runLine(QStringLiteral("transfer %1 can:6 --stored --yes").arg(file));
+    EXPECT_EQ(run.exit, 0) << run.out << run.err;
+    EXPECT_THAT(bus.runLine(QStringLiteral("od can:6 read 6001")).out, HasSubstr("4096"));
+}
+
+TEST(CliCanEncoder, AnotherSerialNumberThanOnItsLabelIsToldToPrograms)
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("p.codewheel"));
+    SharedCanBus bus;
+    EXPECT_EQ(bus.runLine(QStringLiteral("scan --ask --save ") + file).exit, 0);
+    auto others = canopen::trainingEncoders();
+    others[1].identity[3] = 4711;
+    SharedCanBus other(others);
+    const QJsonObject json = other.runLine(QStringLiteral("compare %1 --json").arg(file)).json();
+    EXPECT_EQ(json[u"lines"][1][u"why"][u"key"], QStringLiteral("serialDiffers"));
+    EXPECT_TRUE(json[u"lines"][0][u"why"].isUndefined());
 }
 
 } // namespace

@@ -58,7 +58,8 @@ TEST(CliNmt, WrongCallsAreRefused)
     SharedCanBus bus;
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("nmt go --json"))), "nmtCommandWrong");
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("nmt start --json"))), "noConsent");
-    EXPECT_EQ(errorKey(runLine(QStringLiteral("nmt start --yes --json"))), "noSuchBus");
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("nmt start --yes --json --link interbus:training"))),
+              "noSuchBus");
 }
 
 TEST(CliNmt, ARunningNodeShowsItsPositionsWithoutBeingAsked)

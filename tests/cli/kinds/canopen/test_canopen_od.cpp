@@ -49,6 +49,17 @@ TEST(CliOd, AsksBeforeItWritesAndReadsBack)
     EXPECT_EQ(bus.eepromWritesOf6(), 0U);
 }
 
+TEST(CliOd, WhatMaySetThePositionIsSaidBefore)
+{
+    SharedCanBus bus;
+    EXPECT_THAT(bus.runLine(QStringLiteral("od can:6 write 6003=5"), {true, "n\n"}).out,
+                HasSubstr("It sets the position at once."));
+    EXPECT_THAT(bus.runLine(QStringLiteral("od can:6 write 2000=9"), {true, "n\n"}).out,
+                HasSubstr("It is an object of the maker"));
+    EXPECT_THAT(bus.runLine(QStringLiteral("od can:6 write 6001=5"), {true, "n\n"}).out,
+                testing::Not(HasSubstr("position")));
+}
+
 TEST(CliOd, NobodyToAskMeansNothingIsWritten)
 {
     SharedCanBus bus;
