@@ -31,6 +31,8 @@ public:
     bool isSimulated() const override { return m_line->isSimulated(); }
     void interrupt() override { m_line->interrupt(); }
 
+    // Of the bus, from when it is next opened after it was closed.
+    void setRate(int rate) { m_rate = rate; }
     const SlcanFirmware &firmware() const { return m_talk.firmware(); }
     // What is to be said of an open link, though it is no reason against it (rateMayBe750).
     std::optional<Refusal> remark() const;
@@ -44,7 +46,7 @@ private:
     CanNews takeNews();
 
     const std::unique_ptr<ByteLink> m_line;
-    const int m_rate;
+    int m_rate;
     const int m_baudRate;
     CanUse m_use = CanUse::watch;
     bool m_takesUnsureWatch = false;

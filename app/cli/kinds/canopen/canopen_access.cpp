@@ -89,7 +89,7 @@ std::unique_ptr<CanopenAccess> CanopenAccess::to(const CanopenLink &link, const 
             std::make_unique<SimulatedCanLink>(canopen::SimulatedCanopenPlant().bus(), link.settings.rate),
             link, catalog, id);
     auto its = canLinkTo(link.at);
-    const auto *adapter = dynamic_cast<const SlcanLink *>(its.get());
+    auto *adapter = dynamic_cast<SlcanLink *>(its.get());
     auto access = std::make_unique<CanopenAccess>(std::move(its), link, catalog, id);
     access->m_adapter = adapter;
     return access;
@@ -153,6 +153,18 @@ Checked<void> CanopenAccess::openToSend(const Call &call)
     if (const auto remark = m_adapter != nullptr ? m_adapter->remark() : std::nullopt)
         call.terminal.complain(refusalText(*remark));
     return {};
+}
+
+Checked<void> CanopenAccess::changeRate(int rate)
+{
+    m_session->close();
+    m_adapter->setRate(rate);
+    m_link.settings.rate = m_link.at.rate = rate;
+    if (auto opened = open(CanopenSession::Start::operating); !opened)
+        return opened;
+    if (m_link.sendsBesideOthers)
+        m_session->sendBesideOthers();
+    return advance(lookInterval()) ? Checked<void>() : tl::unexpected(linkLost());
 }
 
 Checked<void> CanopenAccess::whetherHeldBack() const
@@ -428,8 +440,8 @@ Checked<canopen::LssOutcome> CanopenAccess::configure(const canopen::LssRequest 
     m_session->configure(request);
     using Kind = canopen::LssRequest::Kind;
     const bool isSearch = request.kind == Kind::fastScan;
-    const bool isWrite =
-        request.kind == Kind::setNode || request.kind == Kind::setRate || request.kind == Kind::store;
+    const bool isWrite = request.kind == Kind::setNode || request.kind == Kind::setRate ||
+                         request.kind == Kind::activate || request.kind == Kind::store;
     const auto isEnded = [&] { return ended.has_value(); };
     const bool isDone = waitUntil(isEnded, longestTransfer, isSearch ? stopped : WhenStopped::goesOn);
     if (!isDone && isSearch && isStopped()) {

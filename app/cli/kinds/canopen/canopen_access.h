@@ -98,6 +98,11 @@ public:
     Checked<canopen::LssOutcome> configure(const canopen::LssRequest &request,
                                            WhenStopped stopped = WhenStopped::ends);
     Checked<CanFate> send(const CanFrame &frame);
+    // Whether the rate of the link can be another one: an adapter has its own, an interface that of the
+    // system.
+    bool canChangeRate() const { return m_adapter != nullptr; }
+    // Opened anew at this rate, in Operate.
+    Checked<void> changeRate(int rate);
     // Of the node with this number there are two.
     std::optional<Complaint> whetherDoubled(int node) const;
     // Nobody acknowledges what is sent, so it never ends.
@@ -129,7 +134,7 @@ private:
     std::optional<std::vector<NodeId>> m_planned; // of the project of the call
     std::vector<NodeOnBus> m_found;               // by the search
     std::map<int, CanFrame> m_firstPdos;          // by node, each the newest
-    const SlcanLink *m_adapter = nullptr;         // of the session; null: it uses none
+    SlcanLink *m_adapter = nullptr;               // of the session; null: it uses none
     std::optional<Refusal> m_notOpened;           // the reason
     std::optional<StopSignals> m_stop;            // while something is done by hand
     bool m_isStopped = false;                     // by Ctrl+C

@@ -31,6 +31,9 @@ constexpr std::array lssOptions{
                              "the node there, selected by its identity; else a device without a number")},
     Option{"--alone", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "whoever is there: the device is alone on the bus")},
+    Option{"--activate", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "with rate: at once, and the adapter with it; with --alone only")},
     busOption,
     beyondLimitOption,
     ledgerOption,
@@ -135,6 +138,8 @@ public:
     {
         return ask(request, CanopenAccess::WhenStopped::ends);
     }
+    // In configuration, or if it has left that, once it is back: it tells the identity that it had.
+    bool isStillThere();
 
     bool hasOthers() const { return m_extraAnswers > 0; } // that answer, too
     std::optional<int> node() const { return m_node; }    // empty: it has none
@@ -253,6 +258,16 @@ Checked<NodeIdentity> SelectedDevice::identityAt(const NodeMeant &where)
     return identity;
 }
 
+bool SelectedDevice::isStillThere()
+{
+    constexpr auto goesOn = CanopenAccess::WhenStopped::goesOn;
+    const auto isIt = [this] {
+        const auto told = ask({.kind = LssRequest::Kind::inquireIdentity}, goesOn);
+        return told && told->kind == LssOutcome::Kind::done && told->identity == m_identity;
+    };
+    return isIt() || (ask({.kind = LssRequest::Kind::configureAll}, goesOn) && isIt());
+}
+
 Checked<void> SelectedDevice::leave()
 {
     if (!std::exchange(m_isSelected, false))
@@ -328,8 +343,33 @@ Checked<void> agreeToLss(const Call &call, CanopenAccess &bus, const SelectedDev
     return bus.listenAgain();
 }
 
-// Its end, with what is known of it.
-std::optional<Complaint> sendByLss(CanopenAccess &bus, SelectedDevice &device, const LssRequest &request)
+// The device takes the rate it was given, and so do we. It waits before, and is silent as long after.
+std::optional<Complaint> activateByLss(CanopenAccess &bus, SelectedDevice &device, int rate)
+{
+    constexpr std::chrono::milliseconds delay{500};
+    constexpr std::chrono::milliseconds margin{100};
+    const auto sent =
+        device.ask({.kind = LssRequest::Kind::activate, .number = static_cast<int>(delay.count())});
+    if (!sent)
+        return sent.error();
+    if (sent->kind != LssOutcome::Kind::done)
+        return aboutLssOutcome(*sent);
+    bus.advance(delay);
+    if (const auto changed = bus.changeRate(rate); !changed)
+        return changed.error();
+    bus.advance(delay + margin);
+    if (device.isStillThere())
+        return std::nullopt;
+    return lssComplaint("lssNotAtRate",
+                        sentence(CommandLine::tr("The device does not answer at %1 Bd. It may still have the "
+                                                 "rate of before; after its supply was switched off and on "
+                                                 "it has that which is stored."),
+                                 {QString::number(rate)}));
+}
+
+// Its end, with what is known of it. `activated`: the rate that is to be in force; 0: none.
+std::optional<Complaint> sendByLss(CanopenAccess &bus, SelectedDevice &device, const LssRequest &request,
+                                   int activated)
 {
     const auto outcome = device.ask(request);
     std::optional<Complaint> complaint;
@@ -341,6 +381,8 @@ std::optional<Complaint> sendByLss(CanopenAccess &bus, SelectedDevice &device, c
         complaint = aboutLssOutcome(*outcome);
         if (!bus.isConnected())
             complaint->text = bus.linkLost().text + u' ' + complaint->text;
+    } else if (activated != 0) {
+        complaint = activateByLss(bus, device, activated);
     }
     const auto left = device.leave();
     if (!left && !complaint)
@@ -354,7 +396,7 @@ std::optional<Complaint> sendByLss(CanopenAccess &bus, SelectedDevice &device, c
 
 // What is to be written, asked for after the device was shown. While that is asked it is in no configuration.
 Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssRequest &request,
-                           const QString &question)
+                           const QString &question, int activated = 0)
 {
     SelectedDevice device(call, bus);
     if (const auto shown = showByLss(call, bus, device); !shown)
@@ -371,7 +413,7 @@ Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssReques
         asked.number = device.numberOnBus();
     Answer answer{.json = {{QStringLiteral("device"), device.json()}}};
     addBus(answer.json, bus);
-    answer.complaint = sendByLss(bus, device, asked);
+    answer.complaint = sendByLss(bus, device, asked, activated);
     if (answer.complaint)
         return answer;
     if (stores)
@@ -379,6 +421,14 @@ Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssReques
                                       "and do not: it is sure when they are there after its supply was "
                                       "switched off and on.") +
                       u'\n';
+    else if (activated != 0)
+        answer.text =
+            sentence(CommandLine::tr("The device and this adapter have %1 Bd now: from here on, give "
+                                     "rate=%1 behind the link. Without supply the device has its "
+                                     "rate of before until this one is stored (codewheel-cli lss "
+                                     "store)."),
+                     {QString::number(activated)}) +
+            u'\n';
     else if (request.kind == LssRequest::Kind::setRate)
         answer.text = CommandLine::tr("The device has taken the rate. It is in force once it was stored "
                                       "(codewheel-cli lss store) and its supply switched off and on.") +
@@ -443,8 +493,22 @@ Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
                         {call.arguments.rest.value(1), listed(lssRates, [](const std::pair<int, int> &one) {
                              return QString::number(one.first);
                          })});
+    const bool activates = call.arguments.has("--activate");
+    if (activates && !call.arguments.has("--alone"))
+        return badInput(
+            QStringLiteral("lssActivateNotAlone"),
+            CommandLine::tr("--activate changes the rate of the device and of the adapter at once, "
+                            "which disturbs all others on the bus: it needs --alone."));
+    if (activates && !bus.canChangeRate())
+        return badInput(
+            QStringLiteral("lssActivateNotHere"),
+            CommandLine::tr("The rate of this link cannot change along with the device: it is not "
+                            "that of a serial adapter. Store the rate (codewheel-cli lss store), "
+                            "switch the supply of the device off and on, and set the rate of the "
+                            "interface."));
     return writeByLss(call, bus, {.kind = LssRequest::Kind::setRate, .number = row->second},
-                      sentence(CommandLine::tr("Give it the rate %1 Bd?"), {QString::number(row->first)}));
+                      sentence(CommandLine::tr("Give it the rate %1 Bd?"), {QString::number(row->first)}),
+                      activates ? row->first : 0);
 }
 
 Checked<Answer> lssStore(const Call &call, CanopenAccess &bus)
@@ -522,7 +586,7 @@ Checked<Answer> runLss(const Call &call)
 
 const Subcommand lssCommand{
     .name = "lss",
-    .usage = "show|scan|node|rate|store [NUMBER] [--of PLACE | --alone] [--bus BUS] [--yes]",
+    .usage = "show|scan|node|rate|store [NUMBER] [--of PLACE | --alone [--activate]] [--bus BUS] [--yes]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "give a device on CANopen its node number and rate by LSS"),
     .details = QT_TRANSLATE_NOOP(

@@ -17,6 +17,7 @@ import slcan_peer
 
 NODE = 5
 HEARTBEAT = 0.1
+LSS_RATES = ["S8", "S7", "S6", "S5", "S4", None, "S2", "S1", "S0"]
 
 
 def u(width, number):
@@ -38,17 +39,41 @@ class Encoder(slcan_peer.Adapter):
         self.segments = b""
         self.toggle = 0
         self.next_beat = 0.0
+        self.own_rate = self.next_rate = "S5"
+        self.configures = False
 
     def send(self, identifier, data):
-        self.receive(f"{identifier:03X}#{data.hex().upper()}")
+        if self.rate == self.own_rate:
+            self.receive(f"{identifier:03X}#{data.hex().upper()}")
 
     def transmit(self, text):
         super().transmit(text)
+        if self.rate != self.own_rate:
+            return
         identifier, data = int(text[1:4], 16), bytes.fromhex(text[5:])
-        if identifier == 0 and data[1] in (0, NODE):
+        if identifier == 0x7E5:
+            self.configure(data)
+        elif identifier == 0 and data[1] in (0, NODE):
             self.heed(data[0])
         elif identifier == 0x600 + NODE and self.nmt != 0x04:
             self.send(0x580 + NODE, self.sdo(data))
+
+    def configure(self, data):
+        """By LSS."""
+        command = data[0]
+        if command == 0x04:
+            self.configures = data[1] == 1
+        elif not self.configures:
+            return
+        elif 0x5A <= command <= 0x5D:
+            self.send(0x7E4, bytes([command]) + self.objects[0x1018, command - 0x59] + bytes(3))
+        elif command == 0x5E:
+            self.send(0x7E4, bytes([command, NODE]) + bytes(6))
+        elif command == 0x13:
+            self.next_rate = LSS_RATES[data[2]]
+            self.send(0x7E4, bytes([command]) + bytes(7))
+        elif command == 0x15:
+            self.own_rate = self.next_rate
 
     def heed(self, number):
         self.nmt = {0x01: 0x05, 0x02: 0x04, 0x80: 0x7F}.get(number, 0x7F)

@@ -96,6 +96,23 @@ TEST(CliCanProgram, ObjectsAreWrittenOnceAndNodesStarted)
     EXPECT_EQ(errorKey(peer.runLine(QStringLiteral("lss node 5 --yes --json"))), "nodeNumberTaken");
 }
 
+TEST(CliCanProgram, ARateIsInForceAtOnceIfThatIsWanted)
+{
+    CanNodePeer peer;
+    EXPECT_EQ(errorKey(peer.runLine(QStringLiteral("lss rate 500000 --activate --of can:5 --yes --json"))),
+              "lssActivateNotAlone");
+    EXPECT_EQ(errorKey(runLine(
+                  QStringLiteral("lss rate 500000 --activate --alone --yes --json --link canopen:training"))),
+              "lssActivateNotHere");
+    const CliRun run = peer.runLine(QStringLiteral("lss rate 500000 --activate --alone --yes"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("have 500000 Bd now"));
+    EXPECT_THAT(peer.order(QStringLiteral("state")), ElementsAre("closed S6 !"));
+    EXPECT_THAT(peer.order(QStringLiteral("heard")).back(), HasSubstr("7E5#0400")) << "and it is left";
+    const CliRun gone = peer.runLine(QStringLiteral("lss show --alone --json"));
+    EXPECT_EQ(errorKey(gone), "lssNoAnswer") << "at the rate of before";
+}
+
 TEST(CliCanProgram, BesideAnotherMasterNothingIsSentUnlessThatWasAgreedTo)
 {
     CanNodePeer peer(QStringLiteral("--master"));
