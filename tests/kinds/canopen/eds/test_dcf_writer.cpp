@@ -90,6 +90,18 @@ TEST(DcfWriter, TextsKeepBlanksAndQuotesAndStayInTheirLine)
     EXPECT_EQ(again.objects[2].value, FileValue{QStringLiteral("one  [2000]")});
 }
 
+TEST(DcfWriter, TextsThatLookLikeNumbersOrNothingStayTexts)
+{
+    const DeviceFile file = fileOf("[2000]\nParameterName=\"\"quoted\"\"\nDefaultValue=\"12\"\n"
+                                   "[2001]\nDataType=9\nDefaultValue=\"\"\n");
+    EXPECT_EQ(file.objects[0].factory, FileValue{QStringLiteral("12")});
+    EXPECT_EQ(file.objects[1].factory, FileValue{QString()});
+    const DeviceFile again = fileOf(QByteArray::fromStdString(writtenBy(file)));
+    EXPECT_EQ(again.objects[0].name, QStringLiteral("\"quoted\""));
+    EXPECT_EQ(again.objects[0].factory, file.objects[0].factory);
+    EXPECT_EQ(again.objects[1].factory, file.objects[1].factory);
+}
+
 // Another program that loads the DCF into a device writes what has a value.
 TEST(DcfWriter, LeavesOutWhatMustNotBeWritten)
 {
