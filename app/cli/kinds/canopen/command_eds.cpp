@@ -2,7 +2,6 @@
 #include "cli/bus/places.h"
 #include "cli/call/json.h"
 #include "cli/call/keys.h"
-#include "cli/call/stop_signals.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/consent.h"
@@ -138,7 +137,7 @@ Checked<NodeRead> readNode(const Call &call, const QString &place, DeviceFile fi
     node.file.commissioning.node = where->node();
     if (const int rate = where->bus->session().rate(); rate > 0)
         node.file.commissioning.rate = rate;
-    StopSignals stop;
+    const CanopenAccess::ByHand byHand(*where->bus);
     for (canopen::FileObject &object : node.file.objects) {
         if (object.access == canopen::FileAccess::writeOnly)
             continue;
@@ -153,8 +152,6 @@ Checked<NodeRead> readNode(const Call &call, const QString &place, DeviceFile fi
                                        outcome->kind == Kind::notSent ? CanopenRefusalId::sdoNotSent
                                                                       : CanopenRefusalId::sdoNoAnswer,
                                        {object.object.text(), std::int64_t{where->node()}}}));
-        if (stop.came())
-            return tl::unexpected(complaintAbout({RefusalKind::stopped, RefusalId::cancelled, {}}));
         keepAnswer(object, *outcome, node);
     }
     return node;
