@@ -168,12 +168,20 @@ void writeFileInfo(DcfText &dcf, const DeviceFile &file, const DcfHead &head)
         dcf.line("LastEDS", head.ofFile);
 }
 
+// Anything else might be read as a section or a comment.
+bool isPlainKey(const QString &key)
+{
+    return std::ranges::all_of(
+        key, [](QChar letter) { return letter.isLetterOrNumber() || letter == u'_' || letter == u' '; });
+}
+
 void writeDeviceInfo(DcfText &dcf, const DeviceFile &file)
 {
     constexpr int digitsOfIdentity = 8;
     dcf.section(QStringLiteral("DeviceInfo"));
     for (const auto &[key, value] : file.deviceInfo)
-        dcf.line(key, value);
+        if (isPlainKey(key))
+            dcf.line(key, value);
     if (!file.deviceInfo.empty())
         return;
     const FileIdentity &its = file.identity;

@@ -102,6 +102,13 @@ TEST(DcfWriter, TextsThatLookLikeNumbersOrNothingStayTexts)
     EXPECT_EQ(again.objects[1].factory, file.objects[1].factory);
 }
 
+TEST(DcfWriter, AKeyOfTheHeadBecomesNoSection)
+{
+    const DeviceFile file =
+        fileOf("[DeviceInfo]\nVendorName=Rotor\n\xEF\xBB\xBF[2001]=1\n[2000]\nDataType=5\n");
+    EXPECT_THAT(writtenBy(file), HasSubstr("[DeviceInfo]\r\nVendorName=Rotor\r\n\r\n"));
+}
+
 // Another program that loads the DCF into a device writes what has a value.
 TEST(DcfWriter, LeavesOutWhatMustNotBeWritten)
 {
