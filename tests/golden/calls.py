@@ -28,6 +28,8 @@ def calls(root, work, cli):
     shutil.copy(root / "docs/examples/cams.json", work)
     shutil.copy(root / "docs/examples/commissioning.log", work)
     shutil.copy(root / "resources/examples/faults.json", work)
+    for name in ("whole.dcf", "compact.eds", "odd.eds"):
+        shutil.copy(root / "tests/fuzz/corpus/eds" / name, work)
     commands = [command["name"] for command in answer(cli, "--help")["commands"]]
     devices = [device["name"] for device in answer(cli, "devices")["devices"]]
     yield ["--help"]
@@ -173,6 +175,10 @@ def can_buses():
                  ["lss", "node", "5", "--yes"], ["lss", "rate", "250000", "--of", "can:6", "--yes"],
                  ["lss", "store", "--of", "can:6", "--yes"], ["nmt", "start", "--yes"]):
         yield [*call, "--link", "canopen:training"]
+    for name in ("whole.dcf", "compact.eds", "odd.eds"):
+        yield ["devices", "--check", name]
+        yield ["eds", name, "--compare", "whole.dcf"]
+        yield ["eds", name, "--read", "can:6", "--link", "canopen:training"]
     for place in ("can:5", "can:6", "can:7", "can:50"):
         for call in (["read", place], ["read", place, "serial-number", "--trace"], ["monitor", place, "--for", "1"],
                      ["write", place, "steps=4096", "--yes"], ["preset", place, "1000"], ["reset", place, "--yes"],
