@@ -263,7 +263,7 @@ Checked<Answer> runEds(const Call &call)
 
 const Subcommand edsCommand{
     .name = "eds",
-    .usage = "FILE [--import [--as DEVICE] [--name KEY]] [--read PLACE] [--compare FILE] [--save DCF [--node "
+    .usage = "FILE [--import [--as DEVICE] [--name KEY]] [--read PLACE] [--compare FILE] [--save FILE [--node "
              "NUMBER] [--rate BD]] [--yes]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "import, compare and write files of CANopen devices (EDS, DCF)"),
