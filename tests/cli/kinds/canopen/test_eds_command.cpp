@@ -148,7 +148,7 @@ TEST_F(CliEds, ImportsADescriptionByWhichANodeIsRecognised)
     EXPECT_EQ(errorKey(runLine(QStringLiteral("eds %1 --import --json").arg(eds))), "fileExists");
     EXPECT_EQ(runLine(QStringLiteral("eds %1 --import --yes").arg(eds)).exit, 0);
     EXPECT_THAT(runLine(QStringLiteral("devices sim-works-sim-13")).out,
-                ContainsRegex("\nsteps +6001h:0 +6001h:0 +8,192 +steps +1\\.\\.8192\n"));
+                ContainsRegex("\nsteps +6001h:0 +6001h:0 +8,?192 +steps +1\\.\\.8192\n"));
     EXPECT_THAT(runLine(QStringLiteral("scan --ask --link canopen:training")).out,
                 ContainsRegex("\ncan:6 .*sim-works-sim-13"));
     EXPECT_EQ(runLine(QStringLiteral("read can:6 steps --link canopen:training --json"))
