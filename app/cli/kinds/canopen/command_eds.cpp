@@ -200,13 +200,23 @@ Checked<void> checkTarget(const Call &call)
     return target ? checkTargetFile(call.arguments, *target) : Checked<void>();
 }
 
+// What of the file is left out of account: a node or a rate that is none.
+Checked<DeviceFile> fileOfCall(const Call &call, const QString &path)
+{
+    auto file = canopenDeviceFile(path);
+    if (file)
+        for (const canopen::EdsNote &note : file->refused)
+            call.terminal.complain(complaintAboutDeviceFile(path, note).text);
+    return file;
+}
+
 // The file with which what there is is compared; empty: with none.
 Checked<std::optional<DeviceFile>> otherFile(const Call &call)
 {
     const auto path = call.arguments.value("--compare");
     if (!path)
         return std::nullopt;
-    return canopenDeviceFile(*path).map([](DeviceFile &&file) { return std::optional(std::move(file)); });
+    return fileOfCall(call, *path).map([](DeviceFile &&file) { return std::optional(std::move(file)); });
 }
 
 void tellDifferences(const QString &path, const std::vector<ObjectDifference> &differences, bool isFault,
@@ -225,17 +235,19 @@ void tellDifferences(const QString &path, const std::vector<ObjectDifference> &d
 Checked<Answer> runEds(const Call &call)
 {
     const QString &path = call.arguments.rest.front();
-    auto file = canopenDeviceFile(path);
+    const auto place = call.arguments.value("--read");
+    const bool isUsed = place || call.arguments.has("--import") || call.arguments.has("--compare") ||
+                        call.arguments.has("--save");
+    if (!isUsed)
+        return checkOfDeviceFile(call, path);
+    const auto file = fileOfCall(call, path);
     if (!file)
         return tl::unexpected(file.error());
     if (call.arguments.has("--import"))
         return importDeviceFile(call, path, *file);
-    const auto place = call.arguments.value("--read");
     const auto other = otherFile(call);
     if (!other)
         return tl::unexpected(other.error());
-    if (!place && !*other && !call.arguments.has("--save"))
-        return checkOfDeviceFile(call, path);
     if (const auto can = checkTarget(call); !can)
         return tl::unexpected(can.error());
     Answer answer{.json = {{QStringLiteral("file"), path}}};
@@ -263,8 +275,9 @@ Checked<Answer> runEds(const Call &call)
 
 const Subcommand edsCommand{
     .name = "eds",
-    .usage = "FILE [--import [--as DEVICE] [--name KEY]] [--read PLACE] [--compare FILE] [--save FILE [--node "
-             "NUMBER] [--rate BD]] [--yes]",
+    .usage =
+        "FILE [--import [--as DEVICE] [--name KEY]] [--read PLACE] [--compare FILE] [--save FILE [--node "
+        "NUMBER] [--rate BD]] [--yes]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "import, compare and write files of CANopen devices (EDS, DCF)"),
     .details = QT_TRANSLATE_NOOP(

@@ -81,6 +81,15 @@ TEST_F(CliEds, ComparesTwoFiles)
                            {QStringLiteral("other"), 4096}}));
 }
 
+TEST_F(CliEds, SaysWhatOfAFileIsLeftOutOfAccount)
+{
+    const QString dcf = write(QStringLiteral("old.dcf"),
+                              simulatedFile() + "[DeviceComissioning]\nNodeID=6\nBaudrate=16960\n");
+    const CliRun run = runLine(QStringLiteral("eds %1 --compare %1").arg(dcf));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_THAT(run.err, HasSubstr("Baudrate: \"16960\" is no rate of CANopen in kBd"));
+}
+
 TEST_F(CliEds, SavesADcfAndReplacesNoneUnasked)
 {
     const QString eds = write(QStringLiteral("sim.eds"), simulatedFile());
