@@ -11,6 +11,7 @@
 #include "cli/encoder/parameter_arguments.h"
 #include "cli/encoder/parameter_text.h"
 #include "cli/encoder/position_text.h"
+#include "cli/encoder/value_lines.h"
 #include "cli/encoder/write_plan_text.h"
 #include "cli/project/project_of_call.h"
 #include "project/project_file.h"
