@@ -13,6 +13,7 @@
 #include "widgets/look/role_label.h"
 
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QPushButton>
@@ -57,7 +58,7 @@ void CanBusPanel::makeTable()
 {
     setUpQuietTable(*m_table, *m_nodes, tr("Nodes of the CAN bus"));
     m_table->setToolTip(tr("Every node that was heard, and the encoders of this bus that were not"));
-    FittedColumns::useIn(*m_table, CanNodeModel::name);
+    FittedColumns::useIn(*m_table, CanNodeModel::node);
     m_table->setMinimumHeight(rowsInSight * m_table->fontMetrics().height());
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &CanBusPanel::showWhatIsPossible);
@@ -66,18 +67,18 @@ void CanBusPanel::makeTable()
 QWidget *CanBusPanel::makeButtons()
 {
     auto *buttons = new QWidget(content());
-    auto *row = layOut<QHBoxLayout>(buttons, grid::unit);
+    auto *rows = layOut<QGridLayout>(buttons, grid::unit); // side by side they are wider than a panel
     for (const NmtAction &action : nmtActions()) {
         auto *button = describe(new QPushButton(action.label(), buttons), action.key, action.toolTip());
         button->setAutoDefault(false);
-        row->addWidget(button);
+        const int place = static_cast<int>(m_commands.size());
+        rows->addWidget(button, place / 2, place % 2);
         m_commands.push_back(button);
         connect(button, &QPushButton::clicked, this, [this, command = action.command] {
             if (const auto node = chosenNode())
                 Q_EMIT commandWanted(*node, command);
         });
     }
-    row->addStretch(1);
     return buttons;
 }
 

@@ -2,12 +2,11 @@
 #include "widgets/kinds/canopen/can_node_model.h"
 
 #include "kinds/canopen/bus/canopen_session.h"
-#include "widgets/look/fonts.h"
+#include "vocabulary/sentence.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
-#include <QLocale>
-
+#include <array>
 #include <set>
 
 namespace codewheel {
@@ -15,27 +14,25 @@ namespace {
 
 const QString nothingToTell = QStringLiteral("\u2013");
 
-// Its number is the row's own column; that it is doubled stands with its errors.
-bool isShownFact(const CanopenNodeFact &fact)
+// What stands below its NMT state.
+constexpr std::array besideState{"heartbeat", "sendsPdos"};
+
+const CanopenNodeFact &nodeFact(const char *key)
 {
-    const QLatin1String key(fact.key);
-    return key != QLatin1String("node") && key != QLatin1String("doubled");
+    return *std::ranges::find_if(canopenNodeFacts(), [key](const CanopenNodeFact &fact) {
+        return QLatin1String(fact.key) == QLatin1String(key);
+    });
 }
 
-std::vector<const CanopenNodeFact *> shownFacts()
+// "pre-operational", "Heartbeat: comes".
+QString stateWithMore(const CanopenSnapshot::Node &node)
 {
-    std::vector<const CanopenNodeFact *> shown;
-    for (const CanopenNodeFact &fact : canopenNodeFacts())
-        if (isShownFact(fact))
-            shown.push_back(&fact);
-    return shown;
-}
-
-// That of the newest error is the last of what is wrong.
-QString factText(const CanopenNodeFact &fact, const CanopenSnapshot::Node &node)
-{
-    return QLatin1String(fact.key) == QLatin1String("error") ? nodeTroubles(node).join(QStringLiteral("; "))
-                                                             : fact.text(node);
+    const QString state = nodeFact("state").text(node);
+    QStringList lines{state.isEmpty() ? CanNodeModel::tr("state not known") : state};
+    for (const char *key : besideState)
+        if (const QString text = nodeFact(key).text(node); !text.isEmpty())
+            lines << sentence(CanNodeModel::tr("%1: %2", "of a node"), {nodeFact(key).label(), text});
+    return lines.join(u'\n');
 }
 
 } // namespace
@@ -46,8 +43,7 @@ CanNodeModel::CanNodeModel(QObject *parent)
 
 int CanNodeModel::columns() const
 {
-    static const int all = firstFact + static_cast<int>(shownFacts().size()) + 1;
-    return all;
+    return columnCountOfIt;
 }
 
 int CanNodeModel::rowOf(int wanted) const
@@ -58,7 +54,7 @@ int CanNodeModel::rowOf(int wanted) const
 
 CanNodeRow CanNodeModel::rowFor(const CanopenSession &bus, int number)
 {
-    CanNodeRow row{.node = number, .name = {}, .facts = {}, .since = {}};
+    CanNodeRow row{.node = number, .name = {}, .state = {}, .errors = {}, .since = {}};
     const Place place = bus.placeOf(CanopenAddress{number}.place());
     if (const EncoderSession *encoder = bus.encoder(place))
         row.name = encoder->device().fullName();
@@ -68,14 +64,15 @@ CanNodeRow CanNodeModel::rowFor(const CanopenSession &bus, int number)
         m_conditions.erase(number);
         return row;
     }
-    for (const CanopenNodeFact *fact : shownFacts())
-        row.facts.push_back(factText(*fact, *heard));
-    row.isInTrouble = !nodeTroubles(*heard).isEmpty();
+    row.state = stateWithMore(*heard);
+    row.errors = nodeTroubles(*heard).join(QStringLiteral("; "));
     auto [condition, isNew] = m_conditions.try_emplace(number);
-    if (isNew || condition->second.facts != row.facts)
-        condition->second = {row.facts,
-                             bus.dateTime(bus.now()).toLocalTime().toString(QStringLiteral("HH:mm:ss"))};
-    row.since = condition->second.since;
+    Condition &known = condition->second;
+    if (isNew || known.state != row.state || known.errors != row.errors)
+        known = {row.state, row.errors,
+                 bus.dateTime(bus.now()).toLocalTime().toString(QStringLiteral("HH:mm:ss"))};
+    row.isInTrouble = !row.errors.isEmpty();
+    row.since = known.since;
     return row;
 }
 
@@ -109,31 +106,31 @@ QVariant CanNodeModel::headerCell(int column, int role) const
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
     const bool isTip = role == Qt::ToolTipRole;
-    if (column == name)
-        return isTip ? tr("What its encoder is taken for. Nothing: it is no encoder of this bus")
-                     : tr("Name");
-    if (column == sinceColumn())
-        return isTip ? tr("When its state, heartbeat and errors became what they are") : tr("Since");
-    const CanopenNodeFact &fact =
-        column == node
-            ? canopenNodeFacts().front()
-            : *shownFacts().at(static_cast<std::size_t>(column) - static_cast<std::size_t>(firstFact));
-    return isTip ? fact.toolTip() : fact.label();
+    switch (column) {
+    case node:
+        return isTip ? nodeFact("node").toolTip() + u'\n' +
+                           tr("Below it what its encoder is taken for; nothing: it is no encoder of this bus")
+                     : nodeFact("node").label();
+    case state:
+        return isTip
+                   ? nodeFact("state").toolTip() + u'\n' +
+                         tr("Below it heartbeat and PDOs, and since when state and errors are what they are")
+                   : nodeFact("state").label();
+    default:
+        return isTip ? nodeFact("error").toolTip() : nodeFact("error").label();
+    }
 }
 
-QString CanNodeModel::textOf(const CanNodeRow &row, int column) const
+QString CanNodeModel::textOf(const CanNodeRow &row, int column)
 {
-    if (column == node)
-        return CanopenAddress{row.node}.shown();
-    if (column == name)
-        return row.name.isEmpty() ? nothingToTell : row.name;
-    if (!row.isHeard)
-        return column == firstFact ? tr("not heard") : nothingToTell;
-    const QString text =
-        column == sinceColumn()
-            ? row.since
-            : row.facts.at(static_cast<std::size_t>(column) - static_cast<std::size_t>(firstFact));
-    return text.isEmpty() ? nothingToTell : text;
+    if (column == node) {
+        const QString number = CanopenAddress{row.node}.shown();
+        return row.name.isEmpty() ? number : number + u'\n' + row.name;
+    }
+    if (column == error)
+        return row.errors.isEmpty() ? nothingToTell : row.errors;
+    return row.isHeard ? row.state + u'\n' + sentence(tr("since %1", "a time of day"), {row.since})
+                       : tr("not heard");
 }
 
 QVariant CanNodeModel::cell(const CanNodeRow &row, int column, int role) const
@@ -151,8 +148,6 @@ QVariant CanNodeModel::cell(const CanNodeRow &row, int column, int role) const
                         row.isInTrouble ? Role::fault
                         : row.isHeard   ? Role::running
                                         : Role::inactive);
-    case Qt::FontRole:
-        return column == node || column == sinceColumn() ? QVariant(numberFont()) : QVariant();
     default:
         return {};
     }

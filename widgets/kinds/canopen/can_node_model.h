@@ -20,8 +20,9 @@ struct CanNodeRow
     QString name; // of its encoder; empty: it is none of the bus's
     bool isHeard = false;
     bool isInTrouble = false;
-    std::vector<QString> facts; // as in canopenNodeFacts()
-    QString since;              // its state, heartbeat and error are like that; empty: not known
+    QString state;  // with heartbeat and PDOs, a line each
+    QString errors; // empty: none
+    QString since;  // it is like that; empty: not known
 
     friend bool operator==(const CanNodeRow &, const CanNodeRow &) = default;
 };
@@ -34,8 +35,12 @@ class CanNodeModel final : public TableModelBase<CanNodeRow>
 public:
     explicit CanNodeModel(QObject *parent = nullptr);
 
-    // Name and since stand beside the facts of canopenNodeFacts().
-    enum Column : int { node, name, firstFact };
+    enum Column : int {
+        node,  // number, and its name below
+        state, // heartbeat and PDOs below, and since when all of this is so
+        error,
+        columnCountOfIt,
+    };
 
     // Tells the views only what has changed. Null: no bus.
     void show(const CanopenSession *bus);
@@ -50,12 +55,12 @@ private:
     // What a node was like, and since when.
     struct Condition
     {
-        std::vector<QString> facts;
+        QString state;
+        QString errors;
         QString since;
     };
 
-    int sinceColumn() const { return columns() - 1; }
-    QString textOf(const CanNodeRow &row, int column) const;
+    static QString textOf(const CanNodeRow &row, int column);
     CanNodeRow rowFor(const CanopenSession &bus, int number);
 
     std::map<int, Condition> m_conditions; // by node

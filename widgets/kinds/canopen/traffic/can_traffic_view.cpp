@@ -48,11 +48,10 @@ CanTrafficView::CanTrafficView(QWidget *parent)
     filterRow->addWidget(filter, 1);
     filterRow->addWidget(m_counts);
     m_content->addWidget(m_table);
-    m_content->addWidget(new EmptyState(
-        Icon::trace, tr("Nothing has passed on the bus yet"),
-        tr("Each frame on a CAN bus is shown here, with what it means. Connect one to watch it."), this));
+    m_content->addWidget(new EmptyState(Icon::trace, tr("Nothing has passed on the bus yet"),
+                                        tr("Connect a CAN bus to watch it."), this));
     m_content->setMinimumHeight(2 * grid::largeIcon);
-    auto *rows = layOut<QVBoxLayout>(this, grid::unit, QMargins(grid::unit, 0, grid::unit, grid::unit));
+    auto *rows = layOut<QVBoxLayout>(this, grid::unit / 2, QMargins(grid::unit, 0, grid::unit, 0));
     rows->addWidget(tools);
     rows->addLayout(filterRow);
     rows->addWidget(m_content, 1);

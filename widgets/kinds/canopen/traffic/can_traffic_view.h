@@ -12,6 +12,7 @@
 class QAction;
 class QLabel;
 class QStackedWidget;
+class QToolBar;
 
 namespace codewheel {
 
@@ -51,7 +52,7 @@ protected:
 
 private:
     QWidget *makeContent();
-    void makeTools(class QToolBar &bar);
+    void makeTools(QToolBar &bar);
     void add(const TrafficRow &row);
     void takeOverdue();
     void showCounts();
