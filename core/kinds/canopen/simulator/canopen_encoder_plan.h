@@ -31,6 +31,7 @@ struct NodeQuirks
     bool hasNodeObject = false; // 2000h is the node number, in force after storing and a reset
     bool hasSwitches = false;   // which decide about it: 2000h is refused
     Restore restore = Restore::afterReset;
+    bool restoresSettings = false; // and with them node 1 at 125 kBd
 };
 
 // A simulated encoder as it is found on the bus.

@@ -86,6 +86,8 @@ SimulatedNode::Written SimulatedNode::restore(const SimulatedObject &with)
     if (m_isEepromBroken)
         return tl::unexpected(AbortCode::hardware);
     m_stored.clear();
+    if (m_plan.quirks.restoresSettings)
+        m_storedSettings = {.node = 1, .rate = 125'000};
     wrote();
     return {};
 }

@@ -2,6 +2,9 @@
 // What is stored, and what makers do otherwise.
 #include "tests/kinds/canopen/simulator/node_bench.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace codewheel::canopen {
 namespace {
 
@@ -139,6 +142,20 @@ TEST_F(NodeQuirk, RestoringAtOnceAndOnlyUntilPowerIsOff)
     EXPECT_EQ(node().eepromWrites(), 1U);
     powerCycle();
     EXPECT_EQ(read("6004"), "10 00 00 00");
+}
+
+TEST_F(NodeQuirk, RestoringTheNumberAndTheRateAsWell)
+{
+    CanopenEncoderPlan plan = quirky({.restoresSettings = true});
+    plan.rate = 250'000;
+    add(plan);
+    EXPECT_EQ(write("23", "1011:1", loadOctets), "");
+    EXPECT_EQ(read("6004"), "88 13 00 00") << "until it is reset";
+    Frames frames = send("000#81 05");
+    std::ranges::copy(pass(5s), std::back_inserter(frames));
+    EXPECT_EQ(std::ranges::count(frames, "701#00"), 1);
+    powerCycle();
+    EXPECT_EQ(node().rate(), 125'000);
 }
 
 TEST_F(NodeQuirk, ARangeThatIsTheHighestPosition)
