@@ -61,6 +61,8 @@ class Encoder(slcan_peer.Adapter):
     def configure(self, data):
         """By LSS."""
         command = data[0]
+        if command == self.options.unplugged_by:
+            os._exit(0)
         if command == 0x04:
             self.configures = data[1] == 1
         elif not self.configures:
@@ -131,6 +133,7 @@ def main():
     parser.add_argument("--running", action="store_true", help="the node is operational")
     parser.add_argument("--master", action="store_true", help="another master sends SYNC")
     parser.add_argument("--no-listening", action="store_true", help="the adapter refuses L")
+    parser.add_argument("--unplugged-by", type=lambda text: int(text, 16), help="this command of LSS")
     options = parser.parse_args()
     for name, value in {"firmware": "lawicel", "end": "cr", "tear": False, "late": 0, "boot": 0, "open": False,
                         "stamps": False, "no_rates": ""}.items():

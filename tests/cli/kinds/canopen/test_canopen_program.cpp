@@ -113,6 +113,15 @@ TEST(CliCanProgram, ARateIsInForceAtOnceIfThatIsWanted)
     EXPECT_EQ(errorKey(gone), "lssNoAnswer") << "at the rate of before";
 }
 
+TEST(CliCanProgram, WhatIsSentByLssAndNotAnsweredIsNotKnown)
+{
+    CanNodePeer peer(QStringLiteral("--unplugged-by 11"));
+    const CliRun run = peer.runLine(QStringLiteral("lss node 9 --alone --yes"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_THAT(run.err, HasSubstr("whether it has done it is not known"));
+    EXPECT_THAT(run.err, HasSubstr("may still be in LSS configuration"));
+}
+
 TEST(CliCanProgram, BesideAnotherMasterNothingIsSentUnlessThatWasAgreedTo)
 {
     CanNodePeer peer(QStringLiteral("--master"));
