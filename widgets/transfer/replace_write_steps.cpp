@@ -98,13 +98,15 @@ QString ReplaceWriteStep::noteOf(const EncoderPlan &plan)
         return tr("There are no values for it, neither wanted nor stored. Write puts the new encoder into "
                   "the project.") +
                whereToEnterValues();
-    const bool hasValues = !plan.write.rows.empty() || !plan.cams.empty();
-    return hasValues || plan.hindrance ? transfer_words::summary(plan)
-                                       : transfer_words::summary(plan) + u' ' +
-                                             tr("The project has no values for it, neither wanted nor "
-                                                "stored: what the previous encoder "
-                                                "had is not written.") +
-                                             whereToEnterValues();
+    const QString summary = transfer_words::summary(plan);
+    if (plan.hindrance && plan.hindrance->id == RefusalId::valuesMissingAfterLoss)
+        return summary + whereToEnterValues();
+    if (plan.hindrance || !plan.write.rows.empty() || !plan.cams.empty())
+        return summary;
+    return summary + u' ' +
+           tr("The project has no values for it, neither wanted nor stored: what the previous encoder had "
+              "is not written.") +
+           whereToEnterValues();
 }
 
 bool ReplaceWriteStep::mayGoOn() const

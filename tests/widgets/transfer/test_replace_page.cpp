@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
 #include <QScrollArea>
@@ -442,6 +443,20 @@ TEST_F(ReplacePageTest, AnEncoderThatHasLostItsParametersGetsAllOfThem)
     advanceWhileBusy(page);
     EXPECT_EQ(text("replaceResult"), QStringLiteral("Done."));
     EXPECT_EQ(session.encoder(fraba).latest().state, EncoderState::operation);
+}
+
+TEST_F(ReplacePageTest, OfOneThatHasLostItsParametersItSaysWhereMissingValuesAreEntered)
+{
+    want(fraba, {{Parameter::steps, 4096}});
+    session.controls->setFault(TrainingFault::parametersLost, fraba.node, 1);
+    pass(100);
+    page.replace(fraba);
+    click("replaceNext");
+    find<QRadioButton>("positionNone")->setChecked(true);
+    click("replaceNext");
+    EXPECT_TRUE(text("replaceNote").contains(QStringLiteral("Without a value: ")))
+        << text("replaceNote").toStdString();
+    EXPECT_TRUE(text("replaceNote").contains(QStringLiteral("enter them in the panel Parameters first.")));
 }
 
 TEST_F(ReplacePageTest, APositionCanBeTypedOrLeft)
