@@ -95,8 +95,8 @@ TEST(Completion, DevicesLinksAndFixedWords)
     EXPECT_THAT(completed(QStringLiteral("devices kuebler")),
                 ElementsAre("kuebler-esc-rs422", "kuebler-esc-rs485"));
     EXPECT_THAT(completed(QStringLiteral("scan --link ")),
-                ElementsAre("training", "project",
-                            "interbus:", "modbus-tcp:", "modbus-rtu:", "esc:", "can:", "slcan:", "canopen:"));
+                ElementsAre("training", "project", "interbus:", "modbus-tcp:", "modbus-rtu:", "esc:", "can:",
+                            "slcan:", "canopen:", "log:"));
     EXPECT_THAT(
         completed(QStringLiteral("scan --link=esc:")),
         AllOf(IsSupersetOf({"--link=esc:training", "--link=esc:project"}), Each(StartsWith("--link=esc:"))));
@@ -113,7 +113,8 @@ TEST(Completion, DevicesLinksAndFixedWords)
     for (const PortInfo &port : serialPorts())
         ports.push_back(port.path.section(u'/', -1).toStdString());
     EXPECT_THAT(completed(QStringLiteral("find ")), testing::ElementsAreArray(ports));
-    EXPECT_THAT(completed(QStringLiteral("serve ")), ElementsAre("modbus-tcp", "modbus-rtu", "esc", "canopen"));
+    EXPECT_THAT(completed(QStringLiteral("serve ")),
+                ElementsAre("modbus-tcp", "modbus-rtu", "esc", "canopen"));
 }
 
 TEST(Completion, FilesAreLeftToTheShell)

@@ -30,7 +30,7 @@ std::string refusal(const char *text)
 
 TEST(CliLineLink, APortStandsByItselfOrWithSettings)
 {
-    EXPECT_EQ(linksMeant(QStringLiteral("training"), nullptr)->size(), 2U);
+    EXPECT_EQ(linksMeant(QStringLiteral("training"), nullptr)->size(), 3U);
     EXPECT_TRUE(lineLink("esc:training").isSimulated());
     EXPECT_EQ(lineLink("esc:ttyUSB0").settings.port, QStringLiteral("ttyUSB0"));
     EXPECT_EQ(lineLink("esc:ttyUSB0").settings.serial, SerialSettings());
