@@ -28,6 +28,9 @@ def calls(root, work, cli):
     shutil.copy(root / "docs/examples/cams.json", work)
     shutil.copy(root / "docs/examples/commissioning.log", work)
     shutil.copy(root / "resources/examples/faults.json", work)
+    for call in (["scan"], ["monitor", "can:5"], ["monitor", "can:6"], ["read", "can:5"], ["record", "-o", "log.cwrec"]):
+        for settings in ("", ",usual-mapping=yes"):
+            yield [*call, "--link", f"log:commissioning.log{settings}"]
     for name in ("whole.dcf", "compact.eds", "odd.eds"):
         shutil.copy(root / "tests/fuzz/corpus/eds" / name, work)
     commands = [command["name"] for command in answer(cli, "--help")["commands"]]
@@ -170,7 +173,7 @@ def masters():
 
 
 def can_buses():
-    """On the simulated CAN bus, which training does not lead to."""
+    """On the simulated CAN bus alone, and in a log."""
     for call in (["scan"], ["scan", "--ask"], ["lss", "scan"], ["lss", "show", "--of", "can:6"], ["lss", "node", "9", "--yes"],
                  ["lss", "node", "5", "--yes"], ["lss", "rate", "250000", "--of", "can:6", "--yes"],
                  ["lss", "store", "--of", "can:6", "--yes"], ["nmt", "start", "--yes"]):
