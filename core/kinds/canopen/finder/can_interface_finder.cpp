@@ -6,12 +6,10 @@
 
 namespace codewheel {
 
-using Kind = FinderNews::Kind;
-
 FinderNews CanInterfaceFinder::next()
 {
     if (m_isStopped)
-        return end({Kind::nobody, m_link->name(), FinderTexts::tr("The search was cancelled.")});
+        return end({FinderNews::Kind::nobody, m_link->name(), FinderTexts::tr("The search was cancelled.")});
     return m_isOpen ? listen() : open();
 }
 
@@ -27,7 +25,7 @@ FinderNews CanInterfaceFinder::open()
     if (const auto opened = m_link->open(CanUse::watch); !opened)
         return end(refusedNews(m_link->name(), opened.error()));
     m_isOpen = true;
-    return {Kind::looking, m_link->name(), FinderTexts::tr("Listening. Nothing is sent.")};
+    return {FinderNews::Kind::looking, m_link->name(), FinderTexts::tr("Listening. Nothing is sent.")};
 }
 
 FinderNews CanInterfaceFinder::listen()
@@ -45,14 +43,14 @@ FinderNews CanInterfaceFinder::listen()
         found.isMasterAtWork = m_heard.isMasterAtWork();
         if (const auto rate = m_link->status().rate)
             found.settings = QStringLiteral("%1 Bd").arg(*rate);
-        return end({Kind::found, m_link->name(), found.sentence, found});
+        return end({FinderNews::Kind::found, m_link->name(), found.sentence, found});
     }
     if (m_heard.hasErrors())
         return end(
-            {Kind::nobody, m_link->name(),
+            {FinderNews::Kind::nobody, m_link->name(),
              FinderTexts::tr("Only errors are heard: the rate of the interface may be another one than "
                              "that of the bus.")});
-    return end({Kind::nobody, m_link->name(),
+    return end({FinderNews::Kind::nobody, m_link->name(),
                 FinderTexts::tr("Nobody is heard. codewheel-cli scan --ask asks each node.")});
 }
 
