@@ -6452,24 +6452,30 @@
 <context>
     <name>codewheel::CanNodeModel</name>
     <message>
-        <source>What its encoder is taken for. Nothing: it is no encoder of this bus</source>
-        <translation>Wofür sein Geber gehalten wird. Nichts: Er ist kein Geber dieses Busses</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>When its state, heartbeat and errors became what they are</source>
-        <translation>Wann Zustand, Heartbeat und Fehler so wurden, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Since</source>
-        <translation>Seit</translation>
-    </message>
-    <message>
         <source>not heard</source>
         <translation>nicht gehört</translation>
+    </message>
+    <message>
+        <source>state not known</source>
+        <translation>Zustand nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>of a node</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Below it what its encoder is taken for; nothing: it is no encoder of this bus</source>
+        <translation>Darunter, wofür sein Geber gehalten wird; nichts: Er ist kein Geber dieses Busses</translation>
+    </message>
+    <message>
+        <source>Below it heartbeat and PDOs, and since when state and errors are what they are</source>
+        <translation>Darunter Heartbeat und PDOs, und seit wann Zustand und Fehler so sind</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <comment>a time of day</comment>
+        <translation>seit %1</translation>
     </message>
 </context>
 <context>
@@ -6722,10 +6728,6 @@
         <translation>Auf dem Bus ist noch nichts vorbeigekommen</translation>
     </message>
     <message>
-        <source>Each frame on a CAN bus is shown here, with what it means. Connect one to watch it.</source>
-        <translation>Hier steht jedes Telegramm eines CAN-Busses, mit dem, was es bedeutet. Verbinden Sie einen, um ihn zu beobachten.</translation>
-    </message>
-    <message>
         <source>%1 was not saved: %2</source>
         <comment>file, reason</comment>
         <translation>%1 wurde nicht gespeichert: %2</translation>
@@ -6742,6 +6744,10 @@
     <message>
         <source>Text files (*.txt)</source>
         <translation>Textdateien (*.txt)</translation>
+    </message>
+    <message>
+        <source>Connect a CAN bus to watch it.</source>
+        <translation>Verbinden Sie einen CAN-Bus, um ihn zu beobachten.</translation>
     </message>
 </context>
 <context>
@@ -11431,6 +11437,26 @@ Schnittstelle dieses Computers. Zuerst wird gelauscht: Wo jemand spricht, arbeit
 gesendet. Dann steht da, was an stille Leitungen und an Hosts gesendet würde, und es wird gefragt, ob das sein
 darf. Gesendet werden nur Leseanfragen. Zu jedem Fund steht, wie sicher er ist, und welcher Link dorthin führt.
 Endet mit 1, wenn niemand gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>with rate: at once, and the adapter with it; with --alone only</source>
+        <translation>bei rate: sofort, und der Adapter mit; nur mit --alone</translation>
+    </message>
+    <message>
+        <source>The device does not answer at %1 Bd. It may still have the rate of before; after its supply was switched off and on it has that which is stored.</source>
+        <translation>Das Gerät antwortet bei %1 Bd nicht. Vielleicht hat es noch die Rate von vorher; nachdem seine Versorgung aus- und eingeschaltet wurde, hat es die gespeicherte.</translation>
+    </message>
+    <message>
+        <source>The device and this adapter have %1 Bd now: from here on, give rate=%1 behind the link. Without supply the device has its rate of before until this one is stored (codewheel-cli lss store).</source>
+        <translation>Gerät und Adapter haben jetzt %1 Bd: Geben Sie von nun an rate=%1 hinter dem Link an. Ohne Versorgung hat das Gerät wieder seine Rate von vorher, solange diese nicht gespeichert ist (codewheel-cli lss store).</translation>
+    </message>
+    <message>
+        <source>--activate changes the rate of the device and of the adapter at once, which disturbs all others on the bus: it needs --alone.</source>
+        <translation>--activate ändert die Rate des Geräts und des Adapters sofort, was alle anderen am Bus stört: Dazu gehört --alone.</translation>
+    </message>
+    <message>
+        <source>The rate of this link cannot change along with the device: it is not that of a serial adapter. Store the rate (codewheel-cli lss store), switch the supply of the device off and on, and set the rate of the interface.</source>
+        <translation>Die Rate dieses Links kann sich nicht mit dem Gerät ändern: Es ist nicht die eines seriellen Adapters. Speichern Sie die Rate (codewheel-cli lss store), schalten Sie die Versorgung des Geräts aus und ein, und stellen Sie die Rate der Schnittstelle ein.</translation>
     </message>
 </context>
 <context>
