@@ -104,13 +104,13 @@ QJsonObject identityJson(const NodeIdentity &identity)
             {QStringLiteral("serialNumber"), qint64{identity.serial()}}};
 }
 
-Complaint aboutSeveral()
+Complaint aboutSeveralByLss()
 {
     return lssComplaint("lssSeveral", CommandLine::tr("More than one device answers by LSS. Have one device "
                                                       "alone on the bus."));
 }
 
-Complaint aboutOther()
+Complaint aboutOtherByLss()
 {
     return lssComplaint("lssIdentityDiffers",
                         CommandLine::tr("The device that was found and the one that "
@@ -203,9 +203,9 @@ Checked<void> SelectedDevice::select()
                                                   "its identity and number, without which nothing is "
                                                   "written.")));
     if (m_wanted.value_or(identity->identity) != identity->identity)
-        return tl::unexpected(aboutOther());
+        return tl::unexpected(aboutOtherByLss());
     if (hasOthers())
-        return tl::unexpected(aboutSeveral());
+        return tl::unexpected(aboutSeveralByLss());
     m_wanted = m_identity = identity->identity;
     m_node = node->node;
     return {};
@@ -390,7 +390,7 @@ std::optional<Complaint> sendByLss(CanopenAccess &bus, SelectedDevice &device, c
     else if (!left)
         complaint->text += u' ' + left.error().text;
     if (device.hasOthers() && !complaint)
-        complaint = aboutSeveral();
+        complaint = aboutSeveralByLss();
     return complaint;
 }
 

@@ -178,7 +178,7 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
 }
 
 // While it is asked what is to become of it, Ctrl+C ends the program as ever.
-Checked<canopen::SdoOutcome> readBefore(const NodeMeant &where, canopen::SdoObject object)
+Checked<canopen::SdoOutcome> readForWriting(const NodeMeant &where, canopen::SdoObject object)
 {
     const CanopenAccess::ByHand byHand(*where.bus);
     return readObject(where, object);
@@ -192,7 +192,7 @@ Checked<Answer> runOdWrite(const Call &call, const NodeMeant &where, const Objec
                         {what.object.text()});
     if (const auto opened = where.bus->openToSend(call); !opened)
         return tl::unexpected(opened.error());
-    const auto before = readBefore(where, what.object);
+    const auto before = readForWriting(where, what.object);
     if (!before)
         return tl::unexpected(before.error());
     if (before->kind == Kind::noAnswer || before->kind == Kind::notSent)
