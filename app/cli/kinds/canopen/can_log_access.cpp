@@ -78,16 +78,16 @@ std::optional<Complaint> CanLogAccess::whyNot(const Subcommand &command) const
 
 bool CanLogAccess::hasHeard(int node) const
 {
-    using Service = canopen::CobId::Service;
-    constexpr std::array services{Service::errorControl, Service::emcy, Service::sdoAnswer};
+    using What = canopen::CobId::Service;
+    constexpr std::array services{What::errorControl, What::emcy, What::sdoAnswer};
     const auto has = [&](const canopen::CobId &what) {
         return m_summary.identifiers.contains(what.identifier());
     };
     constexpr int predefinedPdos = 4;
     for (int number = 1; number <= predefinedPdos; ++number)
-        if (has({Service::tpdo, node, number}))
+        if (has({What::tpdo, node, number}))
             return true;
-    return std::ranges::any_of(services, [&](Service service) { return has({service, node}); });
+    return std::ranges::any_of(services, [&](What service) { return has({service, node}); });
 }
 
 bool CanLogAccess::mayHave(NodeId node) const
