@@ -236,7 +236,7 @@ void Panels::arrangeInColumns(int width)
 void Panels::showAll()
 {
     for (const Dock &its : m_docks)
-        its.dock->show();
+        its.dock->setVisible(its.panel->isShownAtFirst);
 }
 
 void Panels::raiseFirst()

@@ -27,6 +27,7 @@ struct Panel
     QKeyCombination key;
     const char *topic; // in the manual, see setHelpTopic()
     Behind behind = Behind::none;
+    bool isShownAtFirst = true; // otherwise once something asks for it
 };
 
 // The panels of the window whatever the buses; a kind of bus adds its own (WindowKind).

@@ -536,7 +536,10 @@ void CanopenViews::connectFound(const KindData &plan, const std::vector<KindData
 
 void CanopenViews::connectTrainingBus()
 {
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_bus.session()}, [this] { m_bus.connectTraining(); });
+    m_parts.leaving.ask(Leaving::Why::disconnect, {m_bus.session()}, [this] {
+        m_bus.connectTraining();
+        open();
+    });
 }
 
 // It may have become impossible since the last frame.

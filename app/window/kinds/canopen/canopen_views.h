@@ -32,12 +32,18 @@ struct CanFoundRow;
 struct FrameSent;
 struct Outcome;
 
-inline constexpr Panel canTrafficPanel{
-    "canTrafficDock", QT_TRANSLATE_NOOP("codewheel::Panels", "CAN traffic"), Qt::ALT | Qt::SHIFT | Qt::Key_T,
-    "canopen.md#the-traffic", Panel::Behind::messages};
-inline constexpr Panel canBusPanel{"canBusDock", QT_TRANSLATE_NOOP("codewheel::Panels", "CAN bus"),
-                                   Qt::ALT | Qt::SHIFT | Qt::Key_N, "canopen.md#the-panel",
-                                   Panel::Behind::state};
+inline constexpr Panel canTrafficPanel{"canTrafficDock",
+                                       QT_TRANSLATE_NOOP("codewheel::Panels", "CAN traffic"),
+                                       Qt::ALT | Qt::SHIFT | Qt::Key_T,
+                                       "canopen.md#the-traffic",
+                                       Panel::Behind::messages,
+                                       false};
+inline constexpr Panel canBusPanel{"canBusDock",
+                                   QT_TRANSLATE_NOOP("codewheel::Panels", "CAN bus"),
+                                   Qt::ALT | Qt::SHIFT | Qt::Key_N,
+                                   "canopen.md#the-panel",
+                                   Panel::Behind::state,
+                                   false};
 inline constexpr std::array canPanels{&canTrafficPanel, &canBusPanel};
 
 // The views of a CAN bus in the window: nodes and traffic, which are in docks, the pages for connecting it

@@ -19,6 +19,7 @@
 namespace codewheel {
 namespace {
 
+using test::CanopenWindowTest;
 using test::nodeFive;
 using test::nodeSeven;
 using test::nodeSix;
@@ -145,6 +146,18 @@ TEST_F(CanopenViewsTest, AnEncoderIsRemovedFromTheBusAndFromTheProject)
     EXPECT_EQ(session().places(), std::vector{nodeFive});
     EXPECT_EQ(findDevice(shown->project().project(), nodeSix), nullptr);
     EXPECT_NE(findDevice(shown->project().project(), nodeFive), nullptr);
+}
+
+TEST_F(CanopenWindowTest, ThePanelsOfACanBusComeWithIt)
+{
+    const auto isShown = [this](const char *name) {
+        return !window().findChild<QDockWidget *>(QLatin1String(name))->isHidden();
+    };
+    EXPECT_FALSE(isShown("canBusDock"));
+    EXPECT_FALSE(isShown("canTrafficDock"));
+    canActions().training->trigger();
+    EXPECT_TRUE(isShown("canBusDock"));
+    EXPECT_FALSE(isShown("canTrafficDock"));
 }
 
 } // namespace
