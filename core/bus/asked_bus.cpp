@@ -11,16 +11,15 @@
 namespace codewheel {
 namespace {
 
-// Whether this may be on the label of an encoder that reports `told`. Text that is no number always may: on
-// labels there is often more.
-bool mayBeOnLabel(const QString &text, std::int64_t told, bool hasLetters)
+// Whether this may be on the label of an encoder that reports `told`, which is printed in decimal or in
+// hexadecimal digits. Text that is no number, or empty, always may: on labels there is often more.
+bool mayBeOnLabel(const QString &text, std::int64_t told)
 {
     bool isDecimal = false;
     bool isHexadecimal = false;
     const auto decimal = text.toLongLong(&isDecimal);
     const auto hexadecimal = text.toLongLong(&isHexadecimal, 16);
-    const bool isNumber = isDecimal || (hasLetters && isHexadecimal);
-    return !isNumber || (isDecimal && decimal == told) || (isHexadecimal && hexadecimal == told);
+    return !isHexadecimal || (isDecimal && decimal == told) || hexadecimal == told;
 }
 
 tl::unexpected<Refusal> nobodyAt(Place place)
@@ -61,11 +60,11 @@ Result<void> AskedBus::add(NodeId node, const QString &deviceKey)
         return tl::unexpected(closedRefusal());
     if (const EncoderSession *there = encoderAt(node))
         return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
-                      {m_traits.address(node), there->device().fullName()});
+                      {m_traits.words.address(node), there->device().fullName()});
     if (auto may = mayAdd(node); !may)
         return may;
     const DeviceDescription *described = m_catalog.find(deviceKey);
-    if (described == nullptr || described->profile != m_traits.profile)
+    if (described == nullptr || described->profile != m_traits.words.profile)
         return refuse(RefusalKind::badInput, RefusalId::unknownDevice,
                       {deviceKey, QString::fromLatin1(m_traits.name)});
     take(node, *described);
@@ -143,7 +142,7 @@ AskedEncoder *AskedBus::encoderOf(std::size_t device) const
 
 Result<void> AskedBus::canBe(Place place, const DeviceDescription &device) const
 {
-    if (device.profile == m_traits.profile)
+    if (device.profile == m_traits.words.profile)
         return {};
     return refuse(RefusalKind::badInput, RefusalId::deviceOfOtherBus, {place.shown(), device.fullName()});
 }
@@ -193,8 +192,7 @@ std::optional<Refusal> AskedBus::isOther(Place place, const QString &deviceKey,
                        RefusalId::deviceDiffers,
                        {place.shown(), planned->fullName(), there->device().fullName()}};
     const auto told = there->known(Parameter::serialNumber);
-    if (!told || told->evidence != Evidence::read ||
-        mayBeOnLabel(serialNumber, told->value.number(), m_traits.hexadecimalLabels))
+    if (!told || told->evidence != Evidence::read || mayBeOnLabel(serialNumber, told->value.number()))
         return std::nullopt;
     return Refusal{RefusalKind::link,
                    RefusalId::serialDiffers,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bus/asked_outline.h"
 #include "bus/encoder_bus.h"
 #include "bus/encoder_on_bus.h"
 #include "jobs/job_command.h"
@@ -38,11 +39,9 @@ public:
     struct Traits
     {
         std::span<const TrafficColumn> columns;
-        Profile profile;            // of all its encoders
-        const char *name;           // of its protocol, for the user
-        RefusalCode closed;         // that it is not open
-        bool hexadecimalLabels;     // serial numbers on its labels may have letters
-        QString (*address)(NodeId); // as shown: "12h (18)"
+        const AskedOutlineWords &words;
+        const char *name;   // of its protocol, for the user
+        RefusalCode closed; // that it is not open
     };
 
     AskedBus(BusId id, const QDateTime &begin, const Traits &traits, const Catalog &catalog, QObject *parent);
@@ -64,6 +63,7 @@ public:
     Result<void> canBe(Place place, const DeviceDescription &device) const override;
     Result<void> name(Place place, const QString &deviceKey, int turns = 0, int stepsPerTurn = 0) override;
 
+    virtual QString linkName() const = 0;
     // Whether the open bus allows the job now.
     virtual Result<void> mayStart(const Job &job, const QString &place) const = 0;
     Refusal closedRefusal() const { return {RefusalKind::link, m_traits.closed, {}}; }

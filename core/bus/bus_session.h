@@ -58,7 +58,7 @@ public:
         return isLost ? BusState::lost : m_engine.state();
     }
     bool isSimulated() const override { return m_link->isSimulated(); }
-    QString linkName() const { return m_link->name(); }
+    QString linkName() const override { return m_link->name(); }
     const Snapshot &latest() const { return *m_engine.latest(); }
     bool isOperating() const override { return latest().operate; }
     bool isRunning() const override { return latest().connected && latest().running; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/bus/canopen_outline.h"
 
-#include "catalog/device_description.h"
 #include "kinds/canopen/bus/canopen_faults.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/canopen_profile.h"
@@ -20,16 +19,6 @@ struct CanopenText
     Q_DECLARE_TR_FUNCTIONS(codewheel::CanopenOutline)
 };
 
-BusNode busNodeOf(NodeId node, const QString &name)
-{
-    return {.node = node,
-            .parent = {},
-            .name = name,
-            .profile = profileName(profile::cia406),
-            .code = CanopenAddress::of(node).shown(),
-            .words = {}};
-}
-
 QString busTitle(const QString &link)
 {
     return link.isEmpty() ? CanopenText::tr("CAN bus") : CanopenText::tr("CAN bus (%1)").arg(link);
@@ -43,15 +32,17 @@ QString nodeToolTip(NodeId node, const QString &called, const QString &state)
 
 } // namespace
 
-QString CanopenOutline::title() const
-{
-    return busTitle(m_bus.linkName());
-}
+const AskedOutlineWords canopenOutlineWords{
+    .title = busTitle,
+    .profile = profile::cia406,
+    .address = [](NodeId node) { return CanopenAddress::of(node).shown(); },
+    .toolTip = nodeToolTip,
+};
 
-std::optional<QString> CanopenOutline::behindName() const
-{
-    return m_bus.linkName();
-}
+CanopenOutline::CanopenOutline(const CanopenSession &bus)
+    : AskedOutline(canopenOutlineWords, bus)
+    , m_bus(bus)
+{}
 
 QString CanopenOutline::toolTip() const
 {
@@ -84,26 +75,6 @@ StateWord CanopenOutline::state() const
     return {Role::running, tr("open")};
 }
 
-std::vector<BusNode> CanopenOutline::nodes() const
-{
-    std::vector<BusNode> nodes;
-    for (const Place place : m_bus.places())
-        nodes.push_back(busNodeOf(place.node, m_bus.encoder(place)->device().fullName()));
-    return nodes;
-}
-
-NodeState CanopenOutline::state(std::size_t node) const
-{
-    const std::vector<Place> places = m_bus.places();
-    if (node >= places.size()) // it has been removed
-        return {};
-    const EncoderSession &encoder = *m_bus.encoder(places[node]);
-    return {.shown = shown(places[node]),
-            .position = encoder.latest().position,
-            .isOld = encoder.freshness().isOld(),
-            .isCutOff = m_bus.isOpen() && !m_bus.latest().connected};
-}
-
 std::vector<Fault> CanopenOutline::faults() const
 {
     return canopenFaults(m_bus);
@@ -130,31 +101,6 @@ StateWord CanopenOutline::shown(Place place) const
     if (encoder.latest().state == EncoderState::notSeen)
         return {Role::inactive, tr("not seen")};
     return {Role::running, tr("ok")};
-}
-
-QString CanopenOutline::toolTip(std::size_t node, const QString &called) const
-{
-    const std::vector<Place> places = m_bus.places();
-    return node < places.size() ? nodeToolTip(places[node].node, called, shown(places[node]).word)
-                                : QString();
-}
-
-QString PlannedCanopenOutline::title() const
-{
-    return busTitle(m_link);
-}
-
-std::vector<BusNode> PlannedCanopenOutline::nodes() const
-{
-    std::vector<BusNode> nodes;
-    for (const Encoder &encoder : m_encoders)
-        nodes.push_back(busNodeOf(encoder.node, encoder.name));
-    return nodes;
-}
-
-QString PlannedCanopenOutline::toolTip(std::size_t node, const QString &called) const
-{
-    return node < m_encoders.size() ? nodeToolTip(m_encoders[node].node, called, planned().word) : QString();
 }
 
 } // namespace codewheel

@@ -5,7 +5,6 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_checks.h"
 #include "kinds/canopen/bus/canopen_runner.h"
-#include "kinds/canopen/protocol/canopen_profile.h"
 
 namespace codewheel {
 
@@ -13,11 +12,9 @@ CanopenSession::CanopenSession(std::unique_ptr<CanLink> link, const Catalog &cat
                                QObject *parent, BusId id)
     : BusSession(id, begin,
                  {.columns = canTrafficColumns,
-                  .profile = profile::cia406,
+                  .words = canopenOutlineWords,
                   .name = "CANopen",
-                  .closed = CanopenBusRefusalId::closed,
-                  .hexadecimalLabels = true,
-                  .address = [](NodeId node) { return CanopenAddress::of(node).shown(); }},
+                  .closed = CanopenBusRefusalId::closed},
                  std::move(link), catalog, parent)
     , m_outline(*this)
 {}

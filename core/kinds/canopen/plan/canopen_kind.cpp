@@ -116,11 +116,11 @@ std::unique_ptr<BusOutline> CanopenKind::outline(const Project &project, BusId b
                                                  const Catalog &catalog) const
 {
     const CanopenPlan *plan = canopenPlan(project, bus);
-    std::vector<PlannedCanopenOutline::Encoder> encoders;
+    std::vector<PlannedAskedOutline::Encoder> encoders;
     for (const ProjectDevice &encoder : devicesOn(project, bus))
         encoders.push_back({encoder.place().node, m_planRules.nameOf(encoder.participant, catalog)});
-    return std::make_unique<PlannedCanopenOutline>(plan != nullptr ? plan->settings.link : QString(),
-                                                   std::move(encoders));
+    return std::make_unique<PlannedAskedOutline>(
+        canopenOutlineWords, plan != nullptr ? plan->settings.link : QString(), std::move(encoders));
 }
 
 KindData CanopenKind::read(const JsonObject &json, std::vector<ProjectDevice> &devices) const

@@ -32,16 +32,6 @@ QStringList bitLines(const Reading &reading)
     return lines;
 }
 
-BusNode nodeOf(NodeId node, const QString &name)
-{
-    return {.node = node,
-            .parent = {},
-            .name = name,
-            .profile = profileName(profile::esc),
-            .code = EscLineAddress::of(node).shown(),
-            .words = {}};
-}
-
 QString titleOf(const QString &port)
 {
     return port.isEmpty() ? LineText::tr("Serial line") : LineText::tr("Serial line (%1)").arg(port);
@@ -55,15 +45,17 @@ QString toolTipOf(NodeId node, const QString &called, const QString &state)
 
 } // namespace
 
-QString EscLineOutline::title() const
-{
-    return titleOf(m_line.linkName());
-}
+const AskedOutlineWords lineOutlineWords{
+    .title = titleOf,
+    .profile = profile::esc,
+    .address = [](NodeId node) { return EscLineAddress::of(node).shown(); },
+    .toolTip = toolTipOf,
+};
 
-std::optional<QString> EscLineOutline::behindName() const
-{
-    return m_line.linkName();
-}
+EscLineOutline::EscLineOutline(const EscLineSession &line)
+    : AskedOutline(lineOutlineWords, line)
+    , m_line(line)
+{}
 
 QString EscLineOutline::toolTip() const
 {
@@ -92,27 +84,6 @@ StateWord EscLineOutline::state() const
     if (!line.running)
         return {Role::inactive, tr("stopped")};
     return {Role::running, tr("open")};
-}
-
-std::vector<BusNode> EscLineOutline::nodes() const
-{
-    std::vector<BusNode> nodes;
-    for (const Place place : m_line.places())
-        nodes.push_back(nodeOf(place.node, m_line.encoder(place)->device().fullName()));
-    return nodes;
-}
-
-NodeState EscLineOutline::state(std::size_t node) const
-{
-    const std::vector<Place> places = m_line.places();
-    if (node >= places.size()) // it has been removed
-        return {};
-    const Place place = places[node];
-    const EncoderSession &encoder = *m_line.encoder(place);
-    return {.shown = shown(place),
-            .position = encoder.latest().position,
-            .isOld = encoder.freshness().isOld(),
-            .isCutOff = m_line.isOpen() && !m_line.latest().connected};
 }
 
 std::vector<Fault> EscLineOutline::faults() const
@@ -149,30 +120,11 @@ QString EscLineOutline::toolTip(std::size_t node, const QString &called) const
     const std::vector<Place> places = m_line.places();
     if (node >= places.size())
         return {};
-    const Place place = places[node];
-    const Reading &reading = m_line.encoder(place)->latest();
-    QStringList lines{toolTipOf(place.node, called, shown(place).word)};
+    const Reading &reading = m_line.encoder(places[node])->latest();
+    QStringList lines{AskedOutline::toolTip(node, called)};
     if (reading.position)
         lines << tr("Position %1").arg(QLocale().toString(qlonglong{*reading.position}));
     return (lines + bitLines(reading)).join(u'\n');
-}
-
-QString PlannedLineOutline::title() const
-{
-    return titleOf(m_port);
-}
-
-std::vector<BusNode> PlannedLineOutline::nodes() const
-{
-    std::vector<BusNode> nodes;
-    for (const Encoder &encoder : m_encoders)
-        nodes.push_back(nodeOf(encoder.node, encoder.name));
-    return nodes;
-}
-
-QString PlannedLineOutline::toolTip(std::size_t node, const QString &called) const
-{
-    return toolTipOf(m_encoders[node].node, called, planned().word);
 }
 
 } // namespace codewheel

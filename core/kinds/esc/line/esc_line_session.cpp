@@ -8,7 +8,6 @@
 #include "kinds/esc/line/esc_line_runner.h"
 #include "kinds/esc/line/port_argument.h"
 #include "kinds/esc/protocol/esc_messages.h"
-#include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/message_items.h"
 
@@ -21,11 +20,9 @@ EscLineSession::EscLineSession(std::unique_ptr<ByteLink> link, const Catalog &ca
                                DriverFactory makeDriver, QObject *parent, BusId id)
     : BusSession(id, begin,
                  {.columns = lineTrafficColumns,
-                  .profile = profile::esc,
+                  .words = lineOutlineWords,
                   .name = "ESC",
-                  .closed = RefusalId::lineClosed,
-                  .hexadecimalLabels = true,
-                  .address = [](NodeId node) { return EscLineAddress::of(node).shown(); }},
+                  .closed = RefusalId::lineClosed},
                  std::move(link), catalog, parent)
     , m_outline(*this)
     , m_makeDriver(std::move(makeDriver))

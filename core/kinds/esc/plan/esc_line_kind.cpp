@@ -161,14 +161,14 @@ std::unique_ptr<BusOutline> EscLineKind::outline(const Project &project, BusId b
                                                  const Catalog &catalog) const
 {
     const EscLinePlan *plan = linePlan(project, bus);
-    std::vector<PlannedLineOutline::Encoder> encoders;
+    std::vector<PlannedAskedOutline::Encoder> encoders;
     for (const ProjectDevice &encoder : devicesOn(project, bus)) {
         const DeviceDescription *device = catalog.find(encoder.participant.deviceKey);
         encoders.push_back(
             {encoder.place().node, device != nullptr ? device->fullName() : encoder.participant.deviceKey});
     }
-    return std::make_unique<PlannedLineOutline>(plan != nullptr ? plan->settings.port : QString(),
-                                                std::move(encoders));
+    return std::make_unique<PlannedAskedOutline>(
+        lineOutlineWords, plan != nullptr ? plan->settings.port : QString(), std::move(encoders));
 }
 
 KindData EscLineKind::read(const JsonObject &json, std::vector<ProjectDevice> &encoders) const
