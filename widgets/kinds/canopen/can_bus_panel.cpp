@@ -23,7 +23,7 @@ namespace codewheel {
 namespace {
 
 constexpr int canPanelHeight = 300; // the rest is scrolled to
-constexpr int rowsInSight = 6;
+constexpr int nodesInSight = 6;
 
 } // namespace
 
@@ -59,7 +59,7 @@ void CanBusPanel::makeTable()
     setUpQuietTable(*m_table, *m_nodes, tr("Nodes of the CAN bus"));
     m_table->setToolTip(tr("Every node that was heard, and the encoders of this bus that were not"));
     FittedColumns::useIn(*m_table, CanNodeModel::node);
-    m_table->setMinimumHeight(rowsInSight * m_table->fontMetrics().height());
+    m_table->setMinimumHeight(nodesInSight * m_table->fontMetrics().height());
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &CanBusPanel::showWhatIsPossible);
 }
