@@ -8,12 +8,6 @@ namespace {
 constexpr Instant shortestUnseen = std::chrono::seconds(1);
 constexpr int usualUnseen = 4; // intervals
 
-bool showsPosition(const Reading &reading)
-{
-    const bool shows = reading.state == EncoderState::operation || reading.state == EncoderState::waiting;
-    return shows && !reading.suspect && reading.position;
-}
-
 } // namespace
 
 void ValueTap::look(std::size_t device, const Reading &reading, bool isLive, Instant now,
@@ -24,7 +18,7 @@ void ValueTap::look(std::size_t device, const Reading &reading, bool isLive, Ins
     Last &last = m_last[device];
     const Instant before = std::exchange(last.at, reading.at);
     const bool isNew = before != reading.at;
-    const bool shows = isLive && (exchanged || reading.cams || showsPosition(reading));
+    const bool shows = isLive && (exchanged || reading.cams || reading.showsPosition());
     if (shows && isNew) {
         if (last.showed)
             noteWhatWasUnseen(device, before, reading.at);
@@ -44,7 +38,7 @@ void ValueTap::note(std::size_t device, const Reading &reading,
     noted.shown.words = exchanged;
     if (reading.cams)
         noted.shown.cams = reading.cams->on;
-    if (showsPosition(reading)) {
+    if (reading.showsPosition()) {
         noted.shown.position = reading.position;
         noted.shown.stepsPerSecond = reading.stepsPerSecond;
     }

@@ -39,11 +39,7 @@ public:
     // the same for ever.
     virtual std::optional<Instant> unchangedSince() const { return {}; }
     // Whether the position it shows can be taken as the encoder's.
-    virtual bool showsPosition() const
-    {
-        const Reading &reading = latest();
-        return reading.state == EncoderState::operation && reading.position && !reading.suspect;
-    }
+    virtual bool showsPosition() const { return latest().showsPosition(); }
     // Whether the outcomes of its jobs give the positions before and after, confirmed by several reads: a
     // single read may be corrupted.
     virtual bool agreesOnPositions() const { return false; }

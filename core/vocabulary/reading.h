@@ -53,6 +53,14 @@ struct Reading
     std::optional<std::uint16_t> alarms{};   // as last read
     std::optional<std::uint16_t> warnings{}; // as last read
 
+    // Whether its position can be taken as the encoder's. One that waits, such as a node on CANopen that was
+    // not started, may be asked for it.
+    bool showsPosition() const
+    {
+        const bool mayShow = state == EncoderState::operation || state == EncoderState::waiting;
+        return mayShow && position && !suspect;
+    }
+
     friend bool operator==(const Reading &, const Reading &) = default;
 };
 

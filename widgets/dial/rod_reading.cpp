@@ -35,7 +35,7 @@ RodState rodStateOf(const EncoderSession &encoder, const RodState &known, const 
     const Reading &reading = encoder.latest();
     RodState state = known;
     state.position = reading.position;
-    if (reading.state == EncoderState::operation) {
+    if (reading.state == EncoderState::operation || reading.showsPosition()) {
         state.stepsPerSecond = reading.stepsPerSecond;
         state.note = noteOfKnown(known, missing);
         state.role = state.note.isEmpty() ? Role::running : Role::attention;

@@ -113,7 +113,7 @@ DialState stateOf(const Shown &shown)
 {
     const Reading &reading = shown.encoder.latest();
     const bool isAway = reading.state == EncoderState::notSeen || reading.state == EncoderState::silent;
-    if (reading.state == EncoderState::operation || (isAway && reading.position))
+    if (reading.state == EncoderState::operation || reading.showsPosition() || (isAway && reading.position))
         return running(shown);
     const StateNote note = noteOfState(shown.encoder.device(), reading);
     return {.note = note.sentence, .role = note.role};

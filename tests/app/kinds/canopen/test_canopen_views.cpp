@@ -2,6 +2,8 @@
 // Panels, search and actions of a CAN bus in the window.
 #include "app/window/window_actions.h"
 #include "tests/app/kinds/canopen/canopen_window_test.h"
+#include "widgets/dial/code_disc.h"
+#include "widgets/dial/dial_panel.h"
 #include "widgets/kinds/canopen/can_bus_panel.h"
 #include "widgets/kinds/canopen/can_search_page.h"
 #include "widgets/kinds/canopen/traffic/can_traffic_view.h"
@@ -146,6 +148,17 @@ TEST_F(CanopenViewsTest, AnEncoderIsRemovedFromTheBusAndFromTheProject)
     EXPECT_EQ(session().places(), std::vector{nodeFive});
     EXPECT_EQ(findDevice(shown->project().project(), nodeSix), nullptr);
     EXPECT_NE(findDevice(shown->project().project(), nodeFive), nullptr);
+}
+
+// It is asked for it.
+TEST_F(CanopenViewsTest, ThePositionOfANodeThatWasNotStartedIsOnTheDial)
+{
+    ASSERT_EQ(stateOf(6), canopen::NmtState::preOperational);
+    tree().choose(nodeSix);
+    advance(100);
+    const auto &shown = window().findChild<DialPanel *>()->findChild<CodeDisc *>()->state();
+    EXPECT_TRUE(shown.position);
+    EXPECT_EQ(shown.position, session().encoder(nodeSix)->latest().position);
 }
 
 TEST_F(CanopenWindowTest, ThePanelsOfACanBusComeWithIt)
