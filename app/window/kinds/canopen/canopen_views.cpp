@@ -30,6 +30,7 @@
 #include "widgets/kinds/canopen/can_bus_panel.h"
 #include "widgets/kinds/canopen/can_search_page.h"
 #include "widgets/kinds/canopen/can_settings_form.h"
+#include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/nmt_texts.h"
 #include "widgets/kinds/canopen/traffic/can_traffic_view.h"
 #include "widgets/look/inline_message.h"
@@ -78,6 +79,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject
     , m_operateQuestion(new OperateQuestion(bus, canOperateWarning, *parts.pages.window(), this))
     , m_traffic(own(new CanTrafficView(&parts.pages)))
     , m_panel(own(new CanBusPanel(&parts.pages)))
+    , m_objects(own(new DictionaryView(&parts.pages)))
     , m_search(own(new CanSearchPage(&parts.pages)))
     , m_connection(own(new ConnectPage(&parts.pages)))
     , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, m_connection))
@@ -140,7 +142,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject
 
 std::vector<std::pair<const Panel *, QWidget *>> CanopenViews::pages() const
 {
-    return {{&canTrafficPanel, m_traffic}, {&canBusPanel, m_panel}};
+    return {{&canTrafficPanel, m_traffic}, {&canBusPanel, m_panel}, {&canObjectsPanel, m_objects}};
 }
 
 QWidget *CanopenViews::comparison() const
@@ -189,12 +191,14 @@ void CanopenViews::setChosen(std::optional<Place> place)
     m_chosen = place;
     if (place)
         m_panel->chooseNode(CanopenAddress::of(place->node).node);
+    m_objects->setNode(place ? std::optional(CanopenAddress::of(place->node).node) : std::nullopt);
     showChosen();
 }
 
 void CanopenViews::setRecordingChosen(bool isChosen)
 {
     m_traffic->setRecordingChosen(isChosen);
+    m_objects->setRecordingChosen(isChosen);
 }
 
 void CanopenViews::useSettings(const ProgramSettings &settings)
@@ -289,6 +293,7 @@ void CanopenViews::setBus(CanopenSession *bus)
     watchJobs();
     m_traffic->setBus(bus);
     m_panel->setBus(bus);
+    m_objects->setBus(bus);
     m_search->setBus(bus);
     m_comparison->setBus(bus);
     using enum ConnectPage::Connected;

@@ -27,6 +27,7 @@ class CanopenKeeper;
 class CanopenSession;
 class ComparisonPage;
 class ConnectPage;
+class DictionaryView;
 class OperateQuestion;
 struct CanFoundRow;
 struct FrameSent;
@@ -44,10 +45,16 @@ inline constexpr Panel canBusPanel{"canBusDock",
                                    "canopen.md#the-panel",
                                    Panel::Behind::state,
                                    false};
-inline constexpr std::array canPanels{&canTrafficPanel, &canBusPanel};
+inline constexpr Panel canObjectsPanel{"canObjectsDock",
+                                       QT_TRANSLATE_NOOP("codewheel::Panels", "Objects"),
+                                       Qt::ALT | Qt::SHIFT | Qt::Key_D,
+                                       "canopen.md#objects",
+                                       Panel::Behind::messages,
+                                       false};
+inline constexpr std::array canPanels{&canTrafficPanel, &canBusPanel, &canObjectsPanel};
 
-// The views of a CAN bus in the window: nodes and traffic, which are in docks, the pages for connecting it
-// and searching for nodes, and the actions that open them.
+// The views of a CAN bus in the window: nodes, objects and traffic, which are in docks, the pages for
+// connecting it and searching for nodes, and the actions that open them.
 class CanopenViews final : public BusViews
 {
     Q_OBJECT
@@ -127,6 +134,7 @@ private:
     QPointer<QMessageBox> m_commandQuestion;
     CanTrafficView *m_traffic;
     CanBusPanel *m_panel;
+    DictionaryView *m_objects;
     CanSearchPage *m_search;
     ConnectPage *m_connection;
     CanSettingsForm *m_interface;

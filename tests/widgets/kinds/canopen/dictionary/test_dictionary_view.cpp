@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/eds/device_file_reader.h"
+#include "tests/kinds/canopen/bus/canopen_plant.h"
+#include "widgets/kinds/canopen/dictionary/dictionary_view.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/log_table.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace codewheel {
+namespace {
+
+using namespace std::chrono_literals;
+
+// As a maker writes it: an object of his own that can only be written, and limits.
+const QByteArray rotorFile = "[DeviceInfo]\nVendorName=Rotor Works\n"
+                             "[OptionalObjects]\nSupportedObjects=4\n1=0x6001\n2=0x6004\n3=0x1010\n4=0x6503\n"
+                             "[ManufacturerObjects]\nSupportedObjects=1\n1=0x2300\n"
+                             "[1010]\nObjectType=9\nSubNumber=1\n"
+                             "[1010sub1]\nParameterName=Save all\nDataType=7\nAccessType=rw\n"
+                             "[2300]\nParameterName=Save and reset\nDataType=5\nAccessType=wo\n"
+                             "[6001]\nParameterName=Units\nDataType=7\nAccessType=rw\nDefaultValue=1000\n"
+                             "HighLimit=8192\n"
+                             "[6004]\nParameterName=Position\nDataType=7\nAccessType=ro\n"
+                             "[6503]\nParameterName=Alarms\nDataType=6\nAccessType=ro\n";
+
+class DictionaryViewTest : public test::CanopenPlant
+{
+protected:
+    DictionaryViewTest()
+    {
+        view.resize(1'000, 500);
+        view.show();
+        view.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&view));
+        view.setBus(bus.get());
+    }
+    void pass(Instant time)
+    {
+        for (Instant passed{}; passed < time; passed += 20ms) {
+            bus->advance(20ms);
+            QCoreApplication::processEvents();
+        }
+    }
+    QString fileOf(const QByteArray &bytes, const char *name = "rotor.eds")
+    {
+        const QString path = folder.filePath(QLatin1String(name));
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        return path;
+    }
+    int rowOf(const char *object) const
+    {
+        for (int row = 0; row < table->model()->rowCount(); ++row)
+            if (cell(row, ObjectModel::object) == QLatin1String(object))
+                return row;
+        return -1;
+    }
+    QString cell(int row, int column) const { return table->model()->index(row, column).data().toString(); }
+    QString valueOf(const char *object) const { return cell(rowOf(object), ObjectModel::value); }
+    void choose(const char *object) const
+    {
+        ASSERT_GE(rowOf(object), 0) << object;
+        table->setCurrentIndex(table->model()->index(rowOf(object), 0));
+    }
+    QAction *action(const char *text) const
+    {
+        for (QAction *each : view.actions())
+            if (each->text() == QString::fromUtf8(text))
+                return each;
+        ADD_FAILURE() << text;
+        return nullptr;
+    }
+    // As far as the question.
+    void enter(const char *value)
+    {
+        field->setText(QString::fromUtf8(value));
+        QTest::keyClick(field, Qt::Key_Return);
+        pass(200ms);
+    }
+    void answer(const QString &text)
+    {
+        QTest::qWait(400); // a question takes no click at once
+        for (auto *button : question->findChildren<QPushButton *>())
+            if (button->text() == text)
+                QTest::mouseClick(button, Qt::LeftButton);
+        pass(400ms);
+    }
+
+    QTemporaryDir folder;
+    DictionaryView view;
+    LogTable *table = view.findChild<LogTable *>();
+    QLineEdit *field = view.findChild<QLineEdit *>(QStringLiteral("objectNewValue"));
+    QPushButton *write = view.findChild<QPushButton *>(QStringLiteral("objectWrite"));
+    InlineMessage *question = view.findChild<InlineMessage *>(QStringLiteral("objectWriteQuestion"));
+    InlineMessage *written = view.findChild<InlineMessage *>(QStringLiteral("objectWriteMessage"));
+    InlineMessage *message = view.findChild<InlineMessage *>(QStringLiteral("objectsMessage"));
+};
+
+TEST_F(DictionaryViewTest, WithoutAFileTheStandardsSayWhatThereIs)
+{
+    operate();
+    EXPECT_EQ(table->model()->rowCount(), 0);
+    view.setNode(6);
+    EXPECT_GT(table->model()->rowCount(), 90);
+    EXPECT_EQ(cell(rowOf("6001h:0"), ObjectModel::name), QStringLiteral("Measuring units per revolution"));
+    EXPECT_EQ(cell(rowOf("6004h:0"), ObjectModel::access), QStringLiteral("read"));
+}
+
+TEST_F(DictionaryViewTest, TheChosenObjectIsRead)
+{
+    operate();
+    view.setNode(6);
+    choose("6001h:0");
+    action("Read")->trigger();
+    pass(200ms);
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096"));
+    EXPECT_EQ(valueOf("6002h:0"), QStringLiteral("\u2013"));
+    EXPECT_FALSE(cell(rowOf("6001h:0"), ObjectModel::readAt).isEmpty());
+    view.setNode(5);
+    view.setNode(6);
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096")) << "it is kept";
+}
+
+TEST_F(DictionaryViewTest, AllListedObjectsAreReadButNoneThatCanOnlyBeWritten)
+{
+    operate();
+    view.setNode(6);
+    ASSERT_TRUE(view.openFile(fileOf(rotorFile)));
+    ASSERT_EQ(table->model()->rowCount(), 5);
+    const int before = sentTo(0x606);
+    action("Read all")->trigger();
+    pass(1s);
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096"));
+    EXPECT_EQ(valueOf("6503h:0"), QStringLiteral("0000h = 0"));
+    EXPECT_EQ(valueOf("2300h:0"), QStringLiteral("\u2013"));
+    EXPECT_TRUE(std::ranges::none_of(link->sent, [](const CanFrame &frame) {
+        return frame.id == 0x606 && frame.bytes[1] == 0x00 && frame.bytes[2] == 0x23;
+    }));
+    EXPECT_GE(sentTo(0x606) - before, 4);
+    EXPECT_TRUE(table->model()
+                    ->index(rowOf("6001h:0"), ObjectModel::value)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("not the default: 000003E8h = 1000")));
+}
+
+TEST_F(DictionaryViewTest, OnlyListedGroupsAreRead)
+{
+    operate();
+    view.setNode(6);
+    view.findChild<QComboBox *>(QStringLiteral("objectGroup"))->setCurrentIndex(3);
+    action("Read all")->trigger();
+    pass(4s);
+    view.findChild<QComboBox *>(QStringLiteral("objectGroup"))->setCurrentIndex(0);
+    EXPECT_EQ(valueOf("1000h:0"), QStringLiteral("\u2013"));
+    EXPECT_NE(valueOf("6500h:0"), QStringLiteral("\u2013"));
+    EXPECT_FALSE(cell(rowOf("6005h:1"), ObjectModel::meaning).isEmpty()) << "why there is no value";
+}
+
+TEST_F(DictionaryViewTest, ReadingIsCancelled)
+{
+    operate();
+    view.setNode(6);
+    action("Read all")->trigger();
+    action("Cancel")->trigger();
+    pass(1s);
+    EXPECT_EQ(valueOf("6500h:0"), QStringLiteral("\u2013"));
+    EXPECT_TRUE(action("Read all")->isEnabled());
+}
+
+TEST_F(DictionaryViewTest, TheFilterFindsNamesAndObjects)
+{
+    operate();
+    view.setNode(6);
+    auto *text = view.findChild<QLineEdit *>(QStringLiteral("objectText"));
+    text->setText(QStringLiteral("hysteresis"));
+    EXPECT_EQ(table->model()->rowCount(), 8);
+    text->setText(QStringLiteral("6003h"));
+    EXPECT_EQ(table->model()->rowCount(), 1);
+}
+
+TEST_F(DictionaryViewTest, AnObjectIsWrittenOnceItIsAgreedTo)
+{
+    operate();
+    view.setNode(6);
+    choose("6001h:0");
+    enter("2048");
+    EXPECT_TRUE(
+        question->sentence().contains(QStringLiteral("00001000h = 4096 and becomes 00000800h = 2048")))
+        << question->sentence().toStdString();
+    answer(QStringLiteral("Do &not write"));
+    choose("6004h:0");
+    choose("6001h:0");
+    action("Read")->trigger();
+    pass(200ms);
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096"));
+    enter("2048");
+    answer(QStringLiteral("W&rite it"));
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00000800h = 2048"));
+    EXPECT_EQ(written->sentence(), QStringLiteral("Written, and read back."));
+}
+
+TEST_F(DictionaryViewTest, TheQuestionSaysWhatMoreAWriteDoes)
+{
+    operate();
+    view.setNode(6);
+    choose("6003h:0");
+    enter("0");
+    EXPECT_TRUE(question->sentence().contains(QStringLiteral("sets the position")));
+    choose("1010h:1");
+    enter("save");
+    EXPECT_TRUE(question->sentence().contains(QStringLiteral("EEPROM")));
+    ASSERT_TRUE(view.openFile(fileOf(rotorFile)));
+    choose("2300h:0");
+    enter("1");
+    EXPECT_TRUE(question->sentence().contains(QStringLiteral("object of the maker")));
+    choose("6001h:0");
+    enter("9000");
+    EXPECT_TRUE(question->sentence().contains(QStringLiteral("outside of the limits")));
+}
+
+TEST_F(DictionaryViewTest, WhatCanOnlyBeReadIsNotWritten)
+{
+    operate();
+    view.setNode(6);
+    choose("6004h:0");
+    EXPECT_FALSE(write->isEnabled());
+    EXPECT_FALSE(field->isEnabled());
+    EXPECT_TRUE(write->toolTip().contains(QStringLiteral("only be read")));
+}
+
+TEST_F(DictionaryViewTest, AValueThatDoesNotFitIsSaid)
+{
+    operate();
+    view.setNode(6);
+    choose("6000h:0");
+    enter("65536");
+    EXPECT_TRUE(question->sentence().isEmpty());
+    EXPECT_TRUE(written->sentence().contains(QStringLiteral("\"65536\" is no value for 6000h:0")));
+}
+
+TEST_F(DictionaryViewTest, InWatchNothingIsReadOrWritten)
+{
+    open(EncoderBus::Start::watching);
+    view.setNode(6);
+    choose("6001h:0");
+    EXPECT_FALSE(action("Read")->isEnabled());
+    EXPECT_FALSE(action("Read all")->isEnabled());
+    EXPECT_FALSE(write->isEnabled());
+}
+
+TEST_F(DictionaryViewTest, ARefusedFileIsSaidWithItsReason)
+{
+    view.setNode(6);
+    EXPECT_FALSE(view.openFile(fileOf("[DeviceInfo]\n")));
+    EXPECT_TRUE(message->sentence().contains(QStringLiteral("rotor.eds")))
+        << message->sentence().toStdString();
+    EXPECT_GT(table->model()->rowCount(), 90) << "what was there stays";
+}
+
+TEST_F(DictionaryViewTest, WhatAFileHasOtherwiseIsMarked)
+{
+    operate();
+    view.setNode(6);
+    ASSERT_TRUE(view.openFile(fileOf(rotorFile)));
+    QByteArray other = rotorFile;
+    other.replace("DefaultValue=1000", "DefaultValue=1000\nParameterValue=500");
+    ASSERT_TRUE(view.compareWith(fileOf(other, "other.dcf")));
+    EXPECT_TRUE(message->sentence().contains(QStringLiteral("1 values differ")));
+    action("Differences")->trigger();
+    ASSERT_EQ(table->model()->rowCount(), 1);
+    EXPECT_EQ(cell(0, ObjectModel::other), QStringLiteral("000001F4h = 500"));
+}
+
+TEST_F(DictionaryViewTest, WhatWasReadIsExported)
+{
+    operate();
+    view.setNode(6);
+    ASSERT_TRUE(view.openFile(fileOf(rotorFile)));
+    action("Read all")->trigger();
+    pass(1s);
+    const QString path = folder.filePath(QStringLiteral("six.dcf"));
+    ASSERT_TRUE(view.exportTo(path));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const auto saved = canopen::readDeviceFile(file.readAll());
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->commissioning.node, 6);
+    EXPECT_EQ(saved->find({0x6001, 0})->value, canopen::FileValue{std::int64_t{4096}});
+}
+
+TEST_F(DictionaryViewTest, OpensAThousandObjectsInNoTime)
+{
+    QByteArray large;
+    for (int i = 0; i < 1'300; ++i)
+        large += QStringLiteral("[%1]\nParameterName=Object\nDataType=7\nAccessType=rw\nDefaultValue=%2\n")
+                     .arg(0x2000 + i, 4, 16, QLatin1Char('0'))
+                     .arg(i)
+                     .toLatin1();
+    view.setNode(6);
+    const QString path = fileOf(large, "large.eds");
+    QElapsedTimer timer;
+    timer.start();
+    ASSERT_TRUE(view.openFile(path));
+    view.grab();
+    RecordProperty("milliseconds", static_cast<int>(timer.elapsed()));
+    EXPECT_EQ(table->model()->rowCount(), 1'300);
+    EXPECT_LT(timer.elapsed(), 600) << "under any sanitizer";
+}
+
+} // namespace
+} // namespace codewheel

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of makers, and those that are compared with or saved.
+#include "kinds/canopen/bus/canopen_session.h"
+#include "kinds/canopen/eds/dcf_writer.h"
+#include "kinds/canopen/eds/device_file_reader.h"
+#include "kinds/canopen/eds/standard_objects.h"
+#include "project/file_access.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+#include "widgets/kinds/canopen/dictionary/dictionary_view.h"
+#include "widgets/kinds/canopen/dictionary/object_filter.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/log_table.h"
+#include "widgets/look/save_file.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace codewheel {
+namespace {
+
+constexpr qint64 largestDeviceFile = 16 * 1024 * 1024;
+
+} // namespace
+
+void DictionaryView::tellFault(const QString &path, const canopen::EdsNote &why)
+{
+    m_message->showMessage(
+        Role::attention, why.line == 0 ? sentence(tr("%1: %2", "file, what is wrong"), {path, why.text()})
+                                       : sentence(tr("%1, line %2, %3: %4", "file, line, key, what is wrong"),
+                                                  {path, QString::number(why.line), why.key, why.text()}));
+}
+
+std::optional<canopen::DeviceFile> DictionaryView::fileAt(const QString &path)
+{
+    m_message->withdraw();
+    const auto bytes = readWholeFile(path, largestDeviceFile);
+    if (!bytes) {
+        m_message->showMessage(Role::attention, refusalText(bytes.error()));
+        return std::nullopt;
+    }
+    auto file = canopen::readDeviceFile(*bytes);
+    if (!file) {
+        tellFault(path, file.error());
+        return std::nullopt;
+    }
+    if (!file->refused.empty()) // the rest counts
+        tellFault(path, file->refused.front());
+    return *std::move(file);
+}
+
+bool DictionaryView::openFile(const QString &path)
+{
+    auto file = m_node ? fileAt(path) : std::nullopt;
+    if (!file)
+        return false;
+    Known &its = known();
+    its.path = path;
+    its.file = *std::move(file);
+    its.rows = ObjectModel::rowsOf(its.file);
+    showRows();
+    return true;
+}
+
+// What was read goes before what the file says.
+canopen::DeviceFile DictionaryView::fileNow()
+{
+    canopen::DeviceFile file = known().file;
+    for (std::size_t i = 0; i < file.objects.size(); ++i)
+        if (const auto &now = m_rows->rows()[i].now)
+            file.objects[i].value = now;
+    file.commissioning.node = m_node;
+    if (m_bus && m_bus->rate() > 0)
+        file.commissioning.rate = m_bus->rate();
+    return file;
+}
+
+bool DictionaryView::compareWith(const QString &path)
+{
+    auto file = m_node ? fileAt(path) : std::nullopt;
+    if (!file)
+        return false;
+    known().comparedWith = *std::move(file);
+    known().comparedPath = path;
+    m_table->setColumnHidden(ObjectModel::other, false);
+    compareAgain();
+    tellDifferences();
+    showWhatIsPossible();
+    return true;
+}
+
+void DictionaryView::compareAgain()
+{
+    m_rows->setDifferences(canopen::compareFiles(fileNow(), *known().comparedWith));
+}
+
+void DictionaryView::tellDifferences()
+{
+    const auto differences = canopen::compareFiles(fileNow(), *known().comparedWith);
+    using Kind = canopen::ObjectDifference::Kind;
+    const auto count = [&](Kind kind) {
+        return QString::number(std::ranges::count(differences, kind, &canopen::ObjectDifference::kind));
+    };
+    const QString name = QFileInfo(known().comparedPath).fileName();
+    m_message->showMessage(
+        differences.empty() ? Role::running : Role::attention,
+        differences.empty()
+            ? sentence(tr("All values are those of %1."), {name})
+            : sentence(tr("Compared with %1: %2 values differ, %3 objects are not in it, %4 only in it."),
+                       {name, count(Kind::differs), count(Kind::missing), count(Kind::additional)}));
+}
+
+bool DictionaryView::exportTo(const QString &path)
+{
+    if (!m_node)
+        return false;
+    canopen::DeviceFile file = fileNow();
+    if (known().path.isEmpty()) // names as in any file
+        for (const canopen::DeviceFile standard = canopen::standardObjects();
+             canopen::FileObject & object : file.objects)
+            if (const canopen::FileObject *its = standard.find(object.object))
+                object.name = its->name;
+    const canopen::DcfHead head{.fileName = QFileInfo(path).fileName(),
+                                .ofFile = QFileInfo(known().path).fileName(),
+                                .now = QDateTime::currentDateTime()};
+    const auto written = replaceFile(path, canopen::dcfOf(file, head), OldFile::goes);
+    if (written)
+        m_message->showMessage(Role::running, sentence(tr("Saved in %1."), {path}));
+    else
+        m_message->showMessage(Role::attention, sentence(tr("%1 was not saved: %2", "file, reason"),
+                                                         {path, whyNotWritten(written.error())}));
+    return written.has_value();
+}
+
+void DictionaryView::askOpen()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open the file of an encoder"), QFileInfo(known().path).path(),
+                                     tr("Files of CANopen devices (*.eds *.dcf *.EDS *.DCF)"));
+    if (!path.isEmpty())
+        openFile(path);
+}
+
+void DictionaryView::askCompare()
+{
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Compare with"), QFileInfo(known().path).path(),
+                                     tr("Files of CANopen devices (*.eds *.dcf *.EDS *.DCF)"));
+    if (!path.isEmpty())
+        compareWith(path);
+}
+
+void DictionaryView::askExport()
+{
+    const QString path =
+        askSaveFile(this, tr("Export the values"), tr("node%1.dcf", "name of a file").arg(m_node.value_or(0)),
+                    {tr("Configurations of CANopen devices (*.dcf)")}, "canopen.md#objects");
+    if (!path.isEmpty())
+        exportTo(path);
+}
+
+} // namespace codewheel

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/kinds/canopen/dictionary/dictionary_view.h"
+
+#include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/bus/canopen_session.h"
+#include "kinds/canopen/eds/standard_objects.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
+#include "vocabulary/refusal_text.h"
+#include "vocabulary/sentence.h"
+#include "widgets/kinds/canopen/dictionary/object_filter.h"
+#include "widgets/kinds/canopen/dictionary/object_transfers.h"
+#include "widgets/kinds/canopen/dictionary/object_write_bar.h"
+#include "widgets/look/describe.h"
+#include "widgets/look/empty_state.h"
+#include "widgets/look/fonts.h"
+#include "widgets/look/grid.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/look/layouts.h"
+#include "widgets/look/log_table.h"
+#include "widgets/look/may_elide.h"
+#include "widgets/look/tool.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStackedWidget>
+#include <QToolBar>
+
+namespace codewheel {
+
+namespace {
+
+constexpr int fewestMeaningLettersOfObject = 16;
+constexpr int shownNameLetters = 24;
+
+} // namespace
+
+DictionaryView::DictionaryView(QWidget *parent)
+    : QWidget(parent)
+    , m_rows(new ObjectModel(this))
+    , m_filter(new ObjectFilter(*m_rows, this))
+    , m_transfers(new ObjectTransfers(this))
+    , m_table(new LogTable(tr("Objects of the node"), this))
+    , m_content(new QStackedWidget(this))
+    , m_source(new QLabel(this))
+    , m_counts(new QLabel(this))
+    , m_message(new InlineMessage(this))
+    , m_writing(new ObjectWriteBar(*m_transfers, this))
+{
+    setAccessibleName(tr("Objects"));
+    auto *tools = new QToolBar(tr("Objects"), this);
+    makeTools(*tools);
+    makeTable();
+    m_content->addWidget(m_table);
+    m_content->addWidget(new EmptyState(
+        Icon::list, tr("No encoder on a CAN bus is chosen"),
+        tr("Choose one in the bus structure: its objects are listed here, to be read and written."), this));
+    m_content->setMinimumHeight(2 * grid::largeIcon);
+    named(m_message, "objectsMessage");
+    auto *column = layOut<QVBoxLayout>(this, grid::unit, QMargins(grid::unit, 0, grid::unit, grid::unit));
+    column->addWidget(tools);
+    column->addWidget(makeFilter());
+    column->addWidget(m_content, 1);
+    column->addWidget(m_message);
+    column->addWidget(m_writing);
+    setFocusProxy(m_table);
+    connect(m_transfers, &ObjectTransfers::ended, this, &DictionaryView::takeEnd);
+    connect(m_transfers, &ObjectTransfers::refused, this,
+            [this](const Refusal &why) { m_message->showMessage(Role::attention, refusalText(why)); });
+    connect(m_transfers, &ObjectTransfers::changed, this, &DictionaryView::showProgress);
+    showRows();
+}
+
+DictionaryView::~DictionaryView()
+{
+    const QSignalBlocker silent(m_table); // receivers may be gone by now
+    m_table->setModel(nullptr);
+}
+
+void DictionaryView::makeTools(QToolBar &bar)
+{
+    setUpToolBar(bar);
+    m_open = addTool(
+        *this, bar,
+        {Icon::open, tr("Open EDS…"), {}, tr("The objects as a file of the maker has them (EDS, DCF)")});
+    m_read = addTool(*this, bar, {Icon::read, tr("Read"), {}, {}});
+    m_readAll = addTool(*this, bar, {Icon::refresh, tr("Read all"), {}, {}});
+    m_cancel = addTool(*this, bar, {Icon::cancel, tr("Cancel"), {}, tr("Leaves the other objects unread")});
+    m_compare = addTool(*this, bar,
+                        {Icon::compare, tr("Compare…"), {}, tr("Marks what an EDS or DCF has otherwise")});
+    m_onlyDifferent = addTool(
+        *this, bar, {Icon::filter, tr("Differences"), {}, tr("Shows only what differs from the file")});
+    m_export = addTool(*this, bar, {Icon::exportData, tr("Export…"), {}, tr("Saves the values as a DCF")});
+    m_onlyDifferent->setCheckable(true);
+    connect(m_open, &QAction::triggered, this, &DictionaryView::askOpen);
+    connect(m_read, &QAction::triggered, this, &DictionaryView::readChosen);
+    connect(m_readAll, &QAction::triggered, this, &DictionaryView::readListed);
+    connect(m_cancel, &QAction::triggered, m_transfers, &ObjectTransfers::cancel);
+    connect(m_compare, &QAction::triggered, this, &DictionaryView::askCompare);
+    connect(m_export, &QAction::triggered, this, &DictionaryView::askExport);
+    connect(m_onlyDifferent, &QAction::toggled, this, [this](bool only) {
+        m_filter->setOnlyDifferent(only);
+        showCounts();
+    });
+}
+
+void DictionaryView::makeTable()
+{
+    using Column = ObjectModel::Column;
+    m_table->setModel(m_filter);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    const QFontMetrics numbers(numberFont());
+    const int gap = 2 * grid::margin;
+    const auto setWidth = [&](Column column, const QFontMetrics &metrics, const QString &widest) {
+        m_table->setColumnWidth(column, metrics.horizontalAdvance(widest) + gap);
+    };
+    const QString widestValue = QStringLiteral("00000000h = 0000000000");
+    setWidth(Column::object, numbers, QStringLiteral("6004h:00"));
+    setWidth(Column::name, fontMetrics(), QString(shownNameLetters, u'n'));
+    setWidth(Column::type, fontMetrics(), QStringLiteral("unicode"));
+    setWidth(Column::access, fontMetrics(), QStringLiteral("Lesen, Schreiben"));
+    setWidth(Column::factory, numbers, widestValue);
+    setWidth(Column::value, numbers, widestValue + u'0');
+    setWidth(Column::other, numbers, widestValue);
+    setWidth(Column::readAt, numbers, QStringLiteral("00:00:00"));
+    for (const Column column :
+         {Column::name, Column::type, Column::access, Column::factory, Column::value, Column::other})
+        allowEliding(*m_table, column);
+    m_table->setTextColumn(Column::meaning, fewestMeaningLettersOfObject);
+    m_table->setColumnHidden(Column::other, true);
+    connect(m_table, &LogTable::chosenChanged, this, &DictionaryView::showChosen);
+}
+
+QWidget *DictionaryView::makeFilter()
+{
+    auto *filter = new QWidget(this);
+    m_group = describe(new QComboBox(filter), "objectGroup", tr("Objects to show"),
+                       tr("Which objects are listed, and read by Read all"));
+    m_group->addItem(tr("All objects"));
+    m_group->addItem(tr("Communication (1000h)"));
+    m_group->addItem(tr("Maker (2000h)"));
+    m_group->addItem(tr("Profile (6000h)"));
+    auto *text = describe(new QLineEdit(filter), "objectText", tr("Filter by text"),
+                          tr("Shows only objects with this in them: 6004h, cam, a value"));
+    text->setPlaceholderText(tr("Object, name or value"));
+    text->setClearButtonEnabled(true);
+    connect(m_group, &QComboBox::currentIndexChanged, this, [this](int group) {
+        m_filter->setGroup(static_cast<ObjectFilter::Group>(group));
+        showCounts();
+    });
+    connect(text, &QLineEdit::textChanged, this, [this](const QString &typed) {
+        m_filter->setText(typed);
+        showCounts();
+    });
+    auto *row = layOut<QHBoxLayout>(filter, grid::groupGap);
+    row->addWidget(m_group);
+    row->addWidget(text, 1);
+    row->addWidget(m_source);
+    row->addWidget(m_counts);
+    return filter;
+}
+
+void DictionaryView::setBus(CanopenSession *bus)
+{
+    if (m_bus)
+        m_bus->disconnect(this);
+    const bool isOther = m_bus != bus;
+    m_bus = bus;
+    if (isOther && bus != nullptr) // what was read is of other devices
+        for (auto &[node, known] : m_known)
+            known.rows = ObjectModel::rowsOf(known.file);
+    m_transfers->setBus(bus);
+    if (bus != nullptr) {
+        connect(bus, &CanopenSession::stateChanged, this, &DictionaryView::showWhatIsPossible);
+        connect(bus, &QObject::destroyed, this, &DictionaryView::showWhatIsPossible);
+    }
+    if (isOther && bus != nullptr)
+        showRows();
+    else
+        showWhatIsPossible();
+}
+
+void DictionaryView::setNode(std::optional<int> node)
+{
+    if (node == m_node)
+        return;
+    keepRows();
+    m_transfers->setNode(node);
+    m_node = node;
+    m_message->withdraw();
+    showRows();
+}
+
+void DictionaryView::setRecordingChosen(bool isChosen)
+{
+    m_isRecordingChosen = isChosen;
+    showWhatIsPossible();
+}
+
+DictionaryView::Known &DictionaryView::known()
+{
+    const auto [found, isNew] = m_known.try_emplace(m_node.value_or(0));
+    if (isNew) {
+        canopen::DeviceFile file = canopen::standardObjects();
+        for (canopen::FileObject &object : file.objects)
+            object.name = canopen::standardObjectName(object.object);
+        found->second.rows = ObjectModel::rowsOf(file);
+        found->second.file = std::move(file);
+    }
+    return found->second;
+}
+
+void DictionaryView::keepRows()
+{
+    if (m_node)
+        known().rows = m_rows->rows();
+}
+
+void DictionaryView::showRows()
+{
+    m_rows->show(m_node ? known().rows : std::vector<ObjectRow>(), m_node);
+    m_content->setCurrentIndex(m_node ? 0 : 1);
+    m_table->setColumnHidden(ObjectModel::other, !m_node || !known().comparedWith);
+    showSource();
+    showChosen();
+    showProgress();
+}
+
+void DictionaryView::showSource()
+{
+    if (!m_node) {
+        m_source->clear();
+        return;
+    }
+    const Known &its = known();
+    m_source->setText(its.path.isEmpty() ? tr("CiA 301 and CiA 406") : QFileInfo(its.path).fileName());
+    m_source->setToolTip(
+        its.path.isEmpty()
+            ? tr("No device has all of these objects. A file of the maker has those of the device")
+            : its.path);
+}
+
+void DictionaryView::showCounts()
+{
+    m_counts->setText(
+        m_transfers->isBusy() && m_reading > 1
+            ? sentence(tr("%1 of %2 read"),
+                       {QString::number(m_reading - m_transfers->left() - 1), QString::number(m_reading)})
+            : sentence(tr("%1 of %2"),
+                       {QString::number(m_filter->rowCount()), QString::number(m_rows->rowCount())}));
+}
+
+void DictionaryView::showProgress()
+{
+    if (!m_transfers->isBusy()) {
+        m_reading = 0;
+        if (m_node && known().comparedWith)
+            compareAgain();
+    }
+    showCounts();
+    showWhatIsPossible();
+}
+
+std::optional<canopen::FileObject> DictionaryView::chosenObject() const
+{
+    const QModelIndex chosen = m_filter->mapToSource(m_table->currentIndex());
+    return chosen.isValid() ? std::optional(m_rows->rowAt(chosen.row()).object) : std::nullopt;
+}
+
+void DictionaryView::showChosen()
+{
+    m_writing->setObject(chosenObject(), m_node);
+    showWhatIsPossible();
+}
+
+QString DictionaryView::whyNotSent() const
+{
+    if (m_isRecordingChosen)
+        return refusalText({RefusalKind::notSupported, RefusalId::onlyRecorded, {}});
+    if (!m_bus || !m_bus->isOpen() || !m_bus->latest().connected)
+        return refusalText({RefusalKind::link, CanopenBusRefusalId::closed, {}});
+    if (!m_bus->isOperating())
+        return refusalText({RefusalKind::busy, RefusalId::watchOnly, {m_bus->linkName()}});
+    return m_node ? QString() : tr("Choose an encoder of the CAN bus first");
+}
+
+void DictionaryView::showWhatIsPossible()
+{
+    const QString whyNot = whyNotSent();
+    const bool isBusy = m_transfers->isBusy();
+    const auto object = chosenObject();
+    const bool isReadable = object && object->access != canopen::FileAccess::writeOnly;
+    const auto tell = [&](QAction *action, bool isPossible, const QString &tip) {
+        action->setEnabled(isPossible && whyNot.isEmpty() && !isBusy);
+        action->setToolTip(whyNot.isEmpty() ? tip : whyNot);
+    };
+    tell(m_read, isReadable,
+         !object       ? tr("Choose an object of the table first")
+         : !isReadable ? tr("This object can only be written")
+                       : tr("Asks the node for the chosen object"));
+    tell(m_readAll, m_filter->rowCount() > 0,
+         tr("Asks the node for each object that is listed, one after the other; for none that can only be "
+            "written"));
+    m_cancel->setEnabled(m_transfers->left() > 0);
+    for (QAction *action : {m_open, m_compare, m_export})
+        action->setEnabled(m_node && !isBusy);
+    m_onlyDifferent->setEnabled(m_node && known().comparedWith);
+    m_writing->setWhyNot(whyNot);
+}
+
+void DictionaryView::readChosen()
+{
+    if (const auto object = chosenObject())
+        beginReading({object->object});
+}
+
+void DictionaryView::readListed()
+{
+    std::vector<canopen::SdoObject> objects;
+    for (int row = 0; row < m_filter->rowCount(); ++row) {
+        const canopen::FileObject &object =
+            m_rows->rowAt(m_filter->mapToSource(m_filter->index(row, 0)).row()).object;
+        if (object.access != canopen::FileAccess::writeOnly)
+            objects.push_back(object.object);
+    }
+    beginReading(objects);
+}
+
+void DictionaryView::beginReading(const std::vector<canopen::SdoObject> &objects)
+{
+    m_message->withdraw();
+    if (!whyNotSent().isEmpty() || m_transfers->isBusy())
+        return;
+    m_reading = objects.size();
+    m_transfers->read(objects);
+}
+
+void DictionaryView::takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome)
+{
+    if (!request.value && m_bus)
+        m_rows->take(request.object, outcome, m_bus->dateTime(m_bus->now()).toLocalTime().time());
+    const bool isNotSent = outcome.kind == canopen::SdoOutcome::Kind::notSent;
+    if (isNotSent || (outcome.kind == canopen::SdoOutcome::Kind::noAnswer && !request.value))
+        m_message->showMessage(
+            Role::attention,
+            refusalText({RefusalKind::link,
+                         isNotSent ? CanopenRefusalId::sdoNotSent : CanopenRefusalId::sdoNoAnswer,
+                         {request.object.text(), std::int64_t{request.node}}}));
+}
+
+} // namespace codewheel

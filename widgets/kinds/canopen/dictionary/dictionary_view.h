@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kinds/canopen/eds/eds_fault.h"
+#include "vocabulary/refusal.h"
+#include "widgets/kinds/canopen/dictionary/object_model.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <map>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QStackedWidget;
+class QToolBar;
+
+namespace codewheel {
+
+class CanopenSession;
+class InlineMessage;
+class LogTable;
+class ObjectFilter;
+class ObjectTransfers;
+class ObjectWriteBar;
+
+// All objects of the chosen node, as a file of its maker has them, or else CiA 301 and CiA 406: they are
+// read, compared with a file, written one by one, and kept as a DCF.
+class DictionaryView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit DictionaryView(QWidget *parent = nullptr);
+    ~DictionaryView() override;
+
+    void setBus(codewheel::CanopenSession *bus); // null: none
+    void setNode(std::optional<int> node);       // that of the chosen encoder
+    void setRecordingChosen(bool isChosen);      // then nothing is sent
+
+    // Report on the spot what went wrong.
+    bool openFile(const QString &path);
+    bool compareWith(const QString &path);
+    bool exportTo(const QString &path);
+
+private:
+    // What is known of a node.
+    struct Known
+    {
+        canopen::DeviceFile file{};
+        QString path{}; // empty: the standards have it
+        std::vector<ObjectRow> rows{};
+        std::optional<canopen::DeviceFile> comparedWith{};
+        QString comparedPath{};
+    };
+
+    void makeTools(QToolBar &bar);
+    void makeTable();
+    QWidget *makeFilter();
+    Known &known();
+    void keepRows();
+    void showRows();
+    void showSource();
+    void showCounts();
+    void showChosen();
+    void showWhatIsPossible();
+    void showProgress();
+    QString whyNotSent() const;
+    std::optional<canopen::FileObject> chosenObject() const;
+    void readChosen();
+    void readListed();
+    void beginReading(const std::vector<canopen::SdoObject> &objects);
+    void takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome);
+    std::optional<canopen::DeviceFile> fileAt(const QString &path);
+    void tellFault(const QString &path, const canopen::EdsNote &why);
+    canopen::DeviceFile fileNow();
+    void compareAgain();
+    void tellDifferences();
+    void askOpen();
+    void askCompare();
+    void askExport();
+
+    QPointer<CanopenSession> m_bus;
+    bool m_isRecordingChosen = false;
+    std::optional<int> m_node;
+    std::map<int, Known> m_known; // by node
+    std::size_t m_reading = 0;    // objects that are to be read
+    ObjectModel *m_rows;
+    ObjectFilter *m_filter;
+    ObjectTransfers *m_transfers;
+    LogTable *m_table;
+    QStackedWidget *m_content;
+    QLabel *m_source;
+    QLabel *m_counts;
+    QComboBox *m_group = nullptr;
+    QAction *m_open = nullptr;
+    QAction *m_read = nullptr;
+    QAction *m_readAll = nullptr;
+    QAction *m_cancel = nullptr;
+    QAction *m_compare = nullptr;
+    QAction *m_onlyDifferent = nullptr;
+    QAction *m_export = nullptr;
+    InlineMessage *m_message;
+    ObjectWriteBar *m_writing;
+};
+
+} // namespace codewheel

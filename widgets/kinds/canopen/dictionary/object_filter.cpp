@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/kinds/canopen/dictionary/object_filter.h"
+
+namespace codewheel {
+
+ObjectFilter::ObjectFilter(ObjectModel &rows, QObject *parent)
+    : QSortFilterProxyModel(parent)
+    , m_rows(rows)
+{
+    setSourceModel(&rows);
+}
+
+void ObjectFilter::setText(const QString &text)
+{
+    m_text = text.trimmed();
+    invalidateFilter();
+}
+
+void ObjectFilter::setGroup(Group group)
+{
+    m_group = group;
+    invalidateFilter();
+}
+
+void ObjectFilter::setOnlyDifferent(bool only)
+{
+    m_isOnlyDifferent = only;
+    invalidateFilter();
+}
+
+bool ObjectFilter::isIn(Group group, canopen::SdoObject object)
+{
+    switch (group) {
+    case Group::communication:
+        return object.index >= 0x1000 && object.index < 0x2000;
+    case Group::maker:
+        return object.index >= 0x2000 && object.index < 0x6000;
+    case Group::profile:
+        return object.index >= 0x6000 && object.index < 0xA000;
+    case Group::all:
+        break;
+    }
+    return true;
+}
+
+bool ObjectFilter::hasText(int row) const
+{
+    constexpr ObjectModel::Column searched[] = {ObjectModel::object, ObjectModel::name, ObjectModel::value,
+                                                ObjectModel::meaning};
+    return m_text.isEmpty() || std::ranges::any_of(searched, [&](ObjectModel::Column column) {
+               return m_rows.index(row, column).data().toString().contains(m_text, Qt::CaseInsensitive);
+           });
+}
+
+bool ObjectFilter::filterAcceptsRow(int row, const QModelIndex & /*parent*/) const
+{
+    const ObjectRow &its = m_rows.rowAt(row);
+    return (!m_isOnlyDifferent || its.difference) && isIn(m_group, its.object.object) && hasText(row);
+}
+
+} // namespace codewheel
