@@ -24,7 +24,8 @@ void name(QCoreApplication &application)
 void describe(QCommandLineParser &parser)
 {
     parser.setApplicationDescription(QCoreApplication::translate(
-        "codewheel", "Sets up, watches and diagnoses absolute encoders on INTERBUS, CANopen and serial lines."));
+        "codewheel",
+        "Sets up, watches and diagnoses absolute encoders on INTERBUS, CANopen and serial lines."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(

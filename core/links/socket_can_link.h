@@ -30,8 +30,8 @@ public:
         Look look = [](const QString &name) { return canInterface(name); });
     ~SocketCanLink() override;
 
-    // Refused: interfaceMissing, interfaceDown, busOff (until the system ends it), watchNotSure, pluginMissing,
-    // notInKernel, linkFailed (what the system says).
+    // Refused: interfaceMissing, interfaceDown, busOff (until the system ends it), watchNotSure,
+    // pluginMissing, notInKernel, linkFailed (what the system says).
     Result<void> open(CanUse use) override;
     void close() override;
     void takeUnsureWatch() override { m_takesUnsureWatch = true; }
