@@ -122,12 +122,12 @@ TEST_F(DictionaryViewTest, TheChosenObjectIsRead)
     choose("6001h:0");
     action("Read")->trigger();
     pass(200ms);
-    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096"));
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00002000h = 8192"));
     EXPECT_EQ(valueOf("6002h:0"), QStringLiteral("\u2013"));
     EXPECT_FALSE(cell(rowOf("6001h:0"), ObjectModel::readAt).isEmpty());
     view.setNode(5);
     view.setNode(6);
-    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096")) << "it is kept";
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00002000h = 8192")) << "it is kept";
 }
 
 TEST_F(DictionaryViewTest, AllListedObjectsAreReadButNoneThatCanOnlyBeWritten)
@@ -139,7 +139,7 @@ TEST_F(DictionaryViewTest, AllListedObjectsAreReadButNoneThatCanOnlyBeWritten)
     const int before = sentTo(0x606);
     action("Read all")->trigger();
     pass(1s);
-    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096"));
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00002000h = 8192"));
     EXPECT_EQ(valueOf("6503h:0"), QStringLiteral("0000h = 0"));
     EXPECT_EQ(valueOf("2300h:0"), QStringLiteral("\u2013"));
     EXPECT_TRUE(std::ranges::none_of(link->sent, [](const CanFrame &frame) {
@@ -195,14 +195,14 @@ TEST_F(DictionaryViewTest, AnObjectIsWrittenOnceItIsAgreedTo)
     choose("6001h:0");
     enter("2048");
     EXPECT_TRUE(
-        question->sentence().contains(QStringLiteral("00001000h = 4096 and becomes 00000800h = 2048")))
+        question->sentence().contains(QStringLiteral("00002000h = 8192 and becomes 00000800h = 2048")))
         << question->sentence().toStdString();
     answer(QStringLiteral("Do &not write"));
     choose("6004h:0");
     choose("6001h:0");
     action("Read")->trigger();
     pass(200ms);
-    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00001000h = 4096"));
+    EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00002000h = 8192"));
     enter("2048");
     answer(QStringLiteral("W&rite it"));
     EXPECT_EQ(valueOf("6001h:0"), QStringLiteral("00000800h = 2048"));
@@ -295,7 +295,7 @@ TEST_F(DictionaryViewTest, WhatWasReadIsExported)
     const auto saved = canopen::readDeviceFile(file.readAll());
     ASSERT_TRUE(saved);
     EXPECT_EQ(saved->commissioning.node, 6);
-    EXPECT_EQ(saved->find({0x6001, 0})->value, canopen::FileValue{std::int64_t{4096}});
+    EXPECT_EQ(saved->find({0x6001, 0})->value, canopen::FileValue{std::int64_t{8192}});
 }
 
 TEST_F(DictionaryViewTest, OpensAThousandObjectsInNoTime)
