@@ -49,7 +49,7 @@ ObjectWriteBar::ObjectWriteBar(ObjectTransfers &transfers, QWidget *parent)
     , m_transfers(transfers)
     , m_label(new QLabel(tr("New value"), this))
     , m_field(new QLineEdit(this))
-    , m_write(new QPushButton(lineIcon(Icon::write), tr("&Write…"), this))
+    , m_write(new QPushButton(lineIcon(Icon::write), tr("Write…"), this))
     , m_question(new InlineMessage(this))
     , m_message(new InlineMessage(this))
 {
