@@ -137,15 +137,15 @@ std::span<const StandardRow> standardRows()
     return rows;
 }
 
-QString numbered(const QString &name, int number)
+QString nameWithNumber(const QString &name, int number)
 {
     return name.contains(QLatin1String("%1")) ? name.arg(number) : name;
 }
 
-FileObject objectIn(const StandardRow &row, SdoObject object)
+FileObject standardRowObject(const StandardRow &row, SdoObject object)
 {
     return {.object = object,
-            .name = numbered(QString::fromLatin1(row.name), row.numberOf(object)),
+            .name = nameWithNumber(QString::fromLatin1(row.name), row.numberOf(object)),
             .type = row.type,
             .access = row.access,
             .isMapped = row.isMapped};
@@ -159,8 +159,8 @@ DeviceFile standardObjects()
     for (const StandardRow &row : standardRows())
         for (int index = 0; index < row.indexes; ++index)
             for (int sub = 0; sub < row.subs; ++sub)
-                file.objects.push_back(objectIn(row, {static_cast<std::uint16_t>(row.index + index),
-                                                      static_cast<std::uint8_t>(row.sub + sub)}));
+                file.objects.push_back(standardRowObject(row, {static_cast<std::uint16_t>(row.index + index),
+                                                               static_cast<std::uint8_t>(row.sub + sub)}));
     std::ranges::sort(file.objects, {}, [](const FileObject &each) { return orderOf(each.object); });
     return file;
 }
@@ -169,9 +169,10 @@ QString standardObjectName(SdoObject object)
 {
     const auto rows = standardRows();
     const auto row = std::ranges::find_if(rows, [&](const StandardRow &each) { return each.covers(object); });
-    return row == rows.end() ? QString()
-                             : numbered(QCoreApplication::translate("codewheel::StandardObjects", row->name),
-                                        row->numberOf(object));
+    return row == rows.end()
+               ? QString()
+               : nameWithNumber(QCoreApplication::translate("codewheel::StandardObjects", row->name),
+                                row->numberOf(object));
 }
 
 } // namespace codewheel::canopen

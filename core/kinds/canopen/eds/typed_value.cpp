@@ -11,9 +11,9 @@ namespace {
 
 using TypedOctets = std::optional<std::vector<std::uint8_t>>;
 
-constexpr std::size_t widestNumber = 8;
+constexpr std::size_t mostOctetsTyped = 8;
 
-std::optional<std::int64_t> wholeNumber(const QString &typed)
+std::optional<std::int64_t> typedNumber(const QString &typed)
 {
     if (!typed.startsWith(u'-'))
         return parseNumber(typed);
@@ -24,7 +24,7 @@ std::optional<std::int64_t> wholeNumber(const QString &typed)
 // What is negative is signed, whatever the type.
 bool fitsInto(std::int64_t number, std::size_t width, bool isSigned)
 {
-    if (width >= widestNumber)
+    if (width >= mostOctetsTyped)
         return true;
     const auto bits = static_cast<unsigned>(8 * width);
     const std::int64_t most = (std::int64_t{1} << (isSigned ? bits - 1 : bits)) - 1;
@@ -33,8 +33,9 @@ bool fitsInto(std::int64_t number, std::size_t width, bool isSigned)
 
 TypedOctets octetsOfNumber(const QString &typed, bool isSigned, std::size_t width)
 {
-    const auto number = wholeNumber(typed);
-    if (!number || width == 0 || width > widestNumber || !fitsInto(*number, width, isSigned || *number < 0))
+    const auto number = typedNumber(typed);
+    if (!number || width == 0 || width > mostOctetsTyped ||
+        !fitsInto(*number, width, isSigned || *number < 0))
         return std::nullopt;
     return octetsOf(Value(*number), width);
 }

@@ -6,6 +6,7 @@
 #include "widgets/dial/dial_panel.h"
 #include "widgets/kinds/canopen/can_bus_panel.h"
 #include "widgets/kinds/canopen/can_search_page.h"
+#include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/traffic/can_traffic_view.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
@@ -88,6 +89,17 @@ TEST_F(CanopenViewsTest, TheChosenEncoderIsTheChosenNode)
     tree().choose(nodeSeven);
     advance(50);
     EXPECT_EQ(view<CanBusPanel>().chosenNode(), 7);
+}
+
+TEST_F(CanopenViewsTest, TheObjectsAreThoseOfTheChosenEncoder)
+{
+    QTest::keyClick(&window(), Qt::Key_D, Qt::AltModifier | Qt::ShiftModifier);
+    advance(50);
+    const auto *objects = view<DictionaryView>().findChild<QTableView *>();
+    EXPECT_FALSE(view<DictionaryView>().visibleRegion().isEmpty());
+    tree().choose(nodeSix);
+    advance(50);
+    EXPECT_GT(objects->model()->rowCount(), 90);
 }
 
 TEST_F(CanopenViewsTest, ANodeIsStoppedOnceThatIsAgreedToAndIsSeenStopped)

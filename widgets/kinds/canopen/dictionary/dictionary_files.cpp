@@ -8,7 +8,6 @@
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
-#include "widgets/kinds/canopen/dictionary/object_filter.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/log_table.h"
 #include "widgets/look/save_file.h"
@@ -17,6 +16,8 @@
 #include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
+
+#include <algorithm>
 
 namespace codewheel {
 namespace {

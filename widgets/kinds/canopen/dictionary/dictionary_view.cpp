@@ -8,6 +8,7 @@
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/kinds/canopen/dictionary/object_filter.h"
+#include "widgets/kinds/canopen/dictionary/object_texts.h"
 #include "widgets/kinds/canopen/dictionary/object_transfers.h"
 #include "widgets/kinds/canopen/dictionary/object_write_bar.h"
 #include "widgets/look/describe.h"
@@ -122,7 +123,7 @@ void DictionaryView::makeTable()
     setWidth(Column::object, numbers, QStringLiteral("6004h:00"));
     setWidth(Column::name, fontMetrics(), QString(shownNameLetters, u'n'));
     setWidth(Column::type, fontMetrics(), QStringLiteral("unicode"));
-    setWidth(Column::access, fontMetrics(), QStringLiteral("Lesen, Schreiben"));
+    setWidth(Column::access, fontMetrics(), objectAccessText(canopen::FileAccess::readAndWrite));
     setWidth(Column::factory, numbers, widestValue);
     setWidth(Column::value, numbers, widestValue + u'0');
     setWidth(Column::other, numbers, widestValue);
@@ -171,8 +172,8 @@ void DictionaryView::setBus(CanopenSession *bus)
     const bool isOther = m_bus != bus;
     m_bus = bus;
     if (isOther && bus != nullptr) // what was read is of other devices
-        for (auto &[node, known] : m_known)
-            known.rows = ObjectModel::rowsOf(known.file);
+        for (auto &[node, its] : m_known)
+            its.rows = ObjectModel::rowsOf(its.file);
     m_transfers->setBus(bus);
     if (bus != nullptr) {
         connect(bus, &CanopenSession::stateChanged, this, &DictionaryView::showWhatIsPossible);

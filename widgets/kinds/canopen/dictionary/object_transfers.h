@@ -38,7 +38,7 @@ Q_SIGNALS:
 
 private:
     void sendNext();
-    void takeEnd(const TransferEnded &ended);
+    void takeEnd(const TransferEnded &end);
 
     QPointer<CanopenSession> m_bus;
     std::optional<int> m_node;
