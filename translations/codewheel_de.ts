@@ -12706,6 +12706,197 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::DictionaryView</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>file, what is wrong</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2, %3: %4</source>
+        <comment>file, line, key, what is wrong</comment>
+        <translation>%1, Zeile %2, %3: %4</translation>
+    </message>
+    <message>
+        <source>All values are those of %1.</source>
+        <translation>Alle Werte sind die von %1.</translation>
+    </message>
+    <message>
+        <source>Compared with %1: %2 values differ, %3 objects are not in it, %4 only in it.</source>
+        <translation>Verglichen mit %1: %2 Werte sind anders, %3 Objekte fehlen darin, %4 sind nur darin.</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>In %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: %2</source>
+        <comment>file, reason</comment>
+        <translation>%1 wurde nicht gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>Open the file of an encoder</source>
+        <translation>Datei eines Gebers öffnen</translation>
+    </message>
+    <message>
+        <source>Files of CANopen devices (*.eds *.dcf *.EDS *.DCF)</source>
+        <translation>Dateien von CANopen-Geräten (*.eds *.dcf *.EDS *.DCF)</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Export the values</source>
+        <translation>Werte exportieren</translation>
+    </message>
+    <message>
+        <source>node%1.dcf</source>
+        <comment>name of a file</comment>
+        <translation>knoten%1.dcf</translation>
+    </message>
+    <message>
+        <source>Configurations of CANopen devices (*.dcf)</source>
+        <translation>Konfigurationen von CANopen-Geräten (*.dcf)</translation>
+    </message>
+    <message>
+        <source>Objects of the node</source>
+        <translation>Objekte des Knotens</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>No encoder on a CAN bus is chosen</source>
+        <translation>Kein Geber an einem CAN-Bus ist gewählt</translation>
+    </message>
+    <message>
+        <source>Choose one in the bus structure: its objects are listed here, to be read and written.</source>
+        <translation>Wählen Sie einen im Busaufbau: Hier stehen dann seine Objekte, zum Lesen und Schreiben.</translation>
+    </message>
+    <message>
+        <source>Open EDS…</source>
+        <translation>EDS öffnen…</translation>
+    </message>
+    <message>
+        <source>The objects as a file of the maker has them (EDS, DCF)</source>
+        <translation>Die Objekte, wie sie eine Datei des Herstellers hat (EDS, DCF)</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Gelesen</translation>
+    </message>
+    <message>
+        <source>Read all</source>
+        <translation>Alle lesen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Leaves the other objects unread</source>
+        <translation>Lässt die übrigen Objekte ungelesen</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Marks what an EDS or DCF has otherwise</source>
+        <translation>Zeigt, was eine EDS oder DCF anders hat</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Shows only what differs from the file</source>
+        <translation>Zeigt nur, was anders ist als in der Datei</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Saves the values as a DCF</source>
+        <translation>Speichert die Werte als DCF</translation>
+    </message>
+    <message>
+        <source>Objects to show</source>
+        <translation>Objekte in der Liste</translation>
+    </message>
+    <message>
+        <source>Which objects are listed, and read by Read all</source>
+        <translation>Welche Objekte in der Liste stehen und von Alle lesen gelesen werden</translation>
+    </message>
+    <message>
+        <source>All objects</source>
+        <translation>Alle Objekte</translation>
+    </message>
+    <message>
+        <source>Communication (1000h)</source>
+        <translation>Kommunikation (1000h)</translation>
+    </message>
+    <message>
+        <source>Maker (2000h)</source>
+        <translation>Hersteller (2000h)</translation>
+    </message>
+    <message>
+        <source>Profile (6000h)</source>
+        <translation>Profil (6000h)</translation>
+    </message>
+    <message>
+        <source>Filter by text</source>
+        <translation>Nach Text filtern</translation>
+    </message>
+    <message>
+        <source>Shows only objects with this in them: 6004h, cam, a value</source>
+        <translation>Zeigt nur Objekte, in denen das steht: 6004h, Nocken, ein Wert</translation>
+    </message>
+    <message>
+        <source>Object, name or value</source>
+        <translation>Objekt, Name oder Wert</translation>
+    </message>
+    <message>
+        <source>CiA 301 and CiA 406</source>
+        <translation>CiA 301 und CiA 406</translation>
+    </message>
+    <message>
+        <source>No device has all of these objects. A file of the maker has those of the device</source>
+        <translation>Kein Gerät hat alle diese Objekte. Eine Datei des Herstellers hat die des Geräts</translation>
+    </message>
+    <message>
+        <source>%1 of %2 read</source>
+        <translation>%1 von %2 gelesen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Choose an encoder of the CAN bus first</source>
+        <translation>Wählen Sie erst einen Geber am CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Choose an object of the table first</source>
+        <translation>Wählen Sie erst ein Objekt in der Tabelle</translation>
+    </message>
+    <message>
+        <source>This object can only be written</source>
+        <translation>Dieses Objekt ist nur zu schreiben</translation>
+    </message>
+    <message>
+        <source>Asks the node for the chosen object</source>
+        <translation>Fragt den Knoten nach dem gewählten Objekt</translation>
+    </message>
+    <message>
+        <source>Asks the node for each object that is listed, one after the other; for none that can only be written</source>
+        <translation>Fragt den Knoten nach jedem Objekt in der Liste, einem nach dem anderen; nach keinem, das nur zu schreiben ist</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::DirectionPage</name>
     <message>
         <source>Direction</source>
@@ -18103,6 +18294,224 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::ObjectModel</name>
+    <message>
+        <source>Aborted with %1h.</source>
+        <translation>Abgebrochen mit %1h.</translation>
+    </message>
+    <message>
+        <source>No answer.</source>
+        <translation>Keine Antwort.</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Index in hexadecimal, and subindex</source>
+        <translation>Index, hexadezimal, und Subindex</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>As the file of the maker has it, or else CiA 301 and CiA 406</source>
+        <translation>Wie in der Datei des Herstellers, sonst wie in CiA 301 und CiA 406</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>What the file says. How wide a value is, the node tells</source>
+        <translation>Was die Datei sagt. Wie breit ein Wert ist, sagt der Knoten</translation>
+    </message>
+    <message>
+        <source>Access</source>
+        <translation>Zugriff</translation>
+    </message>
+    <message>
+        <source>Whether the object can be read and written</source>
+        <translation>Ob das Objekt zu lesen und zu schreiben ist</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>What the device has when it comes from the maker</source>
+        <translation>Was das Gerät hat, wenn es vom Hersteller kommt</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>What the node answered, in hexadecimal and decimal. A mark: not the default</source>
+        <translation>Was der Knoten geantwortet hat, hexadezimal und dezimal. Ein Zeichen: nicht die Vorgabe</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>What the bits say, or why there is no value</source>
+        <translation>Was die Bits sagen, oder warum es keinen Wert gibt</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Verglichen mit</translation>
+    </message>
+    <message>
+        <source>The value of the file that is compared with, where it is another</source>
+        <translation>Der Wert der Datei, mit der verglichen wird, wo er ein anderer ist</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Gelesen</translation>
+    </message>
+    <message>
+        <source>When the node was asked last</source>
+        <translation>Wann der Knoten zuletzt gefragt wurde</translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>%1, not the default: %2</source>
+        <translation>%1, nicht die Vorgabe: %2</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ObjectTexts</name>
+    <message>
+        <source>%1, %2 bits</source>
+        <translation>%1, %2 Bit</translation>
+    </message>
+    <message>
+        <source>off, %1</source>
+        <translation>aus, %1</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>lesen</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>schreiben</translation>
+    </message>
+    <message>
+        <source>read, write</source>
+        <translation>lesen, schreiben</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>konstant</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ObjectWriteBar</name>
+    <message>
+        <source>New value</source>
+        <translation>Neuer Wert</translation>
+    </message>
+    <message>
+        <source>Write…</source>
+        <translation>Schreiben…</translation>
+    </message>
+    <message>
+        <source>New value of the object</source>
+        <translation>Neuer Wert des Objekts</translation>
+    </message>
+    <message>
+        <source>Choose an object of the table first</source>
+        <translation>Wählen Sie erst ein Objekt in der Tabelle</translation>
+    </message>
+    <message>
+        <source>The file has this identifier without the number of the node: it is not written</source>
+        <translation>Die Datei hat diesen Identifier ohne die Nummer des Knotens: Er wird nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>The file does not say whether this object can be written</source>
+        <translation>Die Datei sagt nicht, ob dieses Objekt zu schreiben ist</translation>
+    </message>
+    <message>
+        <source>This object can only be read</source>
+        <translation>Dieses Objekt ist nur zu lesen</translation>
+    </message>
+    <message>
+        <source>Objects are being read or written</source>
+        <translation>Es werden gerade Objekte gelesen oder geschrieben</translation>
+    </message>
+    <message>
+        <source>A number in decimal, or in hexadecimal as 1388h; a text where the object is one</source>
+        <translation>Eine Zahl, dezimal oder hexadezimal als 1388h; ein Text, wo das Objekt einer ist</translation>
+    </message>
+    <message>
+        <source>Reads the object, and asks before it is written (Enter)</source>
+        <translation>Liest das Objekt und fragt, bevor es geschrieben wird (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Nothing was written: &quot;%1&quot; is no value for %2, or does not fit into it.</source>
+        <translation>Nichts wurde geschrieben: „%1“ ist kein Wert für %2 oder passt nicht hinein.</translation>
+    </message>
+    <message>
+        <source>W&amp;rite it</source>
+        <translation>Sch&amp;reiben</translation>
+    </message>
+    <message>
+        <source>Do &amp;not write</source>
+        <translation>&amp;Nicht schreiben</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Node %1, %2 (%3): the value is %4 and becomes %5.</source>
+        <comment>node, object, access, old value, new value</comment>
+        <translation>Knoten %1, %2 (%3): Der Wert ist %4 und wird %5.</translation>
+    </message>
+    <message>
+        <source>It counts as a write to the EEPROM.</source>
+        <translation>Es zählt als EEPROM-Schreibvorgang.</translation>
+    </message>
+    <message>
+        <source>It sets the position at once.</source>
+        <translation>Es setzt die Position sofort.</translation>
+    </message>
+    <message>
+        <source>It is an object of the maker: it may set the position, change number or rate, or be stored at once. Look into the manual of the encoder.</source>
+        <translation>Es ist ein Objekt des Herstellers: Es kann die Position setzen, Nummer oder Rate ändern oder sofort gespeichert werden. Sehen Sie in der Anleitung des Gebers nach.</translation>
+    </message>
+    <message>
+        <source>It is outside of the limits of the file: %1.</source>
+        <translation>Das liegt außerhalb der Grenzen der Datei: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was sent.</source>
+        <translation>Nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Accepted, not read back.</source>
+        <translation>Angenommen, nicht zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>No answer: whether it was written is not known.</source>
+        <translation>Keine Antwort: Ob geschrieben wurde, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Written, and read back.</source>
+        <translation>Geschrieben und zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Another value is read back: %1.</source>
+        <translation>Es wird ein anderer Wert zurückgelesen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::OfferFiles</name>
     <message>
         <source>This computer has no address in a network: others cannot reach it, and no file can say how. Connect it to the network.</source>
@@ -18792,6 +19201,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>CAN bus</source>
         <translation>CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
     </message>
 </context>
 <context>
@@ -24096,6 +24509,253 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>%1 is outside %2 to %3.</source>
         <translation>%1 liegt außerhalb von %2 bis %3.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::StandardObjects</name>
+    <message>
+        <source>Device type</source>
+        <translation>Gerätetyp</translation>
+    </message>
+    <message>
+        <source>Error register</source>
+        <translation>Fehlerregister</translation>
+    </message>
+    <message>
+        <source>Number of errors kept</source>
+        <translation>Anzahl gemerkter Fehler</translation>
+    </message>
+    <message>
+        <source>Error %1, the newest first</source>
+        <translation>Fehler %1, der neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Identifier of SYNC</source>
+        <translation>Identifier von SYNC</translation>
+    </message>
+    <message>
+        <source>Device name</source>
+        <translation>Gerätename</translation>
+    </message>
+    <message>
+        <source>Hardware version</source>
+        <translation>Hardwarestand</translation>
+    </message>
+    <message>
+        <source>Software version</source>
+        <translation>Softwarestand</translation>
+    </message>
+    <message>
+        <source>Guard time, in ms</source>
+        <translation>Guard-Zeit in ms</translation>
+    </message>
+    <message>
+        <source>Life time factor</source>
+        <translation>Life-Time-Faktor</translation>
+    </message>
+    <message>
+        <source>Store all parameters</source>
+        <translation>Alle Parameter speichern</translation>
+    </message>
+    <message>
+        <source>Restore all defaults</source>
+        <translation>Alle Vorgaben wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Identifier of EMCY</source>
+        <translation>Identifier von EMCY</translation>
+    </message>
+    <message>
+        <source>Heartbeat time, in ms</source>
+        <translation>Heartbeat-Zeit in ms</translation>
+    </message>
+    <message>
+        <source>Vendor</source>
+        <translation>Hersteller</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produkt</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>Revision</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Identifier of SDO requests</source>
+        <translation>Identifier der SDO-Anfragen</translation>
+    </message>
+    <message>
+        <source>Identifier of SDO answers</source>
+        <translation>Identifier der SDO-Antworten</translation>
+    </message>
+    <message>
+        <source>Identifier of TPDO%1</source>
+        <translation>Identifier von TPDO%1</translation>
+    </message>
+    <message>
+        <source>Transmission type of TPDO%1</source>
+        <translation>Übertragungsart von TPDO%1</translation>
+    </message>
+    <message>
+        <source>Inhibit time of TPDO%1, in 0.1 ms</source>
+        <translation>Sperrzeit von TPDO%1 in 0,1 ms</translation>
+    </message>
+    <message>
+        <source>Event timer of TPDO%1, in ms</source>
+        <translation>Ereigniszeit von TPDO%1 in ms</translation>
+    </message>
+    <message>
+        <source>Number of objects in TPDO%1</source>
+        <translation>Anzahl der Objekte in TPDO%1</translation>
+    </message>
+    <message>
+        <source>Object %1 in TPDO1</source>
+        <translation>Objekt %1 in TPDO1</translation>
+    </message>
+    <message>
+        <source>Object %1 in TPDO2</source>
+        <translation>Objekt %1 in TPDO2</translation>
+    </message>
+    <message>
+        <source>Operating parameters</source>
+        <translation>Betriebsparameter</translation>
+    </message>
+    <message>
+        <source>Measuring units per revolution</source>
+        <translation>Schritte je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Total measuring range</source>
+        <translation>Gesamter Messbereich</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Step of the position</source>
+        <translation>Schritt der Position</translation>
+    </message>
+    <message>
+        <source>Step of the speed</source>
+        <translation>Schritt der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>Cyclic timer, in ms</source>
+        <translation>Zykluszeit in ms</translation>
+    </message>
+    <message>
+        <source>Cams: state</source>
+        <translation>Nocken: Zustand</translation>
+    </message>
+    <message>
+        <source>Cams: enabled</source>
+        <translation>Nocken: freigegeben</translation>
+    </message>
+    <message>
+        <source>Cams: polarity</source>
+        <translation>Nocken: Polarität</translation>
+    </message>
+    <message>
+        <source>Low limit of cam %1</source>
+        <translation>Untere Grenze von Nocken %1</translation>
+    </message>
+    <message>
+        <source>High limit of cam %1</source>
+        <translation>Obere Grenze von Nocken %1</translation>
+    </message>
+    <message>
+        <source>Hysteresis of cam %1</source>
+        <translation>Hysterese von Nocken %1</translation>
+    </message>
+    <message>
+        <source>Work area: state</source>
+        <translation>Arbeitsbereich: Zustand</translation>
+    </message>
+    <message>
+        <source>Work area: low limit</source>
+        <translation>Arbeitsbereich: untere Grenze</translation>
+    </message>
+    <message>
+        <source>Work area: high limit</source>
+        <translation>Arbeitsbereich: obere Grenze</translation>
+    </message>
+    <message>
+        <source>Operating status</source>
+        <translation>Betriebszustand</translation>
+    </message>
+    <message>
+        <source>Single-turn resolution</source>
+        <translation>Auflösung je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Distinguishable revolutions</source>
+        <translation>Unterscheidbare Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Supported alarms</source>
+        <translation>Unterstützte Alarme</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Supported warnings</source>
+        <translation>Unterstützte Warnungen</translation>
+    </message>
+    <message>
+        <source>Version of profile and software</source>
+        <translation>Stand von Profil und Software</translation>
+    </message>
+    <message>
+        <source>Operating time, in 0.1 h</source>
+        <translation>Betriebszeit in 0,1 h</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Offset</translation>
+    </message>
+    <message>
+        <source>Offset of the maker</source>
+        <translation>Offset des Herstellers</translation>
+    </message>
+    <message>
+        <source>Lowest position</source>
+        <translation>Niedrigste Position</translation>
+    </message>
+    <message>
+        <source>Highest position</source>
+        <translation>Höchste Position</translation>
+    </message>
+    <message>
+        <source>Serial number of the encoder</source>
+        <translation>Seriennummer des Gebers</translation>
     </message>
 </context>
 <context>
