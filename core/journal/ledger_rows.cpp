@@ -11,7 +11,7 @@ namespace codewheel {
 namespace {
 
 // After the columns of the entry.
-enum Column : int { computerColumn = 11, userColumn, originColumn };
+enum LedgerColumn : int { computerColumn = 11, userColumn, originColumn };
 
 Ledger::Entry entryOf(const QSqlQuery &row)
 {

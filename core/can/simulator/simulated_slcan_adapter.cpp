@@ -60,7 +60,8 @@ void SimulatedSlcanAdapter::deliver(const CanFrame &frame)
 {
     constexpr std::uint32_t busError = 0x80; // linux/can/error.h
     if (frame.isError) {
-        m_status |= (frame.id & busError) != 0 ? hasBusError : 0;
+        if ((frame.id & busError) != 0)
+            m_status |= hasBusError;
         return;
     }
     if (m_out.size() > mostUnfetched) {

@@ -59,7 +59,7 @@ DictionaryView::DictionaryView(QWidget *parent)
     m_content->addWidget(new EmptyState(
         Icon::list, tr("No encoder on a CAN bus is chosen"),
         tr("Choose one in the bus structure: its objects are listed here, to be read and written."), this));
-    m_content->setMinimumHeight(2 * grid::largeIcon);
+    m_content->setMinimumHeight(4 * grid::largeIcon);
     named(m_message, "objectsMessage");
     auto *column = layOut<QVBoxLayout>(this, grid::unit, QMargins(grid::unit, 0, grid::unit, grid::unit));
     column->addWidget(tools);
