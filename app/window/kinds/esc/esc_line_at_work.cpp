@@ -13,7 +13,7 @@
 namespace codewheel {
 namespace {
 
-const QString trainingDevice = QStringLiteral("kuebler-esc-rs485");
+const QString simulatedEncoder = QStringLiteral("kuebler-esc-rs485");
 
 EscSettings escSettingsOf(const EscLineSettings &wish)
 {
@@ -74,7 +74,7 @@ void EscLineAtWork::beginTraining(EncoderBus::Start start)
     if (!session->open({}, {}, start, drive()))
         Q_UNREACHABLE();
     for (const EscLineAddress address : line->addresses())
-        (void)session->add(address, trainingDevice);
+        (void)session->add(address, simulatedEncoder);
     replace(std::move(session), true, [&] { attach(std::move(line), nullptr, {}); });
 }
 

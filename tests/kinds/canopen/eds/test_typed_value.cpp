@@ -24,7 +24,7 @@ TEST(TypedValues, AreNumbersOfTheWidthOfTheirType)
 TEST(TypedValues, AreAsWideAsTheNodeAnswers)
 {
     EXPECT_EQ(typed("5", DataType::u32, 2), (TypedBytes({5, 0})));
-    EXPECT_EQ(typed("5", std::nullopt, 1), (TypedBytes({5})));
+    EXPECT_EQ(typed("5", std::nullopt, 1), (TypedBytes(std::vector<std::uint8_t>{5})));
     EXPECT_EQ(typed("5", std::nullopt), std::nullopt);
 }
 
