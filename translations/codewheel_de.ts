@@ -532,17 +532,6 @@
     </message>
 </context>
 <context>
-    <name>CanopenFactText</name>
-    <message>
-        <source>sends</source>
-        <translation>sendet</translation>
-    </message>
-    <message>
-        <source>two nodes have this number</source>
-        <translation>zwei Knoten haben diese Nummer</translation>
-    </message>
-</context>
-<context>
     <name>CanopenFrame</name>
     <message>
         <source>asked for by a remote frame</source>
@@ -6644,7 +6633,7 @@
     <message>
         <source> Bd</source>
         <comment>unit of a rate</comment>
-        <translation>Bd</translation>
+        <translation> Bd</translation>
     </message>
     <message>
         <source>Choose a serial port, or type the path of one.</source>
@@ -7325,6 +7314,10 @@
     <message>
         <source>no heartbeat any more</source>
         <translation>kein Heartbeat mehr</translation>
+    </message>
+    <message>
+        <source>sends</source>
+        <translation>sendet</translation>
     </message>
 </context>
 <context>

@@ -269,7 +269,7 @@ TEST_F(StartPageTest, ConnectOffersTheBusesOfAPlanOrAll)
     entry("startConnect").click();
     auto *menu = start().findChild<QMenu *>();
     ASSERT_NE(menu, nullptr);
-    ASSERT_EQ(menu->actions().size(), 2);
+    ASSERT_EQ(menu->actions().size(), 3); // a ring, a serial line, a CAN bus
     menu->actions().at(1)->trigger();
     EXPECT_EQ(page()->objectName(), QStringLiteral("lineSettings")) << "nothing is opened unasked";
     EXPECT_TRUE(shown->buses().open().empty());

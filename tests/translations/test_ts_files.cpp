@@ -133,6 +133,17 @@ const QStringList sameInGerman{
     QStringLiteral("TPDO%1?"),
     QStringLiteral("NMT: %1"),
     QStringLiteral("LSS: %1"),
+    QStringLiteral(" Bd"),
+    QStringLiteral("%1 (%2 ms)"),
+    QStringLiteral("%1 kBit/s"),
+    QStringLiteral("Adapter"),
+    QStringLiteral("Controller"),
+    QStringLiteral("Heartbeat"),
+    QStringLiteral("PDO"),
+    QStringLiteral("Pre-operational"),
+    QStringLiteral("Rate: %1 Bd"),
+    QStringLiteral("Revision"),
+    QStringLiteral("can.txt"),
 };
 
 void expectNoFaults(const std::vector<TsText> &texts, const QStringList &sameInBoth)

@@ -191,6 +191,16 @@ constexpr std::array factRows{
                 countText<&CanopenFigures::lateAnswers>, countJson<&CanopenFigures::lateAnswers>},
 };
 
+QString pdoText(const Node &node)
+{
+    return node.sendsPdos ? CanopenFactText::tr("sends") : QString();
+}
+
+QString doubledText(const Node &node)
+{
+    return node.isDoubled ? CanopenFactText::tr("two nodes have this number") : QString();
+}
+
 constexpr std::array nodeFactRows{
     CanopenNodeFact{"node", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Node"),
                     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
@@ -208,16 +218,11 @@ constexpr std::array nodeFactRows{
         QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it comes in time. A node may have none"),
         [](const Node &node) { return translated(rowOf(node.heartbeat).text); },
         [](const Node &node) { return QJsonValue(QString::fromLatin1(rowOf(node.heartbeat).key)); }},
-    CanopenNodeFact{
-        "sendsPdos", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "PDO"),
-        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it sends process data"),
-        [](const Node &node) { return node.sendsPdos ? CanopenFactText::tr("sends") : QString(); },
-        [](const Node &node) { return QJsonValue(node.sendsPdos); }},
+    CanopenNodeFact{"sendsPdos", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "PDO"),
+                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it sends process data"), pdoText,
+                    [](const Node &node) { return QJsonValue(node.sendsPdos); }},
     CanopenNodeFact{"doubled", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Doubled"),
-                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Two devices have this number"),
-                    [](const Node &node) {
-                        return node.isDoubled ? CanopenFactText::tr("two nodes have this number") : QString();
-                    },
+                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Two devices have this number"), doubledText,
                     [](const Node &node) { return QJsonValue(node.isDoubled); }},
     CanopenNodeFact{
         "error", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error"),
@@ -279,8 +284,8 @@ QJsonValue nmtStateJson(std::optional<NmtState> state)
 QStringList nodeTroubles(const Node &node)
 {
     QStringList texts;
-    if (node.isDoubled)
-        texts << CanopenFactText::tr("two nodes have this number");
+    if (const QString doubled = doubledText(node); !doubled.isEmpty())
+        texts << doubled;
     if (node.heartbeat == Heartbeat::lost)
         texts << CanopenFactText::tr("no heartbeat any more");
     if (node.error)
