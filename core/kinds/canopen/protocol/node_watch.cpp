@@ -216,16 +216,18 @@ void NodeWatch::takeEmcy(const Emcy &emcy)
         m_standing.push_back(emcy);
 }
 
-// Within a block transfer requests and answers are not one to one.
+// Within a block transfer requests and answers are not one to one; a log may have no requests at all.
 void NodeWatch::takeSdo(const CanFrame &frame)
 {
-    if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node) && !m_isInBlocks)
+    const bool counts = m_isAskingHeard && !m_isInBlocks;
+    if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node) && counts)
         takeSdoAnswer(frame);
     if (frame.id != identifierOf(CobId::Service::sdoRequest, m_node))
         return;
     const auto request = SdoFrame::request(frame.data());
     if (!request)
         return;
+    m_isAskingHeard = true;
     m_isInBlocks = request->kind == SdoFrame::Kind::block;
     if (request->kind == SdoFrame::Kind::abort) {
         m_asked.clear();

@@ -173,6 +173,17 @@ TEST_F(NodeWatchTest, TwoAnswersToEachRequestAreTwoNodes)
     EXPECT_TRUE(watch.isDoubled());
 }
 
+// A log may have been made where only answers are heard.
+TEST_F(NodeWatchTest, AnswersWithoutAnyRequestAreOfOneNode)
+{
+    for (int each = 0; each < 5; ++each) {
+        comes("585# 43 04 60 00 88 13 00 00");
+        comes("585# 43 04 60 00 89 13 00 00");
+    }
+    EXPECT_EQ(watch.secondAnswers(), 0);
+    EXPECT_FALSE(watch.isDoubled());
+}
+
 TEST_F(NodeWatchTest, ASecondAnswerThatSaysSomethingElseIsOfAnotherNode)
 {
     for (const char *other : {"585# 43 04 60 00 11 00 00 00", "585# 80 04 60 00 00 00 02 06"}) {
