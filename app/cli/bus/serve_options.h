@@ -5,6 +5,8 @@
 
 #include <QtGlobal>
 
+#include <span>
+
 namespace codewheel {
 
 // Options of more than one service.
@@ -31,5 +33,27 @@ inline constexpr int mostOfThousand = 1'000;
 inline constexpr int longestServedDelay = 10'000; // ms
 inline constexpr int usualServedDelay = 20;       // ms
 inline constexpr int largestSeed = 1'000'000'000;
+
+// An option of a service that takes a number, and where it goes.
+struct ServedNumber
+{
+    const char *option;
+    int otherwise;
+    int minimum;
+    int maximum;
+    int &value;
+};
+
+// The first wrong one is reported.
+inline Checked<void> takeNumbers(const Arguments &arguments, std::span<const ServedNumber> rows)
+{
+    for (const ServedNumber &row : rows) {
+        const auto number = arguments.number(row.option, row.otherwise, row.minimum, row.maximum);
+        if (!number)
+            return tl::unexpected(number.error());
+        row.value = *number;
+    }
+    return {};
+}
 
 } // namespace codewheel

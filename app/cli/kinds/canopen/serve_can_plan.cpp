@@ -73,14 +73,7 @@ Checked<void> takeFaults(const Arguments &arguments, ServeCanPlan &plan)
 {
     int delay = 0;
     int seed = 0;
-    const struct
-    {
-        const char *option;
-        int otherwise;
-        int minimum;
-        int maximum;
-        int &value;
-    } rows[] = {
+    const ServedNumber rows[] = {
         {"--lost", 0, 0, mostOfThousand, plan.faults.lost},
         {"--damaged", 0, 0, mostOfThousand - 1, plan.faults.damaged},
         {"--doubled", 0, 0, mostOfThousand - 1, plan.faults.doubled},
@@ -88,12 +81,8 @@ Checked<void> takeFaults(const Arguments &arguments, ServeCanPlan &plan)
         {"--delay", usualServedDelay, 1, longestServedDelay, delay},
         {"--seed", 1, 0, largestSeed, seed},
     };
-    for (const auto &row : rows) {
-        const auto number = arguments.number(row.option, row.otherwise, row.minimum, row.maximum);
-        if (!number)
-            return tl::unexpected(number.error());
-        row.value = *number;
-    }
+    if (const auto taken = takeNumbers(arguments, rows); !taken)
+        return taken;
     plan.faults.delay = std::chrono::milliseconds(delay);
     plan.seed = static_cast<std::uint32_t>(seed);
     return {};

@@ -60,20 +60,12 @@ Checked<std::vector<EscLineAddress>> silentOnes(const Arguments &arguments)
     return silent;
 }
 
-// The options that take a number; the first wrong one is reported.
-Checked<void> takeNumbers(const Arguments &arguments, ServePlan &plan)
+Checked<void> takeLineFaults(const Arguments &arguments, ServePlan &plan)
 {
     int delay = 0;
     int answerDelay = 0;
     int seed = 0;
-    const struct
-    {
-        const char *option;
-        int otherwise;
-        int minimum;
-        int maximum;
-        int &value;
-    } rows[] = {
+    const ServedNumber rows[] = {
         {"--lost", 0, 0, mostOfThousand, plan.faults.lost},
         {"--corrupted", 0, 0, mostOfThousand, plan.faults.corrupted},
         {"--doubled", 0, 0, mostOfThousand, plan.faults.doubled},
@@ -82,12 +74,8 @@ Checked<void> takeNumbers(const Arguments &arguments, ServePlan &plan)
         {"--answer-delay", 0, 0, longestServedDelay, answerDelay},
         {"--seed", 1, 0, largestSeed, seed},
     };
-    for (const auto &row : rows) {
-        const auto number = arguments.number(row.option, row.otherwise, row.minimum, row.maximum);
-        if (!number)
-            return tl::unexpected(number.error());
-        row.value = *number;
-    }
+    if (const auto taken = takeNumbers(arguments, rows); !taken)
+        return taken;
     plan.faults.delay = std::chrono::milliseconds(delay);
     plan.answerDelay += std::chrono::milliseconds(answerDelay);
     plan.seed = static_cast<std::uint32_t>(seed);
@@ -98,7 +86,7 @@ Checked<ServePlan> planOf(const Arguments &arguments)
 {
     ServePlan plan;
     plan.faults.echo = arguments.has("--echo");
-    if (const auto taken = takeNumbers(arguments, plan); !taken)
+    if (const auto taken = takeLineFaults(arguments, plan); !taken)
         return tl::unexpected(taken.error());
     const auto silent = silentOnes(arguments);
     if (!silent)
