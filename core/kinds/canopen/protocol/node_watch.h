@@ -86,7 +86,7 @@ private:
     std::deque<Emcy> m_errors{};
     std::vector<Emcy> m_standing{};
     std::deque<std::optional<SdoObject>> m_asked{}; // by SDO, not answered yet; empty: for a segment
-    bool m_isAskingHeard = false; // requests, as well as answers
+    bool m_isAskingHeard = false;                   // requests, as well as answers
     bool m_isInBlocks = false;
     std::optional<SdoFrame> m_lastAnswer{}; // unless its object was asked for again
     int m_firstInARow = 0;
