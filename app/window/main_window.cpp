@@ -205,6 +205,7 @@ WorkInWindow MainWindow::takeWork()
             .page = m_pages->currentIndex(),
             .kindOfPage = m_pages->currentWidget()->metaObject()->className(),
             .traces = m_trace->takeTraces(),
+            .hasCams = m_cams->ifMade() != nullptr,
             .wizard = wizard != nullptr ? wizard->takeUnderWay() : ParameterWizard::UnderWay(),
             .wanted = m_parameters->typed(),
             .typed = typedTexts(*this)};
@@ -220,6 +221,8 @@ void MainWindow::goOn(WorkInWindow work)
     if (work.row)
         m_structure->choose(*work.row);
     m_trace->goOn(std::move(work.traces));
+    if (work.hasCams)
+        m_cams->page();
     if (work.wizard.encoder)
         m_wizard->page().goOn(work.wizard);
     for (const auto &[bus, its] : work.ofBuses)
@@ -298,7 +301,8 @@ void MainWindow::showChosen()
     m_status->setEncoder(connected);
     if (ParameterWizard *wizard = m_wizard->ifMade())
         wizard->setEncoder(connected);
-    m_cams->setEncoder(encoder);
+    if (CamEditor *cams = m_cams->ifMade())
+        cams->setEncoder(encoder);
     m_actions.showChosen(encoder);
     m_actions.showTrace(m_trace->hasRows());
     showWordActions();
@@ -394,10 +398,11 @@ void MainWindow::showStart()
 
 void MainWindow::showCams()
 {
-    if (m_cams == nullptr)
+    if (!m_cams)
         return;
-    m_pages->setCurrentWidget(m_cams);
-    m_cams->setFocus();
+    CamEditor &cams = m_cams->page();
+    m_pages->setCurrentWidget(&cams);
+    cams.setFocus();
 }
 
 void MainWindow::showTrend()

@@ -167,6 +167,7 @@ private:
     void showChosen();
     void showPageAgain(int page, const QByteArray &kind);
     void makePages();
+    CamEditor *makeCams();
     ParameterWizard *makeWizard();
     void makeFinder();
     void connectProject();
@@ -215,7 +216,7 @@ private:
     StructureView *m_structure = nullptr;
     DeviceChoice *m_choice = nullptr;
     MonitorArea *m_monitors = nullptr;
-    CamEditor *m_cams = nullptr;
+    std::optional<LatePage<CamEditor>> m_cams;
     std::optional<LatePage<ParameterWizard>> m_wizard;
     TrendPage *m_trend = nullptr;
     ParameterPanel *m_parameters = nullptr;

@@ -139,7 +139,11 @@ void MainWindow::connectViewActions()
         if (m_layouts != nullptr)
             m_layouts->useDefault();
     });
-    connect(m_actions.keys, &QAction::triggered, this, [this] { KeySheet::show(*this); });
+    connect(m_actions.keys, &QAction::triggered, this, [this] {
+        if (m_cams)
+            m_cams->page(); // its keys are listed, too
+        KeySheet::show(*this);
+    });
     connect(m_actions.collectSupport, &QAction::triggered, this, &MainWindow::collectForSupport);
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(*this); });
 }

@@ -53,7 +53,6 @@ void MainWindow::makePages()
     m_monitors = new MonitorArea(*m_buses, this);
     m_monitors->setStations([this](Place place) { return m_project.device(place).station; });
     connect(&m_project, &ProjectDocument::changed, m_monitors, &MonitorArea::showStations);
-    m_cams = new CamEditor(*m_buses, m_plant->catalog(), m_project, this);
     m_trend = new TrendPage(
         *m_buses, m_plant->histories(), [this](Place place) { return m_project.device(place).station; },
         this);
@@ -66,7 +65,6 @@ void MainWindow::makePages()
     });
     m_projectPage->buses().setOffers([](const QString &kind) { return windowKind(kind) != nullptr; });
     const std::pair<QWidget *, const char *> pages[] = {{m_monitors, "monitors.md"},
-                                                        {m_cams, "cams.md"},
                                                         {m_trend, "trend.md"},
                                                         {m_editor, "project.md#the-structure-editor"},
                                                         {m_projectPage, "project.md#files"}};
@@ -74,6 +72,7 @@ void MainWindow::makePages()
         m_pages->addWidget(page);
         setHelpTopic(*page, topic);
     }
+    m_cams.emplace(*m_pages, "cams.md", [this] { return makeCams(); });
     m_wizard.emplace(*m_pages, "wizard.md", [this] { return makeWizard(); });
     m_transfer = new TransferPages(*m_buses, m_plant->catalog(), m_project,
                                    valuesBeforeOf([this] { return m_plant->ledgers(); }),
@@ -82,6 +81,14 @@ void MainWindow::makePages()
     m_start = new Start({*m_plant, m_project, *m_files, m_settings, m_actions, *m_pages,
                          *static_cast<QVBoxLayout *>(centralWidget()->layout())},
                         this);
+}
+
+CamEditor *MainWindow::makeCams()
+{
+    auto *cams = new CamEditor(*m_buses, m_plant->catalog(), m_project, m_pages);
+    cams->setEncoder(m_choice->encoder());
+    connect(cams, &CamEditor::trendWanted, this, &MainWindow::showInTrend);
+    return cams;
 }
 
 ParameterWizard *MainWindow::makeWizard()
@@ -266,7 +273,7 @@ void MainWindow::makeWaitingCams()
             Qt::QueuedConnection); // once all views show that encoder
     connect(m_waitingCams, &WaitingFile::ready, this, [this](const QString &path) {
         showCams();
-        m_cams->load(path);
+        m_cams->page().load(path);
     });
 }
 
@@ -348,7 +355,6 @@ void MainWindow::connectViews()
         m_device->focusNaming();
     });
     connect(m_monitors, &MonitorArea::trendWanted, this, &MainWindow::showInTrend);
-    connect(m_cams, &CamEditor::trendWanted, this, &MainWindow::showInTrend);
     connect(m_parameters, &ParameterPanel::wizardRequested, this, &MainWindow::showWizard);
     connect(m_parameters, &ParameterPanel::refusalShown, this, [this] { m_panels.show(panel::parameters); });
     const auto openChosen = [this] {

@@ -23,6 +23,7 @@ struct WorkInWindow
     int page = 0;             // in the middle, with its class
     QByteArray kindOfPage{};
     TraceView::Traces traces{};
+    bool hasCams = false; // their page was made
     ParameterWizard::UnderWay wizard{};
     std::optional<ParameterTable::Typed> wanted{}; // that is being typed
     std::map<BusId, std::any> ofBuses{};

@@ -49,11 +49,11 @@ TEST_F(CamsInTheWindow, AnEncoderWithoutCamsSaysSo)
 TEST_F(CamsInTheWindow, ArePartOfTheProject)
 {
     choose(fraba);
+    QTest::keyClick(&window(), Qt::Key_F8);
     sheet().setCam(3, {0x15, 0x213, true}, QStringLiteral("move"));
     ASSERT_EQ(shown->project().device(fraba).wantedCams.size(), 1u);
     EXPECT_EQ(shown->project().device(fraba).wantedCams.front().cam.at(3), (Cam{0x15, 0x213, true}));
     EXPECT_FALSE(shown->project().isSaved());
-    QTest::keyClick(&window(), Qt::Key_F8);
     QTest::keyClick(&editor(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(shown->project().device(fraba).wantedCams.empty());
     EXPECT_EQ(sheet().cam(3), Cam());

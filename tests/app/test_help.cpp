@@ -186,7 +186,8 @@ TEST_F(HelpTest, TheListOfKeysFitsASmallScreenAndLeavesTheWindowAtWork)
          {"ALARM STOP 2 buses: Ctrl+F12", "Help on this: F1", "Keys: Ctrl+F1", "Handshake trace: Alt+6",
           "Toggles a bit of OUT: Space", "The request typed before, or after: Up, Down",
           "Lists the commands: Ctrl+Space", "Shows all devices: Esc",
-          "Brings back what stood there before: Esc", "Shows fewer positions, or more, or all: +, -, 0"})
+          "Brings back what stood there before: Esc", "Read: Ctrl+R",
+          "Shows fewer positions, or more, or all: +, -, 0"})
         EXPECT_TRUE(rows.contains(QLatin1String(expected))) << expected;
     actions().keys->trigger();
     EXPECT_EQ(window().findChildren<QDialog *>(QStringLiteral("keys")).size(), 1) << "it is one list";

@@ -146,6 +146,17 @@ TEST_F(PagesTest, APageForTransfersIsMadeWhenItIsFirstOpened)
     EXPECT_EQ(window().findChildren<TransferPage *>().size(), 1) << "once";
 }
 
+TEST_F(PagesTest, TheCamEditorIsMadeWhenItIsFirstOpenedForTheEncoderThatIsChosen)
+{
+    choose(fraba);
+    EXPECT_EQ(window().findChild<CamEditor *>(), nullptr);
+    actions().cams->trigger();
+    const auto *cams = window().findChild<CamEditor *>();
+    ASSERT_EQ(page(), cams);
+    EXPECT_TRUE(cams->about().contains(fraba.shown())) << cams->about().toStdString();
+    EXPECT_EQ(window().findChildren<CamEditor *>().size(), 1);
+}
+
 TEST_F(PagesTest, TheWizardIsMadeWhenItIsFirstOpenedForTheEncoderThatIsChosen)
 {
     choose(fraba);

@@ -110,6 +110,7 @@ TEST_F(TrendInWindow, EveryValueLeadsThere)
     EXPECT_EQ(curves()[0], (Track{fraba, Channel::speed, {}}));
     EXPECT_EQ(curves()[1].place, fraba);
     EXPECT_TRUE(curves()[1].bit);
+    window().showCams();
     Q_EMIT window().findChild<CamEditor *>()->trendWanted({fraba, Channel::cams, 3});
     EXPECT_EQ(curves().back(), (Track{fraba, Channel::cams, 3}));
 }

@@ -11,8 +11,8 @@
 namespace codewheel {
 
 // A page of the window that is made when it is first needed, because most people do not need it on most days.
-// It has its place in the stack from the start, so the pages behind it keep theirs. Not for a page with keys
-// of its own: the list of keys would not have them.
+// It has its place in the stack from the start, so the pages behind it keep theirs. A page
+// with keys of its own has to be made before they are listed.
 template <typename Page>
 class LatePage
 {
