@@ -17,31 +17,29 @@ struct CanSettingText
     Q_DECLARE_TR_FUNCTIONS(codewheel::CanSettings)
 };
 
-constexpr std::array canSettingRows{
-    CanSetting{.key = canRateKey,
-               .its = &CanLinkArgument::rate,
-               .least = slcanRates.front(),
-               .most = slcanRates.back(),
-               .usual = 125'000,
-               .ofAdapters = slcanRates,
-               .wrong = CanRefusalId::rateWrong,
-               .labelOfForm = QT_TRANSLATE_NOOP("codewheel::CanSettings", "R&ate of the bus"),
-               .sentenceOfForm = QT_TRANSLATE_NOOP(
-                   "codewheel::CanSettings",
-                   "The same for all nodes of the bus; a node at another rate disturbs it")},
-    CanSetting{
-        .key = canBaudKey,
-        .its = &CanLinkArgument::baudRate,
-        .least = 1,
-        .most = 12'000'000,
-        .usual = CanLinkArgument::usualBaudRate,
-        .ofAdapters = {},
-        .wrong = CanRefusalId::baudRateWrong,
-        .labelOfForm = QT_TRANSLATE_NOOP("codewheel::CanSettings", "Ba&ud rate of the port"),
-        .sentenceOfForm = QT_TRANSLATE_NOOP(
-            "codewheel::CanSettings",
-            "Between this computer and the adapter. Adapters that are USB devices themselves take any")},
-};
+constexpr auto canSettingRows = std::to_array<CanSetting>({
+    {.key = canRateKey,
+     .its = &CanLinkArgument::rate,
+     .least = slcanRates.front(),
+     .most = slcanRates.back(),
+     .usual = 125'000,
+     .ofAdapters = slcanRates,
+     .wrong = CanRefusalId::rateWrong,
+     .labelOfForm = QT_TRANSLATE_NOOP("codewheel::CanSettings", "R&ate of the bus"),
+     .sentenceOfForm = QT_TRANSLATE_NOOP(
+         "codewheel::CanSettings", "The same for all nodes of the bus; a node at another rate disturbs it")},
+    {.key = canBaudKey,
+     .its = &CanLinkArgument::baudRate,
+     .least = 1,
+     .most = 12'000'000,
+     .usual = CanLinkArgument::usualBaudRate,
+     .ofAdapters = {},
+     .wrong = CanRefusalId::baudRateWrong,
+     .labelOfForm = QT_TRANSLATE_NOOP("codewheel::CanSettings", "Ba&ud rate of the port"),
+     .sentenceOfForm = QT_TRANSLATE_NOOP(
+         "codewheel::CanSettings",
+         "Between this computer and the adapter. Adapters that are USB devices themselves take any")},
+});
 
 } // namespace
 

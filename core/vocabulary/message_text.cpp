@@ -18,180 +18,147 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array messageRows{
-    SentenceRow{MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
-    SentenceRow{MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
-    SentenceRow{MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
-    SentenceRow{MessageId::operateOn, "operateOn",
-                QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
-    SentenceRow{MessageId::watchOn, "watchOn",
-                QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
-    SentenceRow{MessageId::computerSlept, "computerSlept",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The computer slept for %1 s: the bus is in Watch, and what was shown "
-                                  "before is old.")},
-    SentenceRow{MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
-    SentenceRow{
-        MessageId::parametersWritten, "parametersWritten",
-        QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
-    SentenceRow{
-        MessageId::parametersStored, "parametersStored",
-        QT_TRANSLATE_NOOP("Message", "Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).")},
-    SentenceRow{MessageId::writtenUnscaled, "writtenUnscaled",
-                QT_TRANSLATE_NOOP("Message",
-                                  "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
+constexpr auto messageRows = std::to_array<SentenceRow>({
+    {MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
+    {MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
+    {MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
+    {MessageId::operateOn, "operateOn", QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
+    {MessageId::watchOn, "watchOn", QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
+    {MessageId::computerSlept, "computerSlept",
+     QT_TRANSLATE_NOOP(
+         "Message", "The computer slept for %1 s: the bus is in Watch, and what was shown before is old.")},
+    {MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
+    {MessageId::parametersWritten, "parametersWritten",
+     QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
+    {MessageId::parametersStored, "parametersStored",
+     QT_TRANSLATE_NOOP("Message", "Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).")},
+    {MessageId::writtenUnscaled, "writtenUnscaled",
+     QT_TRANSLATE_NOOP("Message", "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
                                   "acts only while scaling is on.")},
-    SentenceRow{
-        MessageId::restoredReadBack, "restoredReadBack",
-        QT_TRANSLATE_NOOP("Message",
-                          "The earlier values were written again and read back: %1 (EEPROM writes: %2).")},
-    SentenceRow{MessageId::restoredConfirmed, "restoredConfirmed",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The earlier values were written again, confirmed and activated, "
-                                  "but cannot be read: %1 (EEPROM writes: %2).")},
-    SentenceRow{MessageId::parametersRead, "parametersRead",
-                QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
-    SentenceRow{MessageId::presetDone, "presetDone",
-                QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
-    SentenceRow{MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
-    SentenceRow{MessageId::broughtBack, "broughtBack",
-                QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
-    SentenceRow{
-        MessageId::inDoubt, "inDoubt",
-        QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. Read it to know.")},
-    SentenceRow{MessageId::inDoubtForGood, "inDoubtForGood",
-                QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. It cannot be "
-                                             "read: compare the position with the machine, or "
-                                             "write it again.")},
-    SentenceRow{MessageId::writesInDoubt, "writesInDoubt",
-                QT_TRANSLATE_NOOP("Message", "EEPROM writes that this perhaps cost: %1.")},
-    SentenceRow{MessageId::outLeft, "outLeft",
-                QT_TRANSLATE_NOOP("Message", "OUT may still hold %1: the encoder may give no position. Bring "
-                                             "it back once the bus runs again.")},
-    SentenceRow{MessageId::leftInParameterization, "leftInParameterization",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The encoder was left in parameterization. Send run to bring it back to "
-                                  "operation.")},
-    SentenceRow{MessageId::stillInParameterization, "stillInParameterization",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The encoder is still in parameterization, as it was before: it gives no "
+    {MessageId::restoredReadBack, "restoredReadBack",
+     QT_TRANSLATE_NOOP("Message",
+                       "The earlier values were written again and read back: %1 (EEPROM writes: %2).")},
+    {MessageId::restoredConfirmed, "restoredConfirmed",
+     QT_TRANSLATE_NOOP("Message", "The earlier values were written again, confirmed and activated, but "
+                                  "cannot be read: %1 (EEPROM writes: %2).")},
+    {MessageId::parametersRead, "parametersRead", QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
+    {MessageId::presetDone, "presetDone",
+     QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
+    {MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
+    {MessageId::broughtBack, "broughtBack",
+     QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
+    {MessageId::inDoubt, "inDoubt",
+     QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. Read it to know.")},
+    {MessageId::inDoubtForGood, "inDoubtForGood",
+     QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. It cannot be read: "
+                                  "compare the position with the machine, or write it again.")},
+    {MessageId::writesInDoubt, "writesInDoubt",
+     QT_TRANSLATE_NOOP("Message", "EEPROM writes that this perhaps cost: %1.")},
+    {MessageId::outLeft, "outLeft",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "OUT may still hold %1: the encoder may give no position. Bring it back once the bus runs again.")},
+    {MessageId::leftInParameterization, "leftInParameterization",
+     QT_TRANSLATE_NOOP("Message",
+                       "The encoder was left in parameterization. Send run to bring it back to operation.")},
+    {MessageId::stillInParameterization, "stillInParameterization",
+     QT_TRANSLATE_NOOP("Message", "The encoder is still in parameterization, as it was before: it gives no "
                                   "position until run is sent.")},
-    SentenceRow{MessageId::leftInService, "leftInService",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The encoder was left in service mode: it shows no position. Set OUT to "
-                                  "0 to bring it back to normal mode.")},
-    SentenceRow{MessageId::leftInMode, "leftInMode",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The encoder was left in %1: the controller gets no position. Switch it "
-                                  "back to position mode.")},
-    SentenceRow{MessageId::leftInUnknownMode, "leftInUnknownMode",
-                QT_TRANSLATE_NOOP("Message",
-                                  "It is not known in which mode the encoder was left: the controller may "
+    {MessageId::leftInService, "leftInService",
+     QT_TRANSLATE_NOOP("Message", "The encoder was left in service mode: it shows no position. Set OUT to 0 "
+                                  "to bring it back to normal mode.")},
+    {MessageId::leftInMode, "leftInMode",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "The encoder was left in %1: the controller gets no position. Switch it back to position mode.")},
+    {MessageId::leftInUnknownMode, "leftInUnknownMode",
+     QT_TRANSLATE_NOOP("Message", "It is not known in which mode the encoder was left: the controller may "
                                   "get no position. Switch it to position mode.")},
-    SentenceRow{MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
-                QT_TRANSLATE_NOOP("Message",
-                                  "IN has been 00000000 since run: position 0, or an encoder without power. "
+    {MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
+     QT_TRANSLATE_NOOP("Message", "IN has been 00000000 since run: position 0, or an encoder without power. "
                                   "Turn the shaft to be sure.")},
-    SentenceRow{MessageId::deviceFault, "deviceFault",
-                QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
-    SentenceRow{MessageId::deviceFaultGone, "deviceFaultGone",
-                QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
-    SentenceRow{
-        MessageId::valuesForgotten, "valuesForgotten",
-        QT_TRANSLATE_NOOP("Message", "What was known of the encoder may not hold any more: read it again.")},
-    SentenceRow{MessageId::lateCycles, "lateCycles",
-                QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
-    SentenceRow{MessageId::modeSwitched, "modeSwitched",
-                QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
-    SentenceRow{MessageId::modeSentToZero, "modeSentToZero",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The word for %1 was sent, and IN is 00000000: the encoder has no supply, "
-                                  "or is at position 0.")},
-    SentenceRow{
-        MessageId::resetWaitsForRun, "resetWaitsForRun",
-        QT_TRANSLATE_NOOP("Message",
-                          "The reset to factory settings waits for run. Run carries it out; switching the "
-                          "encoder off drops it.")},
-    SentenceRow{
-        MessageId::resetDone, "resetDone",
-        QT_TRANSLATE_NOOP("Message", "The encoder was reset to factory settings (EEPROM writes: %1).")},
-    SentenceRow{MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
-    SentenceRow{MessageId::camsWritten, "camsWritten",
-                QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
-    SentenceRow{MessageId::deviceNamed, "deviceNamed",
-                QT_TRANSLATE_NOOP("Message",
-                                  "This encoder is now treated as: %1. What was known of it is forgotten.")},
-    SentenceRow{MessageId::serialNumberDiffers, "serialNumberDiffers",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The project has the serial number %1, and the encoder reports %2: check "
+    {MessageId::deviceFault, "deviceFault",
+     QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
+    {MessageId::deviceFaultGone, "deviceFaultGone",
+     QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
+    {MessageId::valuesForgotten, "valuesForgotten",
+     QT_TRANSLATE_NOOP("Message", "What was known of the encoder may not hold any more: read it again.")},
+    {MessageId::lateCycles, "lateCycles", QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
+    {MessageId::modeSwitched, "modeSwitched", QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
+    {MessageId::modeSentToZero, "modeSentToZero",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "The word for %1 was sent, and IN is 00000000: the encoder has no supply, or is at position 0.")},
+    {MessageId::resetWaitsForRun, "resetWaitsForRun",
+     QT_TRANSLATE_NOOP("Message", "The reset to factory settings waits for run. Run carries it out; "
+                                  "switching the encoder off drops it.")},
+    {MessageId::resetDone, "resetDone",
+     QT_TRANSLATE_NOOP("Message", "The encoder was reset to factory settings (EEPROM writes: %1).")},
+    {MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
+    {MessageId::camsWritten, "camsWritten",
+     QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
+    {MessageId::deviceNamed, "deviceNamed",
+     QT_TRANSLATE_NOOP("Message", "This encoder is now treated as: %1. What was known of it is forgotten.")},
+    {MessageId::serialNumberDiffers, "serialNumberDiffers",
+     QT_TRANSLATE_NOOP("Message", "The project has the serial number %1, and the encoder reports %2: check "
                                   "which encoder it is, and correct the project.")},
-    SentenceRow{MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
-    SentenceRow{MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
-    SentenceRow{MessageId::crcErrors, "crcErrors",
-                QT_TRANSLATE_NOOP(
-                    "Message", "CRC errors in segment %1: %2 since the last message, %3 since the start.")},
-    SentenceRow{MessageId::projectOpened, "projectOpened",
-                QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
-    SentenceRow{MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
-    SentenceRow{MessageId::projectRecovered, "projectRecovered",
-                QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were recovered.")},
-    SentenceRow{MessageId::eepromThreeQuarters, "eepromThreeQuarters",
-                QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual "
-                                             "states about %2 writes. Each further write is asked about.")},
-    SentenceRow{MessageId::eepromBudgetUsed, "eepromBudgetUsed",
-                QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as "
-                                             "its manual states (%2). It may lose its values.")},
-    SentenceRow{MessageId::valuesStored, "valuesStored",
-                QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
-    SentenceRow{
-        MessageId::transferDone, "transferDone",
-        QT_TRANSLATE_NOOP(
-            "Message", "Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.")},
-    SentenceRow{MessageId::transferCancelled, "transferCancelled",
-                QT_TRANSLATE_NOOP("Message", "The transfer was cancelled (encoders that have all of it: %1, "
-                                             "values written: %2, already there: %3, EEPROM writes: %4).")},
-    SentenceRow{
-        MessageId::transferCancelledSet, "transferCancelledSet",
-        QT_TRANSLATE_NOOP("Message",
-                          "The transfer was cancelled, but the position was set to %5 (encoders that have "
-                          "all of it: %1, values written: %2, already there: %3, EEPROM writes: %4).")},
-    SentenceRow{
-        MessageId::encoderReplaced, "encoderReplaced",
-        QT_TRANSLATE_NOOP("Message", "The encoder was replaced (serial number before: %1, now: %2).")},
-    SentenceRow{MessageId::valuesRestored, "valuesRestored",
-                QT_TRANSLATE_NOOP("Message", "Values of %1 were restored: %2.")},
-    SentenceRow{MessageId::reportSaved, "reportSaved", QT_TRANSLATE_NOOP("Message", "Report saved: %1.")},
-    SentenceRow{
-        MessageId::oldMessagesDropped, "oldMessagesDropped",
-        QT_TRANSLATE_NOOP(
-            "Message", "The message file had reached its size limit: the oldest %1 messages were dropped.")},
-    SentenceRow{MessageId::notKept, "notKept",
-                QT_TRANSLATE_NOOP("Message",
-                                  "%1 cannot be used: %2 What belongs there is kept only until the program "
-                                  "ends.")},
-    SentenceRow{MessageId::keptBeside, "keptBeside",
-                QT_TRANSLATE_NOOP(
-                    "Message", "EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered "
-                               "when the program can open it again.")},
-    SentenceRow{
-        MessageId::databasePutAside, "databasePutAside",
-        QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
-    SentenceRow{MessageId::encoderSilent, "encoderSilent",
-                QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
-    SentenceRow{MessageId::encoderAnswers, "encoderAnswers",
-                QT_TRANSLATE_NOOP("Message", "The encoder answers again.")},
-    SentenceRow{MessageId::recordingBegun, "recordingBegun",
-                QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
-    SentenceRow{MessageId::recordingWaits, "recordingWaits",
-                QT_TRANSLATE_NOOP("Message", "The recording %1 waits for its trigger.")},
-    SentenceRow{MessageId::recordingTriggered, "recordingTriggered",
-                QT_TRANSLATE_NOOP("Message", "The trigger fired: recording to %1.")},
-    SentenceRow{MessageId::recordingGoesOn, "recordingGoesOn",
-                QT_TRANSLATE_NOOP("Message", "The recording %1 goes on (values lost so far: %2).")},
-    SentenceRow{MessageId::recordingEnded, "recordingEnded",
-                QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
-    SentenceRow{MessageId::training, "training", "%1"},
-};
+    {MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
+    {MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
+    {MessageId::crcErrors, "crcErrors",
+     QT_TRANSLATE_NOOP("Message",
+                       "CRC errors in segment %1: %2 since the last message, %3 since the start.")},
+    {MessageId::projectOpened, "projectOpened", QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
+    {MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
+    {MessageId::projectRecovered, "projectRecovered",
+     QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were recovered.")},
+    {MessageId::eepromThreeQuarters, "eepromThreeQuarters",
+     QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual states about "
+                                  "%2 writes. Each further write is asked about.")},
+    {MessageId::eepromBudgetUsed, "eepromBudgetUsed",
+     QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as its manual "
+                                  "states (%2). It may lose its values.")},
+    {MessageId::valuesStored, "valuesStored",
+     QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
+    {MessageId::transferDone, "transferDone",
+     QT_TRANSLATE_NOOP("Message",
+                       "Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.")},
+    {MessageId::transferCancelled, "transferCancelled",
+     QT_TRANSLATE_NOOP("Message", "The transfer was cancelled (encoders that have all of it: %1, values "
+                                  "written: %2, already there: %3, EEPROM writes: %4).")},
+    {MessageId::transferCancelledSet, "transferCancelledSet",
+     QT_TRANSLATE_NOOP("Message",
+                       "The transfer was cancelled, but the position was set to %5 (encoders that have all "
+                       "of it: %1, values written: %2, already there: %3, EEPROM writes: %4).")},
+    {MessageId::encoderReplaced, "encoderReplaced",
+     QT_TRANSLATE_NOOP("Message", "The encoder was replaced (serial number before: %1, now: %2).")},
+    {MessageId::valuesRestored, "valuesRestored",
+     QT_TRANSLATE_NOOP("Message", "Values of %1 were restored: %2.")},
+    {MessageId::reportSaved, "reportSaved", QT_TRANSLATE_NOOP("Message", "Report saved: %1.")},
+    {MessageId::oldMessagesDropped, "oldMessagesDropped",
+     QT_TRANSLATE_NOOP("Message",
+                       "The message file had reached its size limit: the oldest %1 messages were dropped.")},
+    {MessageId::notKept, "notKept",
+     QT_TRANSLATE_NOOP("Message",
+                       "%1 cannot be used: %2 What belongs there is kept only until the program ends.")},
+    {MessageId::keptBeside, "keptBeside",
+     QT_TRANSLATE_NOOP("Message", "EEPROM writes cannot be entered in %1: %2 They are kept in %3, and "
+                                  "entered when the program can open it again.")},
+    {MessageId::databasePutAside, "databasePutAside",
+     QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
+    {MessageId::encoderSilent, "encoderSilent",
+     QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
+    {MessageId::encoderAnswers, "encoderAnswers", QT_TRANSLATE_NOOP("Message", "The encoder answers again.")},
+    {MessageId::recordingBegun, "recordingBegun", QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
+    {MessageId::recordingWaits, "recordingWaits",
+     QT_TRANSLATE_NOOP("Message", "The recording %1 waits for its trigger.")},
+    {MessageId::recordingTriggered, "recordingTriggered",
+     QT_TRANSLATE_NOOP("Message", "The trigger fired: recording to %1.")},
+    {MessageId::recordingGoesOn, "recordingGoesOn",
+     QT_TRANSLATE_NOOP("Message", "The recording %1 goes on (values lost so far: %2).")},
+    {MessageId::recordingEnded, "recordingEnded",
+     QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
+    {MessageId::training, "training", "%1"},
+});
 
 static_assert(areInOrder(messageRows, &SentenceRow::id, MessageId::training));
 

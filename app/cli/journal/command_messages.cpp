@@ -28,26 +28,24 @@ namespace {
 constexpr const char *messagesExamples[] = {"messages", "messages --severity fault --from 2026-03-01",
                                             "messages --place 1.0 --text steps --export steps.html"};
 
-constexpr std::array messagesOptions{
-    Option{"--file", "FILE",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this file, in place of the user's own")},
-    Option{"--severity", "SEVERITY",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "information, attention or fault: this or worse")},
-    Option{"--place", "PLACE",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this device; \"bus\": of none")},
-    Option{"--bus", "BUS",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "of this bus and its devices: its number, or its name in the project")},
-    Option{"--from", "TIME",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "from this time on: 2026-03-01 or 2026-03-01T14:02")},
-    Option{"--until", "TIME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "before this time")},
-    Option{"--text", "TEXT",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "with this text anywhere in the line")},
-    Option{"--last", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "the newest N (100); 0: all")},
-    Option{"--export", "FILE",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "write all that match to FILE, .csv or .html")},
-    Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
-};
+constexpr auto messagesOptions = std::to_array<Option>({
+    {"--file", "FILE",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this file, in place of the user's own")},
+    {"--severity", "SEVERITY",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "information, attention or fault: this or worse")},
+    {"--place", "PLACE", QT_TRANSLATE_NOOP("codewheel::CommandLine", "of this device; \"bus\": of none")},
+    {"--bus", "BUS",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "of this bus and its devices: its number, or its name in the project")},
+    {"--from", "TIME",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "from this time on: 2026-03-01 or 2026-03-01T14:02")},
+    {"--until", "TIME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "before this time")},
+    {"--text", "TEXT", QT_TRANSLATE_NOOP("codewheel::CommandLine", "with this text anywhere in the line")},
+    {"--last", "N", QT_TRANSLATE_NOOP("codewheel::CommandLine", "the newest N (100); 0: all")},
+    {"--export", "FILE",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "write all that match to FILE, .csv or .html")},
+    {"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace FILE if it is there")},
+});
 
 constexpr qint64 portion = 5'000; // ids looked at together
 constexpr int usualLast = 100;

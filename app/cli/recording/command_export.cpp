@@ -23,33 +23,30 @@ constexpr const char *exportExamples[] = {"export shaft.cwrec",
                                           "export shaft.cwrec -o shaft.csv --tracks 1.0/position,1.0/in.25",
                                           "export night.cwrec -o end.csv --from -60 --unit degrees --locale"};
 
-constexpr std::array exportOptions{
-    Option{"-o", "CSV",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "the table to make, with a .json of the same name beside it that describes it")},
-    Option{
-        "--tracks", "TRACKS",
-        QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                          "its columns, with commas: 1.0/position,1.0/speed,1.0/in.25; without: everything")},
-    Option{"--from", "TIME",
-           QT_TRANSLATE_NOOP(
-               "codewheel::CommandLine",
-               "from this time on: 2026-03-01T14:02:05, or +60, seconds from the beginning, or -60, "
-               "before the end")},
-    Option{"--to", "TIME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "up to this time")},
-    Option{"--unit", "UNIT",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "of positions and speeds: steps (the default), turns, degrees or millimetres")},
-    Option{"--mm-per-turn", "MM",
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "with millimetres: the way of one turn of a shaft")},
-    Option{"--locale", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "as the spreadsheets of the country want it")},
-    Option{"--dates", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                             "with a second column of dates and times of day, with their offset from UTC")},
-    Option{"--yes", nullptr,
-           QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace CSV and its .json if they are there")},
-};
+constexpr auto exportOptions = std::to_array<Option>({
+    {"-o", "CSV",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "the table to make, with a .json of the same name beside it that describes it")},
+    {"--tracks", "TRACKS",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "its columns, with commas: 1.0/position,1.0/speed,1.0/in.25; without: everything")},
+    {"--from", "TIME",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "from this time on: 2026-03-01T14:02:05, or +60, seconds "
+                                                 "from the beginning, or -60, before the end")},
+    {"--to", "TIME", QT_TRANSLATE_NOOP("codewheel::CommandLine", "up to this time")},
+    {"--unit", "UNIT",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "of positions and speeds: steps (the default), turns, degrees or millimetres")},
+    {"--mm-per-turn", "MM",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "with millimetres: the way of one turn of a shaft")},
+    {"--locale", nullptr,
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "as the spreadsheets of the country want it")},
+    {"--dates", nullptr,
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "with a second column of dates and times of day, with their offset from UTC")},
+    {"--yes", nullptr,
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "replace CSV and its .json if they are there")},
+});
 
 // Before anything is read: whether both files can be made.
 Checked<void> checkTargets(const Arguments &arguments, const QString &recording, const QString &table)

@@ -40,26 +40,23 @@ struct CommandRow
     const char *question;      // for one node
     const char *questionToAll; // for all
 };
-constexpr std::array commandRows{
-    CommandRow{"start", NmtCommand::start, NmtState::operational,
-               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Start node %1?"),
-               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Start all nodes?")},
-    CommandRow{"stop", NmtCommand::stop, NmtState::stopped,
-               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Stop node %1? It answers nothing then."),
-               QT_TRANSLATE_NOOP("codewheel::CommandLine", "Stop all nodes? They answer nothing then.")},
-    CommandRow{
-        "pre-operational", NmtCommand::preOperational, NmtState::preOperational,
-        QT_TRANSLATE_NOOP("codewheel::CommandLine", "Set node %1 to pre-operational? It sends no PDOs then."),
-        QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                          "Set all nodes to pre-operational? They send no PDOs then.")},
-    CommandRow{
-        "reset", NmtCommand::resetNode, NmtState::preOperational,
-        QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                          "Reset node %1? What is not stored is lost, and it has to be started again."),
-        QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                          "Reset all nodes? What is not stored is lost, and they have to be started "
-                          "again.")},
-};
+constexpr auto commandRows = std::to_array<CommandRow>({
+    {"start", NmtCommand::start, NmtState::operational,
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "Start node %1?"),
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "Start all nodes?")},
+    {"stop", NmtCommand::stop, NmtState::stopped,
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "Stop node %1? It answers nothing then."),
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "Stop all nodes? They answer nothing then.")},
+    {"pre-operational", NmtCommand::preOperational, NmtState::preOperational,
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "Set node %1 to pre-operational? It sends no PDOs then."),
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "Set all nodes to pre-operational? They send no PDOs then.")},
+    {"reset", NmtCommand::resetNode, NmtState::preOperational,
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "Reset node %1? What is not stored is lost, and it has to be started again."),
+     QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                       "Reset all nodes? What is not stored is lost, and they have to be started again.")},
+});
 
 const CommandRow *rowOf(const QString &typed)
 {

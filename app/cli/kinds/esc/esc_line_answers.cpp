@@ -29,20 +29,18 @@ struct Missing
     const char *command;
     const char *why;
 };
-constexpr std::array missing{
-    Missing{"words",
-            QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                              "Encoders on a serial line have no words of process data. Send commands "
-                              "with codewheel-cli terminal.")},
-    Missing{"cams", QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no cams.")},
-    Missing{"velocity",
-            QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no velocity mode.")},
-    Missing{"reset",
-            QT_TRANSLATE_NOOP("codewheel::CommandLine",
-                              "Encoders on a serial line have no command that resets them to factory "
-                              "settings. Write the values with codewheel-cli write.")},
-    Missing{"master", QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no master.")},
-};
+constexpr auto missing = std::to_array<Missing>({
+    {"words",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no words of process data. "
+                                                 "Send commands with codewheel-cli terminal.")},
+    {"cams", QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no cams.")},
+    {"velocity",
+     QT_TRANSLATE_NOOP("codewheel::CommandLine", "Encoders on a serial line have no velocity mode.")},
+    {"reset", QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                                "Encoders on a serial line have no command that resets them to factory "
+                                "settings. Write the values with codewheel-cli write.")},
+    {"master", QT_TRANSLATE_NOOP("codewheel::CommandLine", "A serial line has no master.")},
+});
 
 // What went over the line; with several encoders each has the requests to its address.
 class RequestTrace final : public JobTrace

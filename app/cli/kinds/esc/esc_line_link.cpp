@@ -31,30 +31,26 @@ struct NumberSetting
 
 constexpr auto fractionBitsKey = "fraction-bits";
 
-constexpr std::array numberSettings{
-    NumberSetting{"baud", line_limits::baudRate,
-                  [](EscLineLink &link, int v) { link.settings.serial.baudRate = v; }},
-    NumberSetting{"time-out", line_limits::timeOut,
-                  [](EscLineLink &link, int v) { link.settings.timing.answerTimeOut = milliseconds(v); }},
-    NumberSetting{"retries", line_limits::retries,
-                  [](EscLineLink &link, int v) { link.settings.timing.retries = v; }},
-    NumberSetting{"quiet", line_limits::quietAfterWrite,
-                  [](EscLineLink &link, int v) { link.settings.timing.quietAfterWrite = milliseconds(v); }},
-    NumberSetting{"poll", line_limits::pollInterval,
-                  [](EscLineLink &link, int v) { link.settings.pollInterval = milliseconds(v); }},
-    NumberSetting{"top-speed", line_limits::topSpeed,
-                  [](EscLineLink &link, int v) { link.settings.topSpeed = v; }},
-    NumberSetting{fractionBitsKey, line_limits::fractionBits,
-                  [](EscLineLink &link, int v) { link.settings.fractionBits = v; }},
-    NumberSetting{
-        "low-latency", {0, 1}, [](EscLineLink &link, int v) { link.settings.serial.lowLatency = v == 1; }},
-    NumberSetting{"swap-warnings",
-                  {0, 1},
-                  [](EscLineLink &link, int v) {
-                      link.swapWarningBytes = v == 1;
-                      link.swapping.clear();
-                  }},
-};
+constexpr auto numberSettings = std::to_array<NumberSetting>({
+    {"baud", line_limits::baudRate, [](EscLineLink &link, int v) { link.settings.serial.baudRate = v; }},
+    {"time-out", line_limits::timeOut,
+     [](EscLineLink &link, int v) { link.settings.timing.answerTimeOut = milliseconds(v); }},
+    {"retries", line_limits::retries, [](EscLineLink &link, int v) { link.settings.timing.retries = v; }},
+    {"quiet", line_limits::quietAfterWrite,
+     [](EscLineLink &link, int v) { link.settings.timing.quietAfterWrite = milliseconds(v); }},
+    {"poll", line_limits::pollInterval,
+     [](EscLineLink &link, int v) { link.settings.pollInterval = milliseconds(v); }},
+    {"top-speed", line_limits::topSpeed, [](EscLineLink &link, int v) { link.settings.topSpeed = v; }},
+    {fractionBitsKey, line_limits::fractionBits,
+     [](EscLineLink &link, int v) { link.settings.fractionBits = v; }},
+    {"low-latency", {0, 1}, [](EscLineLink &link, int v) { link.settings.serial.lowLatency = v == 1; }},
+    {"swap-warnings",
+     {0, 1},
+     [](EscLineLink &link, int v) {
+         link.swapWarningBytes = v == 1;
+         link.swapping.clear();
+     }},
+});
 
 const QString fromDevice = QStringLiteral("device");
 const QString formatKey = QStringLiteral("format");

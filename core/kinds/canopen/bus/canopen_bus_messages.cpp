@@ -13,38 +13,35 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array canopenBusMessageRows{
-    SentenceRow{CanopenBusMessageId::opened, "canopenOpened",
-                QT_TRANSLATE_NOOP("Message", "The CAN bus %1 is open at %2 Bd.")},
-    SentenceRow{CanopenBusMessageId::closed, "canopenClosed",
-                QT_TRANSLATE_NOOP("Message", "The CAN bus %1 was closed.")},
-    SentenceRow{CanopenBusMessageId::back, "canopenBack",
-                QT_TRANSLATE_NOOP("Message", "The CAN bus %1 is open again, and only watched.")},
-    SentenceRow{CanopenBusMessageId::otherMasterHeard, "canopenOtherMasterHeard",
-                QT_TRANSLATE_NOOP("Message", "Another master is at work on this bus. Heard: %1.")},
-    SentenceRow{CanopenBusMessageId::nodeDoubled, "canopenNodeDoubled",
-                QT_TRANSLATE_NOOP("Message", "Two devices have this node number: more answers or heartbeats "
-                                             "come than one sends. Give one of them another number.")},
-    SentenceRow{CanopenBusMessageId::heartbeatLost, "canopenHeartbeatLost",
-                QT_TRANSLATE_NOOP("Message", "The heartbeat of this node does not come any more.")},
-    SentenceRow{CanopenBusMessageId::heartbeatBack, "canopenHeartbeatBack",
-                QT_TRANSLATE_NOOP("Message", "The heartbeat of this node comes again.")},
-    SentenceRow{CanopenBusMessageId::loadHigh, "canopenLoadHigh",
-                QT_TRANSLATE_NOOP("Message", "The bus is %1 % full: frames of low priority may come late or "
-                                             "not at all.")},
-    SentenceRow{CanopenBusMessageId::nodesFound, "canopenNodesFound",
-                QT_TRANSLATE_NOOP("Message", "Nodes found on the CAN bus: %1.")},
-    SentenceRow{CanopenBusMessageId::nodesStopped, "canopenNodesStopped",
-                QT_TRANSLATE_NOOP("Message",
-                                  "ALARM STOP: the nodes that were started from here were stopped: "
-                                  "%1.")},
-    SentenceRow{CanopenBusMessageId::allNodesStopped, "canopenAllNodesStopped",
-                QT_TRANSLATE_NOOP("Message", "ALARM STOP: all nodes were stopped.")},
-    SentenceRow{CanopenBusMessageId::stopsNotSent, "canopenStopsNotSent",
-                QT_TRANSLATE_NOOP("Message", "The command that stops the nodes could not be sent. It is sent "
-                                             "once the bus is there again. Stop the machine by its own "
-                                             "means.")},
-};
+constexpr auto canopenBusMessageRows = std::to_array<SentenceRow>({
+    {CanopenBusMessageId::opened, "canopenOpened",
+     QT_TRANSLATE_NOOP("Message", "The CAN bus %1 is open at %2 Bd.")},
+    {CanopenBusMessageId::closed, "canopenClosed",
+     QT_TRANSLATE_NOOP("Message", "The CAN bus %1 was closed.")},
+    {CanopenBusMessageId::back, "canopenBack",
+     QT_TRANSLATE_NOOP("Message", "The CAN bus %1 is open again, and only watched.")},
+    {CanopenBusMessageId::otherMasterHeard, "canopenOtherMasterHeard",
+     QT_TRANSLATE_NOOP("Message", "Another master is at work on this bus. Heard: %1.")},
+    {CanopenBusMessageId::nodeDoubled, "canopenNodeDoubled",
+     QT_TRANSLATE_NOOP("Message", "Two devices have this node number: more answers or heartbeats come than "
+                                  "one sends. Give one of them another number.")},
+    {CanopenBusMessageId::heartbeatLost, "canopenHeartbeatLost",
+     QT_TRANSLATE_NOOP("Message", "The heartbeat of this node does not come any more.")},
+    {CanopenBusMessageId::heartbeatBack, "canopenHeartbeatBack",
+     QT_TRANSLATE_NOOP("Message", "The heartbeat of this node comes again.")},
+    {CanopenBusMessageId::loadHigh, "canopenLoadHigh",
+     QT_TRANSLATE_NOOP("Message",
+                       "The bus is %1 % full: frames of low priority may come late or not at all.")},
+    {CanopenBusMessageId::nodesFound, "canopenNodesFound",
+     QT_TRANSLATE_NOOP("Message", "Nodes found on the CAN bus: %1.")},
+    {CanopenBusMessageId::nodesStopped, "canopenNodesStopped",
+     QT_TRANSLATE_NOOP("Message", "ALARM STOP: the nodes that were started from here were stopped: %1.")},
+    {CanopenBusMessageId::allNodesStopped, "canopenAllNodesStopped",
+     QT_TRANSLATE_NOOP("Message", "ALARM STOP: all nodes were stopped.")},
+    {CanopenBusMessageId::stopsNotSent, "canopenStopsNotSent",
+     QT_TRANSLATE_NOOP("Message", "The command that stops the nodes could not be sent. It is sent once the "
+                                  "bus is there again. Stop the machine by its own means.")},
+});
 
 static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::stopsNotSent));
 

@@ -12,21 +12,18 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array canopenBusRefusalRows{
-    SentenceRow{
-        CanopenBusRefusalId::nodeNumberWrong, "canopenNodeNumberWrong",
-        QT_TRANSLATE_NOOP("Refusal", "\"%1\" is not a node on CANopen. Nodes are numbered from 1 to 127.")},
-    SentenceRow{CanopenBusRefusalId::otherMaster, "canopenOtherMaster",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Another master is at work on this bus (heard: %1), and what is sent may "
+constexpr auto canopenBusRefusalRows = std::to_array<SentenceRow>({
+    {CanopenBusRefusalId::nodeNumberWrong, "canopenNodeNumberWrong",
+     QT_TRANSLATE_NOOP("Refusal", "\"%1\" is not a node on CANopen. Nodes are numbered from 1 to 127.")},
+    {CanopenBusRefusalId::otherMaster, "canopenOtherMaster",
+     QT_TRANSLATE_NOOP("Refusal", "Another master is at work on this bus (heard: %1), and what is sent may "
                                   "disturb it. Nothing was sent: agree to that first.")},
-    SentenceRow{CanopenBusRefusalId::searching, "canopenSearching",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The bus is being searched for nodes. Wait for the end of it, or "
-                                  "cancel it.")},
-    SentenceRow{CanopenBusRefusalId::closed, "canopenBusClosed",
-                QT_TRANSLATE_NOOP("Refusal", "The CAN bus is not open. Connect it first.")},
-};
+    {CanopenBusRefusalId::searching, "canopenSearching",
+     QT_TRANSLATE_NOOP("Refusal",
+                       "The bus is being searched for nodes. Wait for the end of it, or cancel it.")},
+    {CanopenBusRefusalId::closed, "canopenBusClosed",
+     QT_TRANSLATE_NOOP("Refusal", "The CAN bus is not open. Connect it first.")},
+});
 
 static_assert(areInOrder(canopenBusRefusalRows, &SentenceRow::id, CanopenBusRefusalId::closed));
 

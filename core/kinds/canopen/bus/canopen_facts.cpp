@@ -30,12 +30,12 @@ struct StateKey
     NmtState state;
     const char *key;
 };
-constexpr std::array stateKeys{
-    StateKey{NmtState::bootUp, "bootUp"},
-    StateKey{NmtState::stopped, "stopped"},
-    StateKey{NmtState::operational, "operational"},
-    StateKey{NmtState::preOperational, "preOperational"},
-};
+constexpr auto stateKeys = std::to_array<StateKey>({
+    {NmtState::bootUp, "bootUp"},
+    {NmtState::stopped, "stopped"},
+    {NmtState::operational, "operational"},
+    {NmtState::preOperational, "preOperational"},
+});
 
 struct HeartbeatRow
 {
@@ -43,13 +43,13 @@ struct HeartbeatRow
     const char *key;
     const char *text;
 };
-constexpr std::array heartbeatRows{
-    HeartbeatRow{Heartbeat::notHeard, "notHeard", ""},
-    HeartbeatRow{Heartbeat::heard, "heard", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
-    HeartbeatRow{Heartbeat::present, "present", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
-    HeartbeatRow{Heartbeat::late, "late", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "late")},
-    HeartbeatRow{Heartbeat::lost, "lost", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "lost")},
-};
+constexpr auto heartbeatRows = std::to_array<HeartbeatRow>({
+    {Heartbeat::notHeard, "notHeard", ""},
+    {Heartbeat::heard, "heard", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
+    {Heartbeat::present, "present", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
+    {Heartbeat::late, "late", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "late")},
+    {Heartbeat::lost, "lost", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "lost")},
+});
 static_assert(areInOrder(heartbeatRows, &HeartbeatRow::id, Heartbeat::lost));
 
 const HeartbeatRow &rowOf(Heartbeat heartbeat)
@@ -120,76 +120,70 @@ QString masterText(const CanopenSession &bus)
     return master.isHeard() ? OtherMaster::textOf(master.argument()) : CanopenFactText::tr("none is heard");
 }
 
-constexpr std::array factRows{
-    CanopenFact{"link", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Adapter"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The interface or the port of this bus"),
-                [](const CanopenSession &bus) { return bus.linkName(); },
-                [](const CanopenSession &bus) { return QJsonValue(bus.linkName()); }},
-    CanopenFact{"rate", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Rate"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Of the bus, as far as the adapter tells it"),
-                rateText, [](const CanopenSession &bus) { return QJsonValue(bus.rate()); }},
-    CanopenFact{
-        "load", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Load"),
-        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "How much of the last second frames were on the bus"),
-        loadText, [](const CanopenSession &bus) { return QJsonValue(figuresOf(bus).load); }},
-    CanopenFact{"controller", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Controller"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                                  "The error state of our adapter: error passive from 128 errors on, bus off "
-                                  "at 256"),
-                [](const CanopenSession &bus) { return canStateText(bus.latest().status.state); },
-                [](const CanopenSession &bus) { return QJsonValue(canStateKey(bus.latest().status.state)); }},
-    CanopenFact{"listensOnly", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Acknowledging"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                                  "Whether our adapter acknowledges what others send. One that only listens "
-                                  "does not"),
-                listensText,
-                [](const CanopenSession &bus) {
-                    const auto &listens = bus.latest().status.listensOnly;
-                    return listens ? QJsonValue(*listens) : QJsonValue();
-                }},
-    CanopenFact{"otherMaster", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Another master"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                                  "Who commands or asks nodes and is not this program, such as a PLC"),
-                masterText,
-                [](const CanopenSession &bus) { return QJsonValue(bus.latest().otherMaster.isHeard()); }},
-    CanopenFact{"received", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Received"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames, since the bus was connected"),
-                countText<&CanopenFigures::received>, countJson<&CanopenFigures::received>},
-    CanopenFact{"sent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Sent"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames of this program"),
-                countText<&CanopenFigures::sent>, countJson<&CanopenFigures::sent>},
-    CanopenFact{"notSent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not sent"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames that the adapter has refused"),
-                countText<&CanopenFigures::notSent>, countJson<&CanopenFigures::notSent>},
-    CanopenFact{
-        "errorFrames", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error frames"),
-        QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                          "As far as the adapter reports them. Many: the rate or the wiring is wrong"),
-        countText<&CanopenFigures::errorFrames>, countJson<&CanopenFigures::errorFrames>},
-    CanopenFact{
-        "notAcknowledged", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not acknowledged"),
-        QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                          "Error frames since a frame was last received, because nobody acknowledges: "
-                          "no other node is there, or none at this rate"),
-        countText<&CanopenFigures::notAcknowledged>, countJson<&CanopenFigures::notAcknowledged>},
-    CanopenFact{"transmitErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Transmit errors"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
-                counterText<&CanStatus::transmitErrors>, counterJson<&CanStatus::transmitErrors>},
-    CanopenFact{"receiveErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Receive errors"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
-                counterText<&CanStatus::receiveErrors>, counterJson<&CanStatus::receiveErrors>},
-    CanopenFact{"extended", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "With 29 bits"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                                  "Frames with extended identifiers, which CANopen does not use: J1939, say"),
-                countText<&CanopenFigures::extended>, countJson<&CanopenFigures::extended>},
-    CanopenFact{"answersOfOthers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Answers to others"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                                  "SDO answers that this program did not ask for. They are never taken"),
-                countText<&CanopenFigures::answersOfOthers>, countJson<&CanopenFigures::answersOfOthers>},
-    CanopenFact{"lateAnswers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Late answers"),
-                QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "SDO answers that came after their time-out"),
-                countText<&CanopenFigures::lateAnswers>, countJson<&CanopenFigures::lateAnswers>},
-};
+constexpr auto factRows = std::to_array<CanopenFact>({
+    {"link", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Adapter"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The interface or the port of this bus"),
+     [](const CanopenSession &bus) { return bus.linkName(); },
+     [](const CanopenSession &bus) { return QJsonValue(bus.linkName()); }},
+    {"rate", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Rate"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Of the bus, as far as the adapter tells it"), rateText,
+     [](const CanopenSession &bus) { return QJsonValue(bus.rate()); }},
+    {"load", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Load"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "How much of the last second frames were on the bus"),
+     loadText, [](const CanopenSession &bus) { return QJsonValue(figuresOf(bus).load); }},
+    {"controller", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Controller"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "The error state of our adapter: error passive from 128 errors on, bus off at 256"),
+     [](const CanopenSession &bus) { return canStateText(bus.latest().status.state); },
+     [](const CanopenSession &bus) { return QJsonValue(canStateKey(bus.latest().status.state)); }},
+    {"listensOnly", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Acknowledging"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "Whether our adapter acknowledges what others send. One that only listens does not"),
+     listensText,
+     [](const CanopenSession &bus) {
+         const auto &listens = bus.latest().status.listensOnly;
+         return listens ? QJsonValue(*listens) : QJsonValue();
+     }},
+    {"otherMaster", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Another master"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "Who commands or asks nodes and is not this program, such as a PLC"),
+     masterText, [](const CanopenSession &bus) { return QJsonValue(bus.latest().otherMaster.isHeard()); }},
+    {"received", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Received"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames, since the bus was connected"),
+     countText<&CanopenFigures::received>, countJson<&CanopenFigures::received>},
+    {"sent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Sent"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames of this program"), countText<&CanopenFigures::sent>,
+     countJson<&CanopenFigures::sent>},
+    {"notSent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not sent"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames that the adapter has refused"),
+     countText<&CanopenFigures::notSent>, countJson<&CanopenFigures::notSent>},
+    {"errorFrames", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error frames"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "As far as the adapter reports them. Many: the rate or the wiring is wrong"),
+     countText<&CanopenFigures::errorFrames>, countJson<&CanopenFigures::errorFrames>},
+    {"notAcknowledged", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not acknowledged"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "Error frames since a frame was last received, because nobody acknowledges: no other "
+                       "node is there, or none at this rate"),
+     countText<&CanopenFigures::notAcknowledged>, countJson<&CanopenFigures::notAcknowledged>},
+    {"transmitErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Transmit errors"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
+     counterText<&CanStatus::transmitErrors>, counterJson<&CanStatus::transmitErrors>},
+    {"receiveErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Receive errors"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
+     counterText<&CanStatus::receiveErrors>, counterJson<&CanStatus::receiveErrors>},
+    {"extended", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "With 29 bits"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "Frames with extended identifiers, which CANopen does not use: J1939, say"),
+     countText<&CanopenFigures::extended>, countJson<&CanopenFigures::extended>},
+    {"answersOfOthers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Answers to others"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "SDO answers that this program did not ask for. They are never taken"),
+     countText<&CanopenFigures::answersOfOthers>, countJson<&CanopenFigures::answersOfOthers>},
+    {"lateAnswers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Late answers"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "SDO answers that came after their time-out"),
+     countText<&CanopenFigures::lateAnswers>, countJson<&CanopenFigures::lateAnswers>},
+});
 
 QString pdoText(const Node &node)
 {
@@ -201,35 +195,33 @@ QString doubledText(const Node &node)
     return node.isDoubled ? CanopenFactText::tr("two nodes have this number") : QString();
 }
 
-constexpr std::array nodeFactRows{
-    CanopenNodeFact{"node", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Node"),
-                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                                      "Its number, in decimal as on switches, and in hexadecimal"),
-                    [](const Node &node) { return CanopenAddress{node.node}.shown(); },
-                    [](const Node &node) { return QJsonValue(node.node); }},
-    CanopenNodeFact{"state", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "State"),
-                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                                      "The NMT state that the node has told last. Only an operational one "
-                                      "sends PDOs, and a stopped one answers nothing"),
-                    [](const Node &node) { return nmtStateText(node.state); },
-                    [](const Node &node) { return nmtStateJson(node.state); }},
-    CanopenNodeFact{
-        "heartbeat", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Heartbeat"),
-        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it comes in time. A node may have none"),
-        [](const Node &node) { return translated(rowOf(node.heartbeat).text); },
-        [](const Node &node) { return QJsonValue(QString::fromLatin1(rowOf(node.heartbeat).key)); }},
-    CanopenNodeFact{"sendsPdos", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "PDO"),
-                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it sends process data"), pdoText,
-                    [](const Node &node) { return QJsonValue(node.sendsPdos); }},
-    CanopenNodeFact{"doubled", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Doubled"),
-                    QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Two devices have this number"), doubledText,
-                    [](const Node &node) { return QJsonValue(node.isDoubled); }},
-    CanopenNodeFact{
-        "error", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error"),
-        QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The newest emergency message (EMCY) that stands"),
-        [](const Node &node) { return node.error ? node.error->text() : QString(); },
-        [](const Node &node) { return node.error ? QJsonValue(node.error->code) : QJsonValue(); }},
-};
+constexpr auto nodeFactRows = std::to_array<CanopenNodeFact>({
+    {"node", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Node"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "Its number, in decimal as on switches, and in hexadecimal"),
+     [](const Node &node) { return CanopenAddress{node.node}.shown(); },
+     [](const Node &node) { return QJsonValue(node.node); }},
+    {"state", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "State"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
+                       "The NMT state that the node has told last. Only an operational one sends PDOs, and a "
+                       "stopped one answers nothing"),
+     [](const Node &node) { return nmtStateText(node.state); },
+     [](const Node &node) { return nmtStateJson(node.state); }},
+    {"heartbeat", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Heartbeat"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it comes in time. A node may have none"),
+     [](const Node &node) { return translated(rowOf(node.heartbeat).text); },
+     [](const Node &node) { return QJsonValue(QString::fromLatin1(rowOf(node.heartbeat).key)); }},
+    {"sendsPdos", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "PDO"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it sends process data"), pdoText,
+     [](const Node &node) { return QJsonValue(node.sendsPdos); }},
+    {"doubled", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Doubled"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Two devices have this number"), doubledText,
+     [](const Node &node) { return QJsonValue(node.isDoubled); }},
+    {"error", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error"),
+     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The newest emergency message (EMCY) that stands"),
+     [](const Node &node) { return node.error ? node.error->text() : QString(); },
+     [](const Node &node) { return node.error ? QJsonValue(node.error->code) : QJsonValue(); }},
+});
 
 } // namespace
 

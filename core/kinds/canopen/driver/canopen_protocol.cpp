@@ -32,31 +32,28 @@ struct StepTextRow
     StepTask task;
     const char *text;
 };
-constexpr std::array stepTextRows{
-    StepTextRow{StepTask::bits,
-                QT_TRANSLATE_NOOP("CanopenStep", "read %1, of which other bits stay as they are")},
-    StepTextRow{StepTask::readBack, QT_TRANSLATE_NOOP("CanopenStep", "read %1 back")},
-    StepTextRow{StepTask::store, QT_TRANSLATE_NOOP("CanopenStep", "store what is in force (%1 := \"save\")")},
-    StepTextRow{StepTask::restore,
-                QT_TRANSLATE_NOOP("CanopenStep", "restore the factory values (%1 := \"load\")")},
-    StepTextRow{StepTask::started, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node runs again")},
-    StepTextRow{StepTask::bootUp, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node reports again")},
-};
+constexpr auto stepTextRows = std::to_array<StepTextRow>({
+    {StepTask::bits, QT_TRANSLATE_NOOP("CanopenStep", "read %1, of which other bits stay as they are")},
+    {StepTask::readBack, QT_TRANSLATE_NOOP("CanopenStep", "read %1 back")},
+    {StepTask::store, QT_TRANSLATE_NOOP("CanopenStep", "store what is in force (%1 := \"save\")")},
+    {StepTask::restore, QT_TRANSLATE_NOOP("CanopenStep", "restore the factory values (%1 := \"load\")")},
+    {StepTask::started, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node runs again")},
+    {StepTask::bootUp, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node reports again")},
+});
 
 struct CommandTextRow
 {
     canopen::NmtCommand command;
     const char *text;
 };
-constexpr std::array commandTextRows{
-    CommandTextRow{canopen::NmtCommand::start, QT_TRANSLATE_NOOP("CanopenStep", "start the node")},
-    CommandTextRow{canopen::NmtCommand::stop, QT_TRANSLATE_NOOP("CanopenStep", "stop the node")},
-    CommandTextRow{canopen::NmtCommand::preOperational,
-                   QT_TRANSLATE_NOOP("CanopenStep", "node to pre-operational")},
-    CommandTextRow{canopen::NmtCommand::resetNode, QT_TRANSLATE_NOOP("CanopenStep", "reset the node")},
-    CommandTextRow{canopen::NmtCommand::resetCommunication,
-                   QT_TRANSLATE_NOOP("CanopenStep", "reset the communication of the node")},
-};
+constexpr auto commandTextRows = std::to_array<CommandTextRow>({
+    {canopen::NmtCommand::start, QT_TRANSLATE_NOOP("CanopenStep", "start the node")},
+    {canopen::NmtCommand::stop, QT_TRANSLATE_NOOP("CanopenStep", "stop the node")},
+    {canopen::NmtCommand::preOperational, QT_TRANSLATE_NOOP("CanopenStep", "node to pre-operational")},
+    {canopen::NmtCommand::resetNode, QT_TRANSLATE_NOOP("CanopenStep", "reset the node")},
+    {canopen::NmtCommand::resetCommunication,
+     QT_TRANSLATE_NOOP("CanopenStep", "reset the communication of the node")},
+});
 
 // "6001h:0" of "6001:0=5000".
 QString objectTextOf(const QByteArray &line)

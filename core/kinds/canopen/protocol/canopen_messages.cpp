@@ -12,24 +12,22 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array canopenMessageRows{
-    SentenceRow{CanopenMessageId::emergency, "emergency",
-                QT_TRANSLATE_NOOP("Message", "The encoder reports an error: %1.")},
-    SentenceRow{CanopenMessageId::emergencyGone, "emergencyGone",
-                QT_TRANSLATE_NOOP("Message", "The encoder reports that its error is gone.")},
-    SentenceRow{CanopenMessageId::nodeBooted, "nodeBooted",
-                QT_TRANSLATE_NOOP(
-                    "Message", "The encoder has started anew: it had no supply, or was reset. What was not "
-                               "stored is lost.")},
-    SentenceRow{CanopenMessageId::speedStandsStill, "speedStandsStill",
-                QT_TRANSLATE_NOOP("Message",
-                                  "%1 stays 0 while the position moves: the encoder may not tell its speed "
+constexpr auto canopenMessageRows = std::to_array<SentenceRow>({
+    {CanopenMessageId::emergency, "emergency",
+     QT_TRANSLATE_NOOP("Message", "The encoder reports an error: %1.")},
+    {CanopenMessageId::emergencyGone, "emergencyGone",
+     QT_TRANSLATE_NOOP("Message", "The encoder reports that its error is gone.")},
+    {CanopenMessageId::nodeBooted, "nodeBooted",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "The encoder has started anew: it had no supply, or was reset. What was not stored is lost.")},
+    {CanopenMessageId::speedStandsStill, "speedStandsStill",
+     QT_TRANSLATE_NOOP("Message", "%1 stays 0 while the position moves: the encoder may not tell its speed "
                                   "until an object of its maker switches that on.")},
-    SentenceRow{CanopenMessageId::speedIsOpposite, "speedIsOpposite",
-                QT_TRANSLATE_NOOP("Message",
-                                  "%1 has another sign than the movement of the position: the description "
+    {CanopenMessageId::speedIsOpposite, "speedIsOpposite",
+     QT_TRANSLATE_NOOP("Message", "%1 has another sign than the movement of the position: the description "
                                   "may have the wrong type for it.")},
-};
+});
 
 static_assert(areInOrder(canopenMessageRows, &SentenceRow::id, CanopenMessageId::speedIsOpposite));
 

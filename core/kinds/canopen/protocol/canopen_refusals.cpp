@@ -13,69 +13,60 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array canopenRefusalRows{
-    SentenceRow{CanopenRefusalId::sdoAborted, "sdoAborted",
-                QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1 (abort code %2h): %3")},
-    SentenceRow{CanopenRefusalId::sdoNoAnswer, "sdoNoAnswer",
-                QT_TRANSLATE_NOOP(
-                    "Refusal", "Node %2 does not answer for %1. Check its supply, its number and the rate "
-                               "of the bus; a node that was stopped answers nothing until it is started.")},
-    SentenceRow{CanopenRefusalId::sdoNotSent, "sdoNotSent",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The request for %1 of node %2 could not be sent, so nothing was changed. "
+constexpr auto canopenRefusalRows = std::to_array<SentenceRow>({
+    {CanopenRefusalId::sdoAborted, "sdoAborted",
+     QT_TRANSLATE_NOOP("Refusal", "The encoder refused %1 (abort code %2h): %3")},
+    {CanopenRefusalId::sdoNoAnswer, "sdoNoAnswer",
+     QT_TRANSLATE_NOOP("Refusal",
+                       "Node %2 does not answer for %1. Check its supply, its number and the rate of the "
+                       "bus; a node that was stopped answers nothing until it is started.")},
+    {CanopenRefusalId::sdoNotSent, "sdoNotSent",
+     QT_TRANSLATE_NOOP("Refusal", "The request for %1 of node %2 could not be sent, so nothing was changed. "
                                   "Check the CAN bus, then start again.")},
-    SentenceRow{CanopenRefusalId::sdoWriteUnknown, "sdoWriteUnknown",
-                QT_TRANSLATE_NOOP(
-                    "Refusal",
-                    "%1 was written and not answered, and it could not be found out afterwards whether the "
+    {CanopenRefusalId::sdoWriteUnknown, "sdoWriteUnknown",
+     QT_TRANSLATE_NOOP(
+         "Refusal", "%1 was written and not answered, and it could not be found out afterwards whether the "
                     "encoder has the new value. Check the bus, and read the encoder before you go on.")},
-    SentenceRow{CanopenRefusalId::sdoWriteNotDone, "sdoWriteNotDone",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "%1 was written and not answered, and the encoder still has the old value. "
+    {CanopenRefusalId::sdoWriteNotDone, "sdoWriteNotDone",
+     QT_TRANSLATE_NOOP("Refusal", "%1 was written and not answered, and the encoder still has the old value. "
                                   "Check the bus, then write again.")},
-    SentenceRow{CanopenRefusalId::storingUnknown, "storingUnknown",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Node %1 did not answer the command that stores its values: whether they "
-                                  "are stored is not known. Store them again, or read them after switching "
-                                  "its supply off and on.")},
-    SentenceRow{CanopenRefusalId::nodeWouldStop, "nodeWouldStop",
-                QT_TRANSLATE_NOOP(
-                    "Refusal", "Node %1 is running, and takes this only while it is stopped: its positions "
-                               "would not come until it is started again. Agree that it is stopped and "
-                               "started again, or stop it first.")},
-    SentenceRow{CanopenRefusalId::notBackAfterReset, "notBackAfterReset",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Node %1 did not report within %2 s after its reset. It may have another "
+    {CanopenRefusalId::storingUnknown, "storingUnknown",
+     QT_TRANSLATE_NOOP(
+         "Refusal", "Node %1 did not answer the command that stores its values: whether they are stored is "
+                    "not known. Store them again, or read them after switching its supply off and on.")},
+    {CanopenRefusalId::nodeWouldStop, "nodeWouldStop",
+     QT_TRANSLATE_NOOP(
+         "Refusal",
+         "Node %1 is running, and takes this only while it is stopped: its positions would not come until it "
+         "is started again. Agree that it is stopped and started again, or stop it first.")},
+    {CanopenRefusalId::notBackAfterReset, "notBackAfterReset",
+     QT_TRANSLATE_NOOP("Refusal", "Node %1 did not report within %2 s after its reset. It may have another "
                                   "number or another rate now: search the bus for it.")},
-    SentenceRow{CanopenRefusalId::nodeRestarted, "nodeRestarted",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Node %1 has started anew during the job: what was written and not stored "
+    {CanopenRefusalId::nodeRestarted, "nodeRestarted",
+     QT_TRANSLATE_NOOP("Refusal", "Node %1 has started anew during the job: what was written and not stored "
                                   "is lost. Read it, then write it again.")},
-    SentenceRow{CanopenRefusalId::presetNotInForce, "presetNotInForce",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "The encoder has accepted the preset, and still shows %2 instead of %1. "
+    {CanopenRefusalId::presetNotInForce, "presetNotInForce",
+     QT_TRANSLATE_NOOP("Refusal", "The encoder has accepted the preset, and still shows %2 instead of %1. "
                                   "Read it again before anything relies on it.")},
-    SentenceRow{CanopenRefusalId::nodeDoubled, "canopenNodeNumberDoubled",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Two devices have the node number %1: of which one an answer is, and which "
-                                  "has taken what was sent, is not known. Give one of them another number, "
-                                  "with only one of them on the bus.")},
-    SentenceRow{CanopenRefusalId::notStartedAgain, "notStartedAgain",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Node %1 was stopped for what it takes only then, and does not run again, "
-                                  "though it was started. Start it once more before anything relies on its "
-                                  "positions.")},
-    SentenceRow{CanopenRefusalId::startNotSeen, "startNotSeen",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "Node %1 was stopped for what it takes only then, and started again: "
-                                  "whether it runs is not known, as it shows neither its state nor PDOs. "
-                                  "Check that its positions come.")},
-    SentenceRow{CanopenRefusalId::makeDiffers, "makeDiffers",
-                QT_TRANSLATE_NOOP("Refusal",
-                                  "%1 is an object of the maker, and the encoder is of another make (vendor "
-                                  "number %3h) than its description (%2h). Nothing was written: choose the "
-                                  "description that belongs to it.")},
-};
+    {CanopenRefusalId::nodeDoubled, "canopenNodeNumberDoubled",
+     QT_TRANSLATE_NOOP(
+         "Refusal",
+         "Two devices have the node number %1: of which one an answer is, and which has taken what was sent, "
+         "is not known. Give one of them another number, with only one of them on the bus.")},
+    {CanopenRefusalId::notStartedAgain, "notStartedAgain",
+     QT_TRANSLATE_NOOP("Refusal",
+                       "Node %1 was stopped for what it takes only then, and does not run again, though it "
+                       "was started. Start it once more before anything relies on its positions.")},
+    {CanopenRefusalId::startNotSeen, "startNotSeen",
+     QT_TRANSLATE_NOOP(
+         "Refusal", "Node %1 was stopped for what it takes only then, and started again: whether it runs is "
+                    "not known, as it shows neither its state nor PDOs. Check that its positions come.")},
+    {CanopenRefusalId::makeDiffers, "makeDiffers",
+     QT_TRANSLATE_NOOP(
+         "Refusal",
+         "%1 is an object of the maker, and the encoder is of another make (vendor number %3h) than its "
+         "description (%2h). Nothing was written: choose the description that belongs to it.")},
+});
 
 static_assert(areInOrder(canopenRefusalRows, &SentenceRow::id, CanopenRefusalId::makeDiffers));
 

@@ -14,34 +14,30 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array escMessageRows{
-    SentenceRow{EscMessageId::typedWritten, "typedWritten",
-                QT_TRANSLATE_NOOP("Message", "Written by hand: %1. EEPROM writes: 1.")},
-    SentenceRow{EscMessageId::lineOpened, "lineOpened",
-                QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 Bd.")},
-    SentenceRow{EscMessageId::lineClosed, "lineClosed",
-                QT_TRANSLATE_NOOP("Message", "The serial line %1 was closed.")},
-    SentenceRow{
-        EscMessageId::portLost, "portLost",
-        QT_TRANSLATE_NOOP("Message",
-                          "The serial port %1 is gone: the adapter was unplugged or has lost its supply.")},
-    SentenceRow{EscMessageId::portBack, "portBack",
-                QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
-    SentenceRow{
-        EscMessageId::lowLatencyRefused, "lowLatencyRefused",
-        QT_TRANSLATE_NOOP(
-            "Message", "The adapter at %1 does not take low latency: answers may come up to 16 ms later.")},
-    SentenceRow{EscMessageId::suspectPosition, "suspectPosition",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The position %1 is suspect: %2 came before it, and the encoder cannot "
+constexpr auto escMessageRows = std::to_array<SentenceRow>({
+    {EscMessageId::typedWritten, "typedWritten",
+     QT_TRANSLATE_NOOP("Message", "Written by hand: %1. EEPROM writes: 1.")},
+    {EscMessageId::lineOpened, "lineOpened",
+     QT_TRANSLATE_NOOP("Message", "The serial line %1 is open at %2 Bd.")},
+    {EscMessageId::lineClosed, "lineClosed", QT_TRANSLATE_NOOP("Message", "The serial line %1 was closed.")},
+    {EscMessageId::portLost, "portLost",
+     QT_TRANSLATE_NOOP("Message",
+                       "The serial port %1 is gone: the adapter was unplugged or has lost its supply.")},
+    {EscMessageId::portBack, "portBack",
+     QT_TRANSLATE_NOOP("Message", "The adapter is back: the serial line %1 is open again.")},
+    {EscMessageId::lowLatencyRefused, "lowLatencyRefused",
+     QT_TRANSLATE_NOOP("Message",
+                       "The adapter at %1 does not take low latency: answers may come up to 16 ms later.")},
+    {EscMessageId::suspectPosition, "suspectPosition",
+     QT_TRANSLATE_NOOP("Message", "The position %1 is suspect: %2 came before it, and the encoder cannot "
                                   "turn that fast. It is asked for again.")},
-    SentenceRow{EscMessageId::lineAddressChanged, "lineAddressChanged",
-                QT_TRANSLATE_NOOP("Message", "The encoder at %1 has the address %2 now.")},
-    SentenceRow{EscMessageId::baudRateChanged, "baudRateChanged",
-                QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
-    SentenceRow{EscMessageId::encodersFound, "encodersFound",
-                QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
-};
+    {EscMessageId::lineAddressChanged, "lineAddressChanged",
+     QT_TRANSLATE_NOOP("Message", "The encoder at %1 has the address %2 now.")},
+    {EscMessageId::baudRateChanged, "baudRateChanged",
+     QT_TRANSLATE_NOOP("Message", "The encoder answers at %2 baud now (before: %1).")},
+    {EscMessageId::encodersFound, "encodersFound",
+     QT_TRANSLATE_NOOP("Message", "Encoders found on the serial line: %1 (requests: %2).")},
+});
 
 static_assert(areInOrder(escMessageRows, &SentenceRow::id, EscMessageId::encodersFound));
 

@@ -20,21 +20,19 @@ class LineTraining
 constexpr char lineTrainingContext[] = "codewheel::LineTraining";
 
 // By LineAct.
-constexpr std::array lineActRows{
-    TrainingActRow{"lineShaftSpeed", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Speed %1 rpm.")},
-    TrainingActRow{"bytesLost", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Lost bytes: %1 of 1000.")},
-    TrainingActRow{"bytesWrong", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Wrong bytes: %1 of 1000.")},
-    TrainingActRow{"bytesDoubled",
-                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Doubled bytes: %1 of 1000.")},
-    TrainingActRow{"bytesDelayed",
-                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Delayed bytes: %1 of 1000.")},
-    TrainingActRow{"echoOn", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Echo on.")},
-    TrainingActRow{"echoOff", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Echo off.")},
-    TrainingActRow{"allSilent", QT_TRANSLATE_NOOP("codewheel::LineTraining", "All encoders silent.")},
-    TrainingActRow{"allAnswer", QT_TRANSLATE_NOOP("codewheel::LineTraining", "All encoders answer.")},
-    TrainingActRow{"adapterUnplugged", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Adapter unplugged.")},
-    TrainingActRow{"adapterPluggedIn", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Adapter plugged in.")},
-};
+constexpr auto lineActRows = std::to_array<TrainingActRow>({
+    {"lineShaftSpeed", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Speed %1 rpm.")},
+    {"bytesLost", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Lost bytes: %1 of 1000.")},
+    {"bytesWrong", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Wrong bytes: %1 of 1000.")},
+    {"bytesDoubled", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Doubled bytes: %1 of 1000.")},
+    {"bytesDelayed", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Delayed bytes: %1 of 1000.")},
+    {"echoOn", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Echo on.")},
+    {"echoOff", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Echo off.")},
+    {"allSilent", QT_TRANSLATE_NOOP("codewheel::LineTraining", "All encoders silent.")},
+    {"allAnswer", QT_TRANSLATE_NOOP("codewheel::LineTraining", "All encoders answer.")},
+    {"adapterUnplugged", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Adapter unplugged.")},
+    {"adapterPluggedIn", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Adapter plugged in.")},
+});
 static_assert(lineActRows.size() == static_cast<std::size_t>(LineAct::adapterPluggedIn) + 1);
 
 struct LineTroubleRow
@@ -43,22 +41,21 @@ struct LineTroubleRow
     const char *key;
     const char *text;
 };
-constexpr std::array lineTroubleRows{
-    LineTroubleRow{LineTrouble::powered, "powered", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Power on")},
-    LineTroubleRow{LineTrouble::mute, "mute", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Silent")},
-    LineTroubleRow{LineTrouble::batteryLimit, "batteryLimit",
-                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Battery nearly flat")},
-    LineTroubleRow{LineTrouble::batteryFlat, "batteryFlat",
-                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Battery flat")},
-    LineTroubleRow{LineTrouble::temperatureExceeded, "temperatureExceeded",
-                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Too hot")},
-    LineTroubleRow{LineTrouble::lightControl, "lightControl",
-                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Light control at its end")},
-    LineTroubleRow{LineTrouble::positionError, "positionError",
-                   QT_TRANSLATE_NOOP("codewheel::LineTraining", "Position error")},
-    LineTroubleRow{LineTrouble::vrHigh, "vrHigh", QT_TRANSLATE_NOOP("codewheel::LineTraining", "VR at +UB")},
-    LineTroubleRow{LineTrouble::stOpen, "stOpen", QT_TRANSLATE_NOOP("codewheel::LineTraining", "ST open")},
-};
+constexpr auto lineTroubleRows = std::to_array<LineTroubleRow>({
+    {LineTrouble::powered, "powered", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Power on")},
+    {LineTrouble::mute, "mute", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Silent")},
+    {LineTrouble::batteryLimit, "batteryLimit",
+     QT_TRANSLATE_NOOP("codewheel::LineTraining", "Battery nearly flat")},
+    {LineTrouble::batteryFlat, "batteryFlat", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Battery flat")},
+    {LineTrouble::temperatureExceeded, "temperatureExceeded",
+     QT_TRANSLATE_NOOP("codewheel::LineTraining", "Too hot")},
+    {LineTrouble::lightControl, "lightControl",
+     QT_TRANSLATE_NOOP("codewheel::LineTraining", "Light control at its end")},
+    {LineTrouble::positionError, "positionError",
+     QT_TRANSLATE_NOOP("codewheel::LineTraining", "Position error")},
+    {LineTrouble::vrHigh, "vrHigh", QT_TRANSLATE_NOOP("codewheel::LineTraining", "VR at +UB")},
+    {LineTrouble::stOpen, "stOpen", QT_TRANSLATE_NOOP("codewheel::LineTraining", "ST open")},
+});
 static_assert(areInOrder(lineTroubleRows, &LineTroubleRow::trouble));
 
 const QString troubleActKey = QStringLiteral("lineTrouble"); // key of the trouble, 1 or 0

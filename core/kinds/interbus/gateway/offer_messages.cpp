@@ -10,39 +10,34 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array offerMessageRows{
-    SentenceRow{OfferMessageId::offerBegun, "offerBegun",
-                QT_TRANSLATE_NOOP("Message", "Offered to others at %1 by Modbus.")},
-    SentenceRow{OfferMessageId::offerEnded, "offerEnded",
-                QT_TRANSLATE_NOOP("Message", "No longer offered to others at %1.")},
-    SentenceRow{OfferMessageId::offerEndedWithRing, "offerEndedWithRing",
-                QT_TRANSLATE_NOOP("Message", "The ring was disconnected, so it is no longer offered at %1.")},
-    SentenceRow{OfferMessageId::offerEndedWithStructure, "offerEndedWithStructure",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The ring has other devices now, in other registers, so it is no "
-                                  "longer offered at %1. Offer it again.")},
-    SentenceRow{OfferMessageId::offerEndedWithProject, "offerEndedWithProject",
-                QT_TRANSLATE_NOOP("Message", "Another project was opened, so nothing is offered at %1 any "
-                                             "more. Offer it again.")},
-    SentenceRow{OfferMessageId::offerEndedWithRealRing, "offerEndedWithRealRing",
-                QT_TRANSLATE_NOOP("Message", "This ring is a real one now, so nothing is offered at %1 any "
-                                             "more.")},
-    SentenceRow{OfferMessageId::clientCame, "clientCame",
-                QT_TRANSLATE_NOOP("Message", "%1 is connected to the offered ring.")},
-    SentenceRow{
-        OfferMessageId::clientLeft, "clientLeft",
-        QT_TRANSLATE_NOOP("Message", "%1 has left the offered ring (requests: %2, of them writes: %3).")},
-    SentenceRow{OfferMessageId::clientRefused, "clientRefused",
-                QT_TRANSLATE_NOOP("Message",
-                                  "%1 was disconnected: the offered ring has as many clients as it "
-                                  "can have.")},
-    SentenceRow{OfferMessageId::clientsPassed, "clientsPassed",
-                QT_TRANSLATE_NOOP("Message",
-                                  "More clients of the offered ring in a short time: %1 came, %2 left, "
-                                  "%3 were refused.")},
-    SentenceRow{OfferMessageId::seatRestarted, "seatRestarted",
-                QT_TRANSLATE_NOOP("Message", "The ring of seat %1 starts afresh, with factory settings.")},
-};
+constexpr auto offerMessageRows = std::to_array<SentenceRow>({
+    {OfferMessageId::offerBegun, "offerBegun",
+     QT_TRANSLATE_NOOP("Message", "Offered to others at %1 by Modbus.")},
+    {OfferMessageId::offerEnded, "offerEnded",
+     QT_TRANSLATE_NOOP("Message", "No longer offered to others at %1.")},
+    {OfferMessageId::offerEndedWithRing, "offerEndedWithRing",
+     QT_TRANSLATE_NOOP("Message", "The ring was disconnected, so it is no longer offered at %1.")},
+    {OfferMessageId::offerEndedWithStructure, "offerEndedWithStructure",
+     QT_TRANSLATE_NOOP("Message", "The ring has other devices now, in other registers, so it is no longer "
+                                  "offered at %1. Offer it again.")},
+    {OfferMessageId::offerEndedWithProject, "offerEndedWithProject",
+     QT_TRANSLATE_NOOP("Message",
+                       "Another project was opened, so nothing is offered at %1 any more. Offer it again.")},
+    {OfferMessageId::offerEndedWithRealRing, "offerEndedWithRealRing",
+     QT_TRANSLATE_NOOP("Message", "This ring is a real one now, so nothing is offered at %1 any more.")},
+    {OfferMessageId::clientCame, "clientCame",
+     QT_TRANSLATE_NOOP("Message", "%1 is connected to the offered ring.")},
+    {OfferMessageId::clientLeft, "clientLeft",
+     QT_TRANSLATE_NOOP("Message", "%1 has left the offered ring (requests: %2, of them writes: %3).")},
+    {OfferMessageId::clientRefused, "clientRefused",
+     QT_TRANSLATE_NOOP("Message",
+                       "%1 was disconnected: the offered ring has as many clients as it can have.")},
+    {OfferMessageId::clientsPassed, "clientsPassed",
+     QT_TRANSLATE_NOOP(
+         "Message", "More clients of the offered ring in a short time: %1 came, %2 left, %3 were refused.")},
+    {OfferMessageId::seatRestarted, "seatRestarted",
+     QT_TRANSLATE_NOOP("Message", "The ring of seat %1 starts afresh, with factory settings.")},
+});
 
 static_assert(areInOrder(offerMessageRows, &SentenceRow::id, OfferMessageId::seatRestarted));
 

@@ -41,58 +41,55 @@ struct WrongAnswerRow
     const char *text;
 };
 
-constexpr std::array wrongAnswerRows{
-    WrongAnswerRow{WrongAnswer::incomplete, "incomplete",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it is incomplete. Look for newer firmware of the gateway.")},
-    WrongAnswerRow{WrongAnswer::damaged, "damaged",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it is damaged or incomplete. Check cable, shield, terminating "
-                                     "resistors, baud rate, and format.")},
-    WrongAnswerRow{WrongAnswer::notModbus, "notModbus",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it is not Modbus. Check the port: something else listens there.")},
-    WrongAnswerRow{WrongAnswer::unit, "unit",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it is of unit %1. Check the unit number, and on a serial line whether "
-                                     "two devices have the same.")},
-    WrongAnswerRow{WrongAnswer::transaction, "transaction",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it is for transaction %1, not %2. Look for newer firmware of the "
-                                     "gateway.")},
-    WrongAnswerRow{WrongAnswer::oneTransaction, "oneTransaction",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "each is for transaction %1: the gateway does not repeat the number of "
-                                     "the request, as Modbus/TCP wants it. Use Modbus RTU, if it has that, "
-                                     "or look for newer firmware.")},
-    WrongAnswerRow{WrongAnswer::function, "function",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it is for function %1. Look for newer firmware of the gateway.")},
-    WrongAnswerRow{WrongAnswer::length, "length",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it has %1 bytes instead of %2. Compare the number of registers with "
-                                     "the manual of the gateway, or look for newer firmware.")},
-    WrongAnswerRow{WrongAnswer::otherRegisters, "otherRegisters",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it names other registers than those to be written. Look for newer "
-                                     "firmware of the gateway.")},
-    WrongAnswerRow{WrongAnswer::count, "count",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it counts its own bytes wrong. Look for newer firmware of the "
-                                     "gateway.")},
-    WrongAnswerRow{WrongAnswer::lengthOfException, "lengthOfException",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "it is an exception of the wrong length. Look for newer firmware of "
-                                     "the gateway.")},
-    WrongAnswerRow{WrongAnswer::another, "another",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "another one follows it. Check whether two devices on the line have "
-                                     "the same unit number.")},
-    WrongAnswerRow{WrongAnswer::noPause, "noPause",
-                   QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                                     "something on the line does not stop sending. Look for another master, "
-                                     "or a faulty device.")},
-};
+constexpr auto wrongAnswerRows = std::to_array<WrongAnswerRow>({
+    {WrongAnswer::incomplete, "incomplete",
+     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                       "it is incomplete. Look for newer firmware of the gateway.")},
+    {WrongAnswer::damaged, "damaged",
+     QT_TRANSLATE_NOOP(
+         "codewheel::GatewayTexts",
+         "it is damaged or incomplete. Check cable, shield, terminating resistors, baud rate, and format.")},
+    {WrongAnswer::notModbus, "notModbus",
+     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                       "it is not Modbus. Check the port: something else listens there.")},
+    {WrongAnswer::unit, "unit",
+     QT_TRANSLATE_NOOP(
+         "codewheel::GatewayTexts",
+         "it is of unit %1. Check the unit number, and on a serial line whether two devices have the same.")},
+    {WrongAnswer::transaction, "transaction",
+     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                       "it is for transaction %1, not %2. Look for newer firmware of the gateway.")},
+    {WrongAnswer::oneTransaction, "oneTransaction",
+     QT_TRANSLATE_NOOP(
+         "codewheel::GatewayTexts",
+         "each is for transaction %1: the gateway does not repeat the number of the request, as Modbus/TCP "
+         "wants it. Use Modbus RTU, if it has that, or look for newer firmware.")},
+    {WrongAnswer::function, "function",
+     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                       "it is for function %1. Look for newer firmware of the gateway.")},
+    {WrongAnswer::length, "length",
+     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                       "it has %1 bytes instead of %2. Compare the number of registers with the manual of "
+                       "the gateway, or look for newer firmware.")},
+    {WrongAnswer::otherRegisters, "otherRegisters",
+     QT_TRANSLATE_NOOP(
+         "codewheel::GatewayTexts",
+         "it names other registers than those to be written. Look for newer firmware of the gateway.")},
+    {WrongAnswer::count, "count",
+     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                       "it counts its own bytes wrong. Look for newer firmware of the gateway.")},
+    {WrongAnswer::lengthOfException, "lengthOfException",
+     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                       "it is an exception of the wrong length. Look for newer firmware of the gateway.")},
+    {WrongAnswer::another, "another",
+     QT_TRANSLATE_NOOP(
+         "codewheel::GatewayTexts",
+         "another one follows it. Check whether two devices on the line have the same unit number.")},
+    {WrongAnswer::noPause, "noPause",
+     QT_TRANSLATE_NOOP(
+         "codewheel::GatewayTexts",
+         "something on the line does not stop sending. Look for another master, or a faulty device.")},
+});
 
 // A limit of the gateway shows nowhere else: the test of the connection writes nothing.
 QString whyRefused(int code, const std::optional<RegistersOfKey> &registers)

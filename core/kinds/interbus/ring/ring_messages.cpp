@@ -14,83 +14,75 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array ringMessageRows{
-    SentenceRow{RingMessageId::alarmStop, "alarmStop",
-                QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
-    SentenceRow{RingMessageId::zerosAsked, "zerosAsked",
-                QT_TRANSLATE_NOOP("Message", "ALARM STOP: 00000000 is sent to all devices of the ring.")},
-    SentenceRow{RingMessageId::zerosReadBack, "zerosReadBack",
-                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP have arrived: all OUT words were "
-                                             "read back as 00000000.")},
-    SentenceRow{RingMessageId::zerosOverwritten, "zerosOverwritten",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The zeros of the ALARM STOP were sent, but OUT was read back as "
-                                  "something else: %1. Somebody else may write to it: stop the "
-                                  "machine by its own means.")},
-    SentenceRow{RingMessageId::zerosSent, "zerosSent",
-                QT_TRANSLATE_NOOP("Message", "The zeros of the ALARM STOP were sent and acknowledged. OUT "
-                                             "cannot be read back on this link.")},
-    SentenceRow{RingMessageId::zerosWait, "zerosWait",
-                QT_TRANSLATE_NOOP(
-                    "Message", "The link is lost, and nothing says whether the zeros of the ALARM STOP have "
-                               "arrived: they are sent again and again, and once it is back. Stop the "
-                               "machine by its own means.")},
-    SentenceRow{RingMessageId::zerosLate, "zerosLate",
-                QT_TRANSLATE_NOOP(
-                    "Message",
-                    "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. "
-                    "The program goes on trying. Stop the machine by its own means. In OUT when it was last "
-                    "seen: %1.")},
-    SentenceRow{RingMessageId::zerosUnheard, "zerosUnheard",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The zeros of the ALARM STOP were sent over the lost link, but nothing "
-                                  "acknowledges them: it is not known whether they arrived. Stop the "
-                                  "machine by its own means.")},
-    SentenceRow{RingMessageId::zerosBeforeRing, "zerosBeforeRing",
-                QT_TRANSLATE_NOOP("Message",
-                                  "The zeros of the ALARM STOP are in the gateway, but its ring stands "
-                                  "still: the devices may not have got them. Stop the machine by its "
-                                  "own means.")},
-    SentenceRow{RingMessageId::zerosGivenUp, "zerosGivenUp",
-                QT_TRANSLATE_NOOP("Message",
-                                  "Disconnected before the zeros of the ALARM STOP had arrived: they are "
-                                  "not sent any more. OUT may be as it was. Stop the machine by its own "
-                                  "means.")},
-    SentenceRow{RingMessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
-    SentenceRow{RingMessageId::busFaultGone, "busFaultGone",
-                QT_TRANSLATE_NOOP("Message", "The bus fault is cleared. Start the bus again.")},
-    SentenceRow{RingMessageId::peripheralFault, "peripheralFault",
-                QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
-    SentenceRow{RingMessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
-                QT_TRANSLATE_NOOP("Message", "The peripheral fault was confirmed.")},
-    SentenceRow{RingMessageId::segmentOff, "segmentOff",
-                QT_TRANSLATE_NOOP("Message", "Segment %1 was switched off.")},
-    SentenceRow{RingMessageId::segmentOn, "segmentOn",
-                QT_TRANSLATE_NOOP("Message", "Segment %1 was switched on.")},
-    SentenceRow{RingMessageId::diagnosticsConfirmed, "diagnosticsConfirmed",
-                QT_TRANSLATE_NOOP("Message", "The diagnostics were confirmed.")},
-    SentenceRow{RingMessageId::ringRead, "ringRead",
-                QT_TRANSLATE_NOOP("Message", "The ring was read in: %1 devices.")},
-    SentenceRow{RingMessageId::configurationActivated, "configurationActivated",
-                QT_TRANSLATE_NOOP("Message", "The master activated its configuration %1.")},
-    SentenceRow{RingMessageId::configurationKept, "configurationKept",
-                QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 now (%2 devices).")},
-    SentenceRow{RingMessageId::configurationFound, "configurationFound",
-                QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 (%2 devices).")},
-    SentenceRow{RingMessageId::configurationNone, "configurationNone",
-                QT_TRANSLATE_NOOP("Message", "The master keeps no configuration.")},
-    SentenceRow{RingMessageId::ringAsConfigured, "ringAsConfigured",
-                QT_TRANSLATE_NOOP("Message", "The ring is as the project says: %1 devices.")},
-    SentenceRow{RingMessageId::ringDiffers, "ringDiffers",
-                QT_TRANSLATE_NOOP("Message", "The ring differs from the project (lines: %1). Compare them.")},
-    SentenceRow{RingMessageId::faultPlan, "faultPlan", QT_TRANSLATE_NOOP("Message", "Fault plan: %1")},
-    SentenceRow{RingMessageId::linkBack, "linkBack",
-                QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
-    SentenceRow{RingMessageId::ringRunsAgain, "ringRunsAgain",
-                QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
-    SentenceRow{RingMessageId::watchdogAcknowledged, "watchdogAcknowledged",
-                QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
-};
+constexpr auto ringMessageRows = std::to_array<SentenceRow>({
+    {RingMessageId::alarmStop, "alarmStop",
+     QT_TRANSLATE_NOOP("Message", "ALARM STOP: all OUT words of the ring are set to 0.")},
+    {RingMessageId::zerosAsked, "zerosAsked",
+     QT_TRANSLATE_NOOP("Message", "ALARM STOP: 00000000 is sent to all devices of the ring.")},
+    {RingMessageId::zerosReadBack, "zerosReadBack",
+     QT_TRANSLATE_NOOP(
+         "Message", "The zeros of the ALARM STOP have arrived: all OUT words were read back as 00000000.")},
+    {RingMessageId::zerosOverwritten, "zerosOverwritten",
+     QT_TRANSLATE_NOOP("Message",
+                       "The zeros of the ALARM STOP were sent, but OUT was read back as something else: %1. "
+                       "Somebody else may write to it: stop the machine by its own means.")},
+    {RingMessageId::zerosSent, "zerosSent",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "The zeros of the ALARM STOP were sent and acknowledged. OUT cannot be read back on this link.")},
+    {RingMessageId::zerosWait, "zerosWait",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "The link is lost, and nothing says whether the zeros of the ALARM STOP have arrived: they are sent "
+         "again and again, and once it is back. Stop the machine by its own means.")},
+    {RingMessageId::zerosLate, "zerosLate",
+     QT_TRANSLATE_NOOP(
+         "Message",
+         "The zeros of the ALARM STOP have not arrived yet, or something else is still in OUT. The program "
+         "goes on trying. Stop the machine by its own means. In OUT when it was last seen: %1.")},
+    {RingMessageId::zerosUnheard, "zerosUnheard",
+     QT_TRANSLATE_NOOP("Message",
+                       "The zeros of the ALARM STOP were sent over the lost link, but nothing acknowledges "
+                       "them: it is not known whether they arrived. Stop the machine by its own means.")},
+    {RingMessageId::zerosBeforeRing, "zerosBeforeRing",
+     QT_TRANSLATE_NOOP("Message",
+                       "The zeros of the ALARM STOP are in the gateway, but its ring stands still: the "
+                       "devices may not have got them. Stop the machine by its own means.")},
+    {RingMessageId::zerosGivenUp, "zerosGivenUp",
+     QT_TRANSLATE_NOOP("Message", "Disconnected before the zeros of the ALARM STOP had arrived: they are not "
+                                  "sent any more. OUT may be as it was. Stop the machine by its own means.")},
+    {RingMessageId::busFault, "busFault", QT_TRANSLATE_NOOP("Message", "Bus fault: %1.")},
+    {RingMessageId::busFaultGone, "busFaultGone",
+     QT_TRANSLATE_NOOP("Message", "The bus fault is cleared. Start the bus again.")},
+    {RingMessageId::peripheralFault, "peripheralFault",
+     QT_TRANSLATE_NOOP("Message", "Fault: %1. Confirm it when its cause is gone.")},
+    {RingMessageId::peripheralFaultConfirmed, "peripheralFaultConfirmed",
+     QT_TRANSLATE_NOOP("Message", "The peripheral fault was confirmed.")},
+    {RingMessageId::segmentOff, "segmentOff", QT_TRANSLATE_NOOP("Message", "Segment %1 was switched off.")},
+    {RingMessageId::segmentOn, "segmentOn", QT_TRANSLATE_NOOP("Message", "Segment %1 was switched on.")},
+    {RingMessageId::diagnosticsConfirmed, "diagnosticsConfirmed",
+     QT_TRANSLATE_NOOP("Message", "The diagnostics were confirmed.")},
+    {RingMessageId::ringRead, "ringRead", QT_TRANSLATE_NOOP("Message", "The ring was read in: %1 devices.")},
+    {RingMessageId::configurationActivated, "configurationActivated",
+     QT_TRANSLATE_NOOP("Message", "The master activated its configuration %1.")},
+    {RingMessageId::configurationKept, "configurationKept",
+     QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 now (%2 devices).")},
+    {RingMessageId::configurationFound, "configurationFound",
+     QT_TRANSLATE_NOOP("Message", "The master keeps the configuration %1 (%2 devices).")},
+    {RingMessageId::configurationNone, "configurationNone",
+     QT_TRANSLATE_NOOP("Message", "The master keeps no configuration.")},
+    {RingMessageId::ringAsConfigured, "ringAsConfigured",
+     QT_TRANSLATE_NOOP("Message", "The ring is as the project says: %1 devices.")},
+    {RingMessageId::ringDiffers, "ringDiffers",
+     QT_TRANSLATE_NOOP("Message", "The ring differs from the project (lines: %1). Compare them.")},
+    {RingMessageId::faultPlan, "faultPlan", QT_TRANSLATE_NOOP("Message", "Fault plan: %1")},
+    {RingMessageId::linkBack, "linkBack",
+     QT_TRANSLATE_NOOP("Message", "The link to the ring is back. The bus is in Watch.")},
+    {RingMessageId::ringRunsAgain, "ringRunsAgain",
+     QT_TRANSLATE_NOOP("Message", "The gateway says that its ring runs again.")},
+    {RingMessageId::watchdogAcknowledged, "watchdogAcknowledged",
+     QT_TRANSLATE_NOOP("Message", "The watchdog of the gateway was acknowledged.")},
+});
 
 static_assert(areInOrder(ringMessageRows, &SentenceRow::id, RingMessageId::watchdogAcknowledged));
 

@@ -12,32 +12,27 @@
 namespace codewheel {
 namespace {
 
-constexpr std::array ringRefusalRows{
-    SentenceRow{
-        RingRefusalId::deviceCodeDiffers, "deviceCodeDiffers",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 has the device code %2: it cannot be the %3, which has %4. Choose an encoder "
-                          "of the same device code.")},
-    SentenceRow{RingRefusalId::faultPlanBroken, "faultPlanBroken",
-                QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
-                QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
-    SentenceRow{
-        RingRefusalId::masterServiceNotSupported, "masterServiceNotSupported",
-        QT_TRANSLATE_NOOP(
-            "Refusal",
-            "This link does not reach the master: %1 is not possible. It shows the process data only.")},
-    SentenceRow{RingRefusalId::masterStateWrong, "masterStateWrong",
-                QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
-    SentenceRow{RingRefusalId::noConfiguration, "noConfiguration",
-                QT_TRANSLATE_NOOP(
-                    "Refusal", "The master has no stored configuration. Read in the ring, or download one.")},
-    SentenceRow{RingRefusalId::busFault, "busFault",
-                QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
-    SentenceRow{
-        RingRefusalId::notInRing, "notInRing",
-        QT_TRANSLATE_NOOP("Refusal",
-                          "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
-};
+constexpr auto ringRefusalRows = std::to_array<SentenceRow>({
+    {RingRefusalId::deviceCodeDiffers, "deviceCodeDiffers",
+     QT_TRANSLATE_NOOP("Refusal", "%1 has the device code %2: it cannot be the %3, which has %4. Choose an "
+                                  "encoder of the same device code.")},
+    {RingRefusalId::faultPlanBroken, "faultPlanBroken",
+     QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The fault plan was not loaded."),
+     QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The fault plan was not loaded.")},
+    {RingRefusalId::masterServiceNotSupported, "masterServiceNotSupported",
+     QT_TRANSLATE_NOOP(
+         "Refusal",
+         "This link does not reach the master: %1 is not possible. It shows the process data only.")},
+    {RingRefusalId::masterStateWrong, "masterStateWrong",
+     QT_TRANSLATE_NOOP("Refusal", "%1 is not possible while the master is in the state %2.")},
+    {RingRefusalId::noConfiguration, "noConfiguration",
+     QT_TRANSLATE_NOOP("Refusal",
+                       "The master has no stored configuration. Read in the ring, or download one.")},
+    {RingRefusalId::busFault, "busFault", QT_TRANSLATE_NOOP("Refusal", "The bus does not run: %1.")},
+    {RingRefusalId::notInRing, "notInRing",
+     QT_TRANSLATE_NOOP("Refusal",
+                       "%1 is not in the ring: its segment is switched off, or a fault lies before it.")},
+});
 
 static_assert(areInOrder(ringRefusalRows, &SentenceRow::id, RingRefusalId::notInRing));
 

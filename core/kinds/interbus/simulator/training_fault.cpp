@@ -18,34 +18,30 @@ struct FaultRow
     const char *key;
     const char *text;
 };
-constexpr std::array faultRows{
-    FaultRow{TrainingFault::wireBreak, "wireBreak",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
-    FaultRow{TrainingFault::crcErrors, "crcErrors",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
-    FaultRow{TrainingFault::noSupply, "noSupply",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
-    FaultRow{TrainingFault::wrongDevice, "wrongDevice",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in place")},
-    FaultRow{TrainingFault::peripheralFault, "peripheralFault",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
-    FaultRow{TrainingFault::powerOff, "powerOff",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Encoder switched off")},
-    FaultRow{TrainingFault::slowConfirmation, "slowConfirmation",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Slow confirmation")},
-    FaultRow{TrainingFault::eepromWornOut, "eepromWornOut",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "EEPROM worn out")},
-    FaultRow{TrainingFault::parametersLost, "parametersLost",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Parameters lost")},
-    FaultRow{TrainingFault::batteryLow, "batteryLow",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Battery low")},
-    FaultRow{TrainingFault::codeDiscFault, "codeDiscFault",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Code disc faulty")},
-    FaultRow{TrainingFault::camOutOfRange, "camOutOfRange",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
-    FaultRow{TrainingFault::magnetLost, "magnetLost",
-             QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
-};
+constexpr auto faultRows = std::to_array<FaultRow>({
+    {TrainingFault::wireBreak, "wireBreak",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
+    {TrainingFault::crcErrors, "crcErrors",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "CRC errors in the segment")},
+    {TrainingFault::noSupply, "noSupply", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Device without supply")},
+    {TrainingFault::wrongDevice, "wrongDevice",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wrong device in place")},
+    {TrainingFault::peripheralFault, "peripheralFault",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Peripheral fault")},
+    {TrainingFault::powerOff, "powerOff", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Encoder switched off")},
+    {TrainingFault::slowConfirmation, "slowConfirmation",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Slow confirmation")},
+    {TrainingFault::eepromWornOut, "eepromWornOut",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "EEPROM worn out")},
+    {TrainingFault::parametersLost, "parametersLost",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Parameters lost")},
+    {TrainingFault::batteryLow, "batteryLow", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Battery low")},
+    {TrainingFault::codeDiscFault, "codeDiscFault",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Code disc faulty")},
+    {TrainingFault::camOutOfRange, "camOutOfRange",
+     QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
+    {TrainingFault::magnetLost, "magnetLost", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
+});
 static_assert(areInOrder(faultRows, &FaultRow::fault) && faultRows.size() == trainingFaults);
 
 const FaultRow &faultRow(TrainingFault fault)
