@@ -121,7 +121,7 @@ TEST_P(ReplacingByHand, TakesSixClicks)
 TEST_P(ReplacingByHand, TakesEightClicksFromTheStartPage)
 {
     ringActions().disconnectBus->trigger();
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(5);
     auto &replace = *window().findChild<QPushButton *>(QStringLiteral("startReplace"));
     click(replace, replace.rect());

@@ -394,7 +394,7 @@ TEST_F(SeveralBuses, TwoLinesAtTwoPorts)
         EXPECT_EQ(cell(line, StructureModel::deviceColumn).section(QStringLiteral(" ("), 0, 0),
                   findBus(shown->project().project(), line)->name);
     choose(firstLine);
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(50);
     EXPECT_FALSE(shown->plant().find(firstLine)->isOpen());
     EXPECT_TRUE(shown->plant().find(secondLine)->isOpen()) << "it is another one";
@@ -411,7 +411,7 @@ TEST_F(SeveralBuses, TheChosenRowIsTheBusThatIsMeantWhateverIsConnected)
     expectStopMeans(secondLine);
 
     choose(farFraba);
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     EXPECT_EQ(tree().current(), farFraba);
     choose(secondRing);
     ringActions().disconnectBus->trigger();
@@ -482,10 +482,10 @@ TEST_F(SeveralBuses, ActionsOfAKindSayWhichBusTheyMean)
     plan(secondLine, u"esc");
     choose(firstLine);
     EXPECT_EQ(text(*lineActions().terminal), "Terminal (Line 2)") << "Line is that of the project";
-    EXPECT_TRUE(lineActions().disconnectLine->isEnabled());
+    EXPECT_TRUE(lineActions().disconnectBus->isEnabled());
     choose(test::fraba);
     EXPECT_EQ(text(*lineActions().terminal), "Terminal (Line 2)");
-    EXPECT_FALSE(lineActions().disconnectLine->isEnabled());
+    EXPECT_FALSE(lineActions().disconnectBus->isEnabled());
 }
 
 TEST_F(SeveralBuses, AnEncoderThatIsSetUpIsNamedWhateverRowIsChosen)

@@ -111,7 +111,7 @@ private:
 void SmallWindow::startFromItsPage()
 {
     ringActions().disconnectBus->trigger();
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(50);
     auto *terminal = window().findChild<QDockWidget *>(QStringLiteral("terminalDock"));
     terminal->show();

@@ -45,7 +45,7 @@ protected:
     void disconnectAll()
     {
         ringActions().disconnectBus->trigger();
-        lineActions().disconnectLine->trigger();
+        lineActions().disconnectBus->trigger();
         advance(5);
     }
     StartPage &start() { return *window().findChild<StartPage *>(); }
@@ -75,7 +75,7 @@ TEST_F(StartPageTest, StandsInPlaceOfTheMonitorsWhileNoBusIsConnected)
     ringActions().disconnectBus->trigger();
     advance(5);
     EXPECT_EQ(page(), &monitors()) << "the line is connected";
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(5);
     EXPECT_TRUE(isSeen());
     actions().monitors->trigger();

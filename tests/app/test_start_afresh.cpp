@@ -273,7 +273,7 @@ TEST_F(StartAfresh, TheTrainingLineToo)
     const auto &panel = *window().findChild<EscLineTrainingPanel *>();
     EXPECT_EQ(chosenIn(panel), place.toString());
     EXPECT_TRUE(afreshButton(panel).isEnabled());
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(50);
     EXPECT_FALSE(lineActions().afresh->isEnabled());
 }

@@ -90,7 +90,7 @@ TEST_F(ToolBarTest, TheSwitchTellsTheBusItMeans)
     EXPECT_EQ(actions().watch->text(), QStringLiteral("&Watch (Ring)"));
     window().findChild<StructureView *>()->choose(placeOnLine({0x05}));
     EXPECT_EQ(part("watch").accessibleName(), QStringLiteral("Line: Watch"));
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     window().findChild<StructureView *>()->choose(test::fraba);
     EXPECT_EQ(part("watch").accessibleName(), QStringLiteral("Watch")) << "there is one bus";
 }

@@ -155,12 +155,6 @@ void ConnectPage::forgetTest()
     m_steps->clear();
 }
 
-void ConnectPage::setAbout(const QString &bus)
-{
-    m_about = bus;
-    Q_EMIT headChanged();
-}
-
 void ConnectPage::setPorts(const std::vector<PortRow> &ports, const Trouble &trouble)
 {
     for (int i = 0; i < m_forms->count(); ++i)

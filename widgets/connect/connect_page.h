@@ -32,9 +32,7 @@ public:
 
     void addForm(LinkForm *form);
     void setVisible(bool visible) override;
-    void setAbout(const QString &bus); // its name
     QString title() const override { return tr("Connection"); }
-    QString about() const override { return m_about; }
     QString effect() const override;
 
     void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble);
@@ -85,7 +83,6 @@ private:
     void showButtons();
     void scrollToSteps();
 
-    QString m_about;
     QScrollArea *m_area; // for low windows
     QWidget *m_content;
     QComboBox *m_link;

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <utility>
+
 namespace codewheel {
 
 // A page of the main window, in place of the monitors. Provides the texts of its head, and says what would be
@@ -15,7 +17,13 @@ public:
     using QWidget::QWidget;
 
     virtual QString title() const = 0;
-    virtual QString about() const { return {}; } // the encoder or bus it is about; empty: none in particular
+    // The encoder or bus it is about; empty: none in particular.
+    virtual QString about() const { return m_about; }
+    void setAbout(const QString &about)
+    {
+        if (std::exchange(m_about, about) != about)
+            Q_EMIT headChanged();
+    }
     virtual QString effect() const = 0;          // what it changes and sends, in a sentence
     // A sentence; empty: nothing. Does not count input that is not taken yet.
     virtual QString lostByClosing() const { return {}; }
@@ -27,6 +35,9 @@ public:
 Q_SIGNALS:
     void headChanged();
     void closeRequested(); // it has ended by itself
+
+private:
+    QString m_about;
 };
 
 } // namespace codewheel

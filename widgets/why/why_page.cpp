@@ -88,20 +88,14 @@ QString WhyPage::effect() const
 
 void WhyPage::showChecks(const QString &about, const DataChecks &checks)
 {
+    if (about != this->about())
+        showHelp(nullptr); // of another device: a message that was closed comes again
     setAbout(about);
     m_empty->setVisible(checks.empty());
     m_table->setVisible(!checks.empty());
     m_outcome->setVisible(!checks.empty());
     m_model->show(checks);
     showOutcome(checks);
-}
-
-void WhyPage::setAbout(const QString &about)
-{
-    if (std::exchange(m_about, about) == about)
-        return;
-    showHelp(nullptr); // of another device: a message that was closed comes again
-    Q_EMIT headChanged();
 }
 
 void WhyPage::showOutcome(const DataChecks &checks)

@@ -35,20 +35,17 @@ public:
     // Called with each frame. No checks: nothing is chosen.
     void showChecks(const QString &about, const DataChecks &checks);
     QString title() const override { return tr("Why is there no data?"); }
-    QString about() const override { return m_about; }
     QString effect() const override;
 
 Q_SIGNALS:
     void actionWanted(codewheel::DataCheck::Action action);
 
 private:
-    void setAbout(const QString &about);
     void showOutcome(const DataChecks &checks);
     void showHelp(const DataCheck *check);
     Trouble troubleOf(const DataCheck &check) const;
 
     const Helpers m_helpers;
-    QString m_about;
     DataCheck m_helped; // the message is about it
     QString m_button;
     DataCheckModel *m_model;

@@ -226,7 +226,7 @@ std::vector<Picture> views()
             "start",
             [](TrainingWindow &shown) {
                 shown.window().findChild<RingActions *>()->disconnectBus->trigger();
-                shown.window().findChild<EscLineActions *>()->disconnectLine->trigger();
+                shown.window().findChild<EscLineActions *>()->disconnectBus->trigger();
                 shown.advance(whileMilliseconds);
                 return &shown.window();
             },

@@ -40,10 +40,11 @@ void BusViews::setCalled(const QString &called, bool isDoubtful)
         showCurrent();
 }
 
-void BusViews::showAfresh(TrainingArea &panel, QAction *action, const QString &whyNot)
+void BusViews::showAfresh(TrainingArea *panel, QAction *action, const QString &whyNot)
 {
     const QString tip = Afresh::tip(whyNot);
-    panel.offerAfresh(whyNot.isEmpty(), tip);
+    if (panel != nullptr)
+        panel->offerAfresh(whyNot.isEmpty(), tip);
     if (!m_isCurrent)
         return;
     described(action, action->shortcut(), tip);

@@ -122,8 +122,9 @@ protected:
         m_own.push_back(widget);
         return widget;
     }
-    // Whether its simulated bus can begin anew: in its training panel and, if it is meant, by the action.
-    void showAfresh(TrainingArea &panel, QAction *action, const QString &whyNot);
+    // Whether its simulated bus can begin anew: in its training panel, where it has one, and, if it is meant,
+    // by the action.
+    void showAfresh(TrainingArea *panel, QAction *action, const QString &whyNot);
     // A place without a node is the bus itself.
     void tellTraining(Place place, const TrainingAct &what, MessageCode id = MessageId::training);
 

@@ -83,12 +83,6 @@ CanSearchPage::~CanSearchPage()
     m_table->setModel(nullptr);
 }
 
-void CanSearchPage::setAbout(const QString &bus)
-{
-    m_about = bus;
-    Q_EMIT headChanged();
-}
-
 void CanSearchPage::setBus(CanopenSession *bus)
 {
     if (m_bus)

@@ -28,9 +28,7 @@ public:
     explicit CanSearchPage(QWidget *parent = nullptr);
     ~CanSearchPage() override;
 
-    void setAbout(const QString &bus); // its name
     QString title() const override { return tr("Search for nodes"); }
-    QString about() const override { return m_about; }
     QString effect() const override
     {
         return tr("Sends on the bus: asks each number what it is. Nothing is written.");
@@ -50,7 +48,6 @@ private:
     void showWhatIsPossible();
     QString whyNot() const; // empty: it can be searched
 
-    QString m_about;
     QPointer<CanopenSession> m_bus;
     bool m_isSearching = false;
     std::vector<canopen::FoundNode> m_last;

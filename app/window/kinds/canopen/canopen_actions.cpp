@@ -3,21 +3,14 @@
 
 #include "app/window/look/described_action.h"
 #include "app/window/window_actions.h"
-#include "widgets/look/icons.h"
 
 #include <QMenu>
 
 namespace codewheel {
 
 CanopenActions::CanopenActions(WindowActions &window)
-    : QObject(&window)
-    , menu(new QMenu(tr("CA&N bus"), window.menuParent()))
+    : AskedBusActions(window, tr("CA&N bus"))
 {
-    menu->setIcon(lineIcon(Icon::ring));
-    menu->setToolTipsVisible(true);
-    const auto add = [this](Icon icon, const QString &text, const QKeySequence &key, const QString &what) {
-        return described(menu->addAction(lineIcon(icon), text), key, what);
-    };
     settings = foundBy(add(Icon::parameters, tr("&Connection…"), Qt::CTRL | Qt::Key_F8,
                            tr("How the CAN bus is connected: interface or adapter, and rate. Nothing is "
                               "sent")),
@@ -37,8 +30,7 @@ CanopenActions::CanopenActions(WindowActions &window)
                               "of an adapter")),
                        tr("CANopen, simulated"));
     training->setObjectName(QStringLiteral("canTraining"));
-    afresh =
-        foundBy(add(Icon::refresh, tr("Start a&fresh"), {}, {}), tr("reset, factory settings, no faults"));
+    addAfresh();
     disconnectBus = add(Icon::cancel, tr("&Disconnect the CAN bus"), Qt::CTRL | Qt::SHIFT | Qt::Key_F10,
                         tr("Leaves the CAN bus"));
     remove = new QAction(lineIcon(Icon::remove), tr("Remove from the CAN b&us"));
@@ -53,17 +45,6 @@ void CanopenActions::showChosen(bool isConnected)
               isConnected ? tr("The encoder is not asked any more; what it has stays as it is")
                           : tr("For encoders on the CAN bus"));
     remove->setEnabled(isConnected);
-}
-
-void CanopenActions::tellBus(const QString &bus)
-{
-    for (QAction *action : {settings, search, nodes, training, afresh, disconnectBus})
-        codewheel::tellBus(action, bus);
-}
-
-void CanopenActions::tellWhyNotDisconnected(const QString &why)
-{
-    described(disconnectBus, disconnectBus->shortcut(), why);
 }
 
 } // namespace codewheel

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/kinds/canopen/canopen_status.h"
 
-#include "app/window/look/status_line.h"
 #include "can/can_state.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "vocabulary/sentence.h"
-#include "widgets/look/role_label.h"
 
 #include <QLocale>
 
@@ -22,43 +20,27 @@ QString percent(double share)
 
 } // namespace
 
-CanopenStatus::CanopenStatus(StatusLine &line)
-    : m_label(line.addState())
-{}
-
-CanopenStatus::~CanopenStatus()
+ShownStatus CanopenStatus::of(const CanopenSession &session)
 {
-    delete m_label;
-}
-
-void CanopenStatus::show(const CanopenSession *session)
-{
-    const bool isOpen = session != nullptr && session->isOpen();
-    m_label->setVisible(isOpen);
-    if (!isOpen)
-        return;
-    const CanopenSnapshot &bus = session->latest();
-    const QString name = session->linkName().section(QStringLiteral("/dev/"), -1);
-    if (!bus.connected) {
-        m_label->setState(Role::fault, sentence(tr("%1: no link", "CAN adapter"), {name}));
-        return;
-    }
-    const auto places = session->places();
+    const CanopenSnapshot &bus = session.latest();
+    const QString name = session.linkName().section(QStringLiteral("/dev/"), -1);
+    if (!bus.connected)
+        return {Role::fault, sentence(tr("%1: no link", "CAN adapter"), {name})};
+    const auto places = session.places();
     const auto heard = std::ranges::count_if(
         places, [&bus](Place place) { return bus.heard(CanopenAddress::of(place.node).node) != nullptr; });
     const bool isWhole = heard == std::ssize(places) && bus.status.state != CanState::busOff;
-    m_label->setState(isWhole ? Role::running : Role::fault,
-                      sentence(tr("%1, %2 kBit/s, load %3 %, %4 of %5 heard", "CAN adapter, rate, encoders"),
-                               {name, inKilobits(session->rate()), percent(bus.figures.load),
-                                QString::number(heard), QString::number(places.size())}));
+    const QString text =
+        sentence(tr("%1, %2 kBit/s, load %3 %, %4 of %5 heard", "CAN adapter, rate, encoders"),
+                 {name, inKilobits(session.rate()), percent(bus.figures.load), QString::number(heard),
+                  QString::number(places.size())});
     const QLocale locale;
     const QString figures = sentence(
         tr("CAN bus: %1 frames received, %2 sent, %3 error frames. State of the "
            "controller: %4"),
         {locale.toString(qulonglong{bus.figures.received}), locale.toString(qulonglong{bus.figures.sent}),
          locale.toString(qulonglong{bus.figures.errorFrames}), canStateText(bus.status.state)});
-    if (m_label->toolTip() != figures)
-        m_label->setToolTip(figures);
+    return {isWhole ? Role::running : Role::fault, text, figures};
 }
 
 } // namespace codewheel

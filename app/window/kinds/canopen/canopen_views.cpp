@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/kinds/canopen/canopen_views.h"
 
-#include "app/window/buses/leaving.h"
 #include "app/window/buses/operate_question.h"
-#include "app/window/connect/link_test.h"
 #include "app/window/connect/port_rows.h"
 #include "app/window/connect/trouble_of.h"
 #include "app/window/kinds/canopen/can_interface_rows.h"
 #include "app/window/kinds/canopen/canopen_actions.h"
 #include "app/window/kinds/canopen/canopen_at_work.h"
 #include "app/window/kinds/canopen/canopen_keeper.h"
-#include "app/window/look/afresh.h"
-#include "app/window/look/described_action.h"
+#include "app/window/kinds/canopen/canopen_status.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "can/can_refusals.h"
@@ -23,7 +20,6 @@
 #include "links/serial_ports.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
-#include "widgets/comparison/comparison_page.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/connect/plain_link_form.h"
 #include "widgets/help/help_topic.h"
@@ -47,12 +43,6 @@
 namespace codewheel {
 namespace {
 
-struct WorkOnCanBus
-{
-    std::shared_ptr<const TrafficModel> traffic;
-    int link = 0; // that is being entered
-};
-
 OperateWarning canOperateWarning(const EncoderBus &bus)
 {
     const QString name = nameAmongOthers(bus.id());
@@ -68,76 +58,41 @@ OperateWarning canOperateWarning(const EncoderBus &bus)
 
 } // namespace
 
-CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject *parent)
-    : BusViews(parent)
+CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, QObject *parent)
+    : AskedBusViews(bus, windowParts.actions.ofKind<CanopenActions>(), windowParts,
+                    {QStringLiteral("can"), "canopen.md#connecting-in-the-window", canOperateWarning}, parent)
     , m_bus(bus)
-    , m_parts(parts)
-    , m_actions(parts.actions.ofKind<CanopenActions>())
-    , m_status(parts.status)
-    , m_notice(own(new InlineMessage(&parts.pages)))
-    , m_keeper(new CanopenKeeper(bus, bus.project(), this))
-    , m_operateQuestion(new OperateQuestion(bus, canOperateWarning, *parts.pages.window(), this))
-    , m_traffic(own(new CanTrafficView(&parts.pages)))
-    , m_panel(own(new CanBusPanel(&parts.pages)))
-    , m_objects(own(new DictionaryView(&parts.pages)))
-    , m_search(own(new CanSearchPage(&parts.pages)))
-    , m_connection(own(new ConnectPage(&parts.pages)))
-    , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, m_connection))
-    , m_adapter(new CanSettingsForm(CanSettingsForm::Adapter::serial, m_connection))
-    , m_comparison(own(new ComparisonPage(bus.project(), bus.catalog(), bus.id(), bus.kind(), &parts.pages)))
+    , m_actions(windowParts.actions.ofKind<CanopenActions>())
+    , m_keeper(new CanopenKeeper(bus, this))
+    , m_traffic(own(new CanTrafficView(&windowParts.pages)))
+    , m_panel(own(new CanBusPanel(&windowParts.pages)))
+    , m_objects(own(new DictionaryView(&windowParts.pages)))
+    , m_search(own(new CanSearchPage(&windowParts.pages)))
+    , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, &connection()))
+    , m_adapter(new CanSettingsForm(CanSettingsForm::Adapter::serial, &connection()))
 {
-    m_notice->setObjectName(QStringLiteral("canNotice"));
-    parts.notices.insertWidget(0, m_notice);
-    m_connection->setObjectName(QStringLiteral("canSettings"));
-    m_connection->addForm(m_interface);
-    m_connection->addForm(m_adapter);
-    m_connection->addForm(new PlainLinkForm(
+    connection().addForm(m_interface);
+    connection().addForm(m_adapter);
+    connection().addForm(new PlainLinkForm(
         tr("CAN training bus"),
         tr("Four simulated encoders on CANopen, one of them without a node number, in this program. Nothing "
            "leaves this computer."),
-        {}, m_connection, [](const KindData &plan) {
+        {}, &connection(), [](const KindData &plan) {
             const auto *planned = plan.as<CanopenPlan>();
             return planned != nullptr && planned->settings.isSimulated();
         }));
     m_search->setObjectName(QStringLiteral("canSearch"));
-    parts.pages.addWidget(m_connection);
-    parts.pages.addWidget(m_search);
-    parts.pages.addWidget(m_comparison);
-    setHelpTopic(*m_connection, "canopen.md#connecting-in-the-window");
     setHelpTopic(*m_search, "canopen.md#searching-for-nodes");
-    setHelpTopic(*m_comparison, "project.md#comparing");
     connect(m_traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
     connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
     connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
-    connect(m_connection, &ConnectPage::portsWanted, this, &CanopenViews::listAdapters);
-    connect(m_connection, &ConnectPage::connectWanted, this, &CanopenViews::connectAs);
-    connect(m_connection, &ConnectPage::keepWanted, this,
-            [this](const KindData &plan) { m_keeper->keepLink(plan.as<CanopenPlan>()->settings); });
-    connect(m_connection, &ConnectPage::testWanted, this, &CanopenViews::test);
-    connect(m_connection, &ConnectPage::testCancelled, &m_test, &BackgroundSteps::cancel);
-    connect(&m_test, &BackgroundSteps::ended, this, [this] { m_connection->setTesting(false); });
-    connect(m_connection, &ConnectPage::agreed, this, &CanopenViews::connectUnsure);
-    connect(m_notice, &InlineMessage::actionTriggered, this, &CanopenViews::agree);
-    connect(&bus.project(), &ProjectDocument::replaced, this, &CanopenViews::showPlanned);
-    connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showName);
-    connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showNewPlan);
-    connect(&bus, &CanopenAtWork::opened, this, &CanopenViews::showOpened);
-    connect(&bus, &CanopenAtWork::openRefused, this, &CanopenViews::showRefused);
-    connect(&bus, &CanopenAtWork::openingChanged, this, [this] {
-        m_connection->setConnecting(m_bus.isOpening());
-        tellActions();
-    });
-    connect(&bus, &CanopenAtWork::aboutToChange, this, [this] { setBus(nullptr); });
-    connect(&bus, &CanopenAtWork::changed, this, [this] { setBus(m_bus.session()); });
-    onAction(m_actions.settings, [this] { showSettings(); });
-    onAction(m_actions.search, [this] { showSearch(); });
     onAction(m_actions.nodes, [this] { open(); });
-    onAction(m_actions.remove, [this] { removeChosen(); });
-    onAction(m_actions.training, [this] { connectTrainingBus(); });
-    onAction(m_actions.afresh, [this] { startAfresh(); });
-    onAction(m_actions.disconnectBus, [this] { disconnectBus(); });
-    setBus(bus.session());
-    showPlanned();
+    begin(*m_keeper, *m_search);
+}
+
+CanopenSession *CanopenViews::session() const
+{
+    return static_cast<CanopenSession *>(AskedBusViews::session());
 }
 
 std::vector<std::pair<const Panel *, QWidget *>> CanopenViews::pages() const
@@ -145,54 +100,18 @@ std::vector<std::pair<const Panel *, QWidget *>> CanopenViews::pages() const
     return {{&canTrafficPanel, m_traffic}, {&canBusPanel, m_panel}, {&canObjectsPanel, m_objects}};
 }
 
-QWidget *CanopenViews::comparison() const
-{
-    return m_comparison;
-}
-
-QMenu *CanopenViews::menu() const
-{
-    return m_actions.menu;
-}
-
-void CanopenViews::showCurrent()
-{
-    showStatus();
-    tellActions();
-}
-
-void CanopenViews::showStatus()
-{
-    m_status.show(isCurrent() ? m_session.get() : nullptr);
-}
-
-void CanopenViews::tellActions()
-{
-    if (!isCurrent())
-        return;
-    m_actions.tellBus(nameAmongOthers(m_bus.id())); // their menu already says that it is a CAN bus
-    const bool isConnected = m_session != nullptr || m_bus.isOpening();
-    m_actions.disconnectBus->setEnabled(isMeant() && isConnected);
-    if (!isConnected)
-        m_actions.tellWhyNotDisconnected(tr("The CAN bus is not connected."));
-    m_actions.training->setEnabled(isMeant() && m_bus.training() == nullptr);
-    tellAfresh();
-    showChosen();
-}
-
 void CanopenViews::showChosen()
 {
     if (isCurrent())
-        m_actions.showChosen(m_session && m_chosen && m_session->encoder(*m_chosen) != nullptr);
+        m_actions.showChosen(session() && chosen() && session()->encoder(*chosen()) != nullptr);
 }
 
 void CanopenViews::setChosen(std::optional<Place> place)
 {
-    m_chosen = place;
     if (place)
         m_panel->chooseNode(CanopenAddress::of(place->node).node);
     m_objects->setNode(place ? std::optional(CanopenAddress::of(place->node).node) : std::nullopt);
-    showChosen();
+    choose(place);
 }
 
 void CanopenViews::setRecordingChosen(bool isChosen)
@@ -204,54 +123,6 @@ void CanopenViews::setRecordingChosen(bool isChosen)
 void CanopenViews::useSettings(const ProgramSettings &settings)
 {
     m_traffic->setMostRows(settings.traceRows);
-}
-
-// A job that begins or ends decides, too.
-void CanopenViews::tellAfresh()
-{
-    if (!isCurrent())
-        return;
-    const QString whyNot = Afresh::whyNot(m_session);
-    described(m_actions.afresh, m_actions.afresh->shortcut(), Afresh::tip(whyNot));
-    m_actions.afresh->setEnabled(isMeant() && whyNot.isEmpty());
-}
-
-void CanopenViews::showFrame()
-{
-    tellAfresh();
-    showStatus();
-}
-
-void CanopenViews::askToOperate(const std::function<void()> &then)
-{
-    m_operateQuestion->ask(then);
-}
-
-QAction *CanopenViews::actionFor(DataCheck::Action action) const
-{
-    switch (action) {
-    case DataCheck::Action::connectBus:
-    case DataCheck::Action::connection:
-        return m_actions.settings;
-    case DataCheck::Action::search:
-        return m_actions.search;
-    default:
-        return nullptr;
-    }
-}
-
-std::any CanopenViews::takeWork()
-{
-    return WorkOnCanBus{m_traffic->takeRows(), m_connection->chosenLink()};
-}
-
-void CanopenViews::goOn(const std::any &work)
-{
-    const auto *before = std::any_cast<WorkOnCanBus>(&work);
-    if (before == nullptr)
-        return;
-    m_traffic->goOn(*before->traffic);
-    m_connection->chooseLink(before->link);
 }
 
 void CanopenViews::open()
@@ -267,25 +138,15 @@ bool CanopenViews::open(Place place)
     return true;
 }
 
-void CanopenViews::showSearch()
+void CanopenViews::setBus(AskedBus *)
 {
-    m_parts.pages.setCurrentWidget(m_search);
-    m_search->setFocus();
-}
-
-void CanopenViews::setBus(CanopenSession *bus)
-{
-    if (m_session)
-        m_session->disconnect(this);
-    m_session = bus;
+    CanopenSession *bus = session();
     m_asked = Asked::nothing;
-    m_notice->withdraw();
     if (bus != nullptr) {
         connect(bus, &CanopenSession::stateChanged, this, &CanopenViews::showState);
         connect(bus, &CanopenSession::watchNotSure, this, [this](const Refusal &why) {
             ask(Asked::unsureWatch, refusalText(why), tr("&Watch all the same"));
         });
-        connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::tellActions);
         connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::watchJobs);
         connect(bus, &CanopenSession::frameSent, this, &CanopenViews::tellSent);
     }
@@ -295,17 +156,12 @@ void CanopenViews::setBus(CanopenSession *bus)
     m_panel->setBus(bus);
     m_objects->setBus(bus);
     m_search->setBus(bus);
-    m_comparison->setBus(bus);
-    using enum ConnectPage::Connected;
-    m_connection->setConnected(bus == nullptr ? no : m_bus.training() != nullptr ? simulated : real);
-    showStatus();
-    tellActions();
 }
 
 void CanopenViews::ask(Asked what, const QString &sentence, const QString &answer)
 {
     if (std::exchange(m_asked, what) != what)
-        m_notice->showMessage(Role::attention, sentence, answer);
+        notice().showMessage(Role::attention, sentence, answer);
 }
 
 void CanopenViews::withdraw(Asked what)
@@ -313,22 +169,22 @@ void CanopenViews::withdraw(Asked what)
     if (m_asked != what)
         return;
     m_asked = Asked::nothing;
-    m_notice->withdraw();
+    notice().withdraw();
 }
 
 void CanopenViews::agree()
 {
-    m_notice->withdraw();
+    notice().withdraw();
     const Asked asked = std::exchange(m_asked, Asked::nothing);
-    if (!m_session)
+    if (!session())
         return;
     if (asked == Asked::unsureWatch)
-        m_session->takeUnsureWatch();
+        session()->takeUnsureWatch();
     else if (asked == Asked::otherMaster)
-        m_session->sendBesideOthers();
+        session()->sendBesideOthers();
     else if (asked == Asked::stopOfNode && m_wouldStop) {
-        m_session->mayStopNode(*m_wouldStop);
-        m_parts.notice.showMessage(Role::running,
+        session()->mayStopNode(*m_wouldStop);
+        parts().notice.showMessage(Role::running,
                                    sentence(tr("%1 may be stopped for a moment by the next job: "
                                                "start that again."),
                                             {m_wouldStop->shown()}));
@@ -337,10 +193,10 @@ void CanopenViews::agree()
 
 void CanopenViews::watchJobs()
 {
-    if (!m_session)
+    if (!session())
         return;
-    for (const Place place : m_session->places())
-        if (const EncoderSession *encoder = m_session->encoder(place)) {
+    for (const Place place : session()->places())
+        if (const EncoderSession *encoder = session()->encoder(place)) {
             disconnect(encoder, &EncoderSession::finished, this, nullptr);
             connect(encoder, &EncoderSession::finished, this,
                     [this, place](const Outcome &outcome) { askToStop(place, outcome); });
@@ -364,7 +220,7 @@ void CanopenViews::askToCommand(int node, canopen::NmtCommand command)
     delete m_commandQuestion;
     const NmtAction &action = nmtAction(command);
     m_commandQuestion = new QMessageBox(QMessageBox::Question, tr("Node"), action.question(node),
-                                        QMessageBox::NoButton, m_parts.pages.window());
+                                        QMessageBox::NoButton, parts().pages.window());
     m_commandQuestion->setObjectName(QStringLiteral("nmtQuestion"));
     m_commandQuestion->setAttribute(Qt::WA_DeleteOnClose);
     setHelpTopic(*m_commandQuestion, "canopen.md#the-panel");
@@ -381,8 +237,8 @@ void CanopenViews::askToCommand(int node, canopen::NmtCommand command)
 // No node answers it: what it tells afterwards stands among the nodes.
 void CanopenViews::sendCommand(int node, canopen::NmtCommand command)
 {
-    if (m_session)
-        m_session->send(canopen::NmtRequest{command, node}.frame());
+    if (session())
+        session()->send(canopen::NmtRequest{command, node}.frame());
 }
 
 void CanopenViews::tellSent(const FrameSent &sent)
@@ -390,37 +246,26 @@ void CanopenViews::tellSent(const FrameSent &sent)
     if (sent.frame.id != canopen::CobId{.service = canopen::CobId::Service::nmt}.identifier())
         return;
     if (sent.refused)
-        m_parts.notice.showMessage(Role::attention, refusalText(*sent.refused));
+        parts().notice.showMessage(Role::attention, refusalText(*sent.refused));
     else if (sent.fate == CanFate::refused)
-        m_parts.notice.showMessage(Role::attention, tr("The command to the node could not be sent. Check the "
+        parts().notice.showMessage(Role::attention, tr("The command to the node could not be sent. Check the "
                                                        "CAN bus, then send it again."));
 }
 
 void CanopenViews::takeOver(const std::vector<CanFoundRow> &found)
 {
-    if (!m_session)
+    if (!session())
         return;
     std::vector<Place> taken;
     for (const CanFoundRow &row : found)
-        if (m_session->add(row.found.node, row.deviceKey))
-            taken.push_back(m_session->placeOf(CanopenAddress{row.found.node}.place()));
+        if (session()->add(row.found.node, row.deviceKey))
+            taken.push_back(session()->placeOf(CanopenAddress{row.found.node}.place()));
     m_keeper->keepEncoders(taken);
-}
-
-void CanopenViews::removeChosen()
-{
-    const auto chosen = m_chosen; // changes once it is removed
-    if (!chosen || !m_session || m_session->encoder(*chosen) == nullptr)
-        return;
-    if (const auto removed = m_session->remove(*chosen))
-        m_keeper->removeEncoder(*chosen);
-    else
-        m_parts.notice.showMessage(Role::attention, refusalText(removed.error()));
 }
 
 void CanopenViews::showState()
 {
-    const CanopenSnapshot &now = m_session->latest();
+    const CanopenSnapshot &now = session()->latest();
     if (now.connected)
         withdraw(Asked::unsureWatch);
     if (now.operate && now.isHeldBack())
@@ -431,41 +276,10 @@ void CanopenViews::showState()
         withdraw(Asked::otherMaster);
 }
 
-void CanopenViews::showPlanned()
-{
-    if (const CanopenPlan *planned = canopenPlan(m_bus.project().project(), m_bus.id()))
-        m_connection->showPlan(KindData(*planned));
-    showName();
-}
-
-// What is being entered for a bus that is planned already stays.
-void CanopenViews::showNewPlan()
-{
-    const bool isPlanned = canopenPlan(m_bus.project().project(), m_bus.id()) != nullptr;
-    if (isPlanned && !std::exchange(m_isPlanned, isPlanned))
-        showPlanned();
-    m_isPlanned = isPlanned;
-}
-
-void CanopenViews::showName()
-{
-    const PlannedBus *planned = findBus(m_bus.project().project(), m_bus.id());
-    const QString name = planned != nullptr ? planned->name : m_bus.nameOfNew();
-    m_connection->setAbout(name);
-    m_search->setAbout(name);
-}
-
-void CanopenViews::showSettings()
-{
-    listAdapters();
-    m_parts.pages.setCurrentWidget(m_connection);
-    m_connection->setFocus();
-}
-
-void CanopenViews::listAdapters()
+void CanopenViews::listPorts()
 {
     const PortRows ports = portRows(serialPorts());
-    m_connection->setPorts(ports.rows, ports.trouble);
+    connection().setPorts(ports.rows, ports.trouble);
     m_interface->setInterfaces(canInterfaceRows(canInterfaces()));
 }
 
@@ -473,52 +287,62 @@ void CanopenViews::connectAs(const KindData &plan)
 {
     const auto *its = plan.as<CanopenPlan>();
     if (its == nullptr) {
-        connectTrainingBus();
+        connectSimulated();
         return;
     }
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_bus.session()}, [this, settings = its->settings] {
+    afterLeaving([this, settings = its->settings] {
         m_wanted = settings;
         m_bus.open(settings);
     });
 }
 
-void CanopenViews::connectUnsure(const KindData &plan)
+void CanopenViews::connectAgreed(const KindData &plan)
 {
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_bus.session()},
-                        [this, settings = plan.as<CanopenPlan>()->settings] {
-                            m_wanted = settings;
-                            m_bus.openUnsure(settings);
-                        });
+    afterLeaving([this, settings = plan.as<CanopenPlan>()->settings] {
+        m_wanted = settings;
+        m_bus.openUnsure(settings);
+    });
+}
+
+void CanopenViews::keepLink(const KindData &plan)
+{
+    m_keeper->keepLink(plan.as<CanopenPlan>()->settings);
 }
 
 // The planned nodes are listened for; without any, all that are heard are told.
 void CanopenViews::test(const KindData &plan)
 {
     const CanopenSettings settings = plan.as<CanopenPlan>()->settings;
-    auto link = m_bus.makeLink(settings);
-    if (!link) {
-        m_connection->setProblem(troubleOf(link.error()));
-        return;
-    }
-    std::vector<CanopenAddress> nodes;
-    for (const ProjectDevice &encoder : devicesOn(m_bus.project().project(), m_bus.id()))
-        nodes.push_back(CanopenAddress::of(encoder.place().node));
-    m_connection->setProblem({});
-    m_connection->setTesting(true);
-    m_test.start(std::make_unique<LinkTest<CanopenLinkCheck, CanLink>>(
-        *std::move(link),
-        [this](const CanopenLinkFinding &finding) {
-            m_connection->addStep(finding.outcome, CanopenLinkCheck::stepText(finding.step, finding.address),
-                                  finding.sentence);
-            if (finding.why)
-                tellCommand(*m_connection, *finding.why);
-        },
-        settings.rate, nodes));
+    if (auto link = m_bus.makeLink(settings))
+        startTest<CanopenLinkCheck, CanLink>(*std::move(link), settings.rate,
+                                             plannedAddresses<CanopenAddress>());
+    else
+        connection().setProblem(troubleOf(link.error()));
+}
+
+ShownStatus CanopenViews::status() const
+{
+    return CanopenStatus::of(*session());
+}
+
+QString CanopenViews::whyNotDisconnected() const
+{
+    return tr("The CAN bus is not connected.");
+}
+
+std::any CanopenViews::takeRows()
+{
+    return m_traffic->takeRows();
+}
+
+void CanopenViews::showRows(const std::any &rows)
+{
+    m_traffic->goOn(*std::any_cast<const std::shared_ptr<const TrafficModel> &>(rows));
 }
 
 void CanopenViews::showOpened()
 {
-    m_connection->setProblem({});
+    connection().setProblem({});
     m_keeper->keepLink(m_wanted);
     if (isCurrent())
         open();
@@ -527,38 +351,16 @@ void CanopenViews::showOpened()
 void CanopenViews::showRefused(const Refusal &why)
 {
     if (why.id == CanRefusalId::watchNotSure)
-        m_connection->ask(refusalText(why), tr("&Watch all the same"));
+        connection().ask(refusalText(why), tr("&Watch all the same"));
     else
-        m_connection->setProblem(troubleOf(why));
+        connection().setProblem(troubleOf(why));
 }
 
 // Its page says how that went.
 void CanopenViews::connectFound(const KindData &plan, const std::vector<KindData> &)
 {
     showSettings();
-    m_connection->connectBy(plan);
-}
-
-void CanopenViews::connectTrainingBus()
-{
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_bus.session()}, [this] {
-        m_bus.connectTraining();
-        open();
-    });
-}
-
-// It may have become impossible since the last frame.
-void CanopenViews::startAfresh()
-{
-    if (!Afresh::whyNot(m_session).isEmpty())
-        return;
-    m_bus.startAfresh();
-    tellTraining(Place{m_bus.id()}, startedAfresh());
-}
-
-void CanopenViews::disconnectBus()
-{
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_bus.session()}, [this] { m_bus.close(); });
+    connection().connectBy(plan);
 }
 
 } // namespace codewheel

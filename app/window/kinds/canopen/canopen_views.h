@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/background_steps.h"
-#include "app/window/buses/bus_views.h"
-#include "app/window/kinds/canopen/canopen_status.h"
+#include "app/window/buses/asked_bus_views.h"
 #include "kinds/canopen/plan/canopen_plan.h"
 #include "kinds/canopen/protocol/nmt.h"
 #include "vocabulary/refusal.h"
@@ -25,10 +23,7 @@ class CanopenActions;
 class CanopenAtWork;
 class CanopenKeeper;
 class CanopenSession;
-class ComparisonPage;
-class ConnectPage;
 class DictionaryView;
-class OperateQuestion;
 struct CanFoundRow;
 struct FrameSent;
 struct Outcome;
@@ -55,31 +50,20 @@ inline constexpr std::array canPanels{&canTrafficPanel, &canBusPanel, &canObject
 
 // The views of a CAN bus in the window: nodes, objects and traffic, which are in docks, the pages for
 // connecting it and searching for nodes, and the actions that open them.
-class CanopenViews final : public BusViews
+class CanopenViews final : public AskedBusViews
 {
     Q_OBJECT
 
 public:
-    CanopenViews(CanopenAtWork &bus, const WindowParts &parts, QObject *parent);
+    CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, QObject *parent);
 
     std::vector<std::pair<const Panel *, QWidget *>> pages() const override;
-    QWidget *comparison() const override;
-    QMenu *menu() const override;
     void setChosen(std::optional<Place> place) override;
     void setRecordingChosen(bool isChosen) override;
     void open() override;
     bool open(Place place) override; // its row among the nodes, since it has no words
-    void connectBus() override { showSettings(); }
     void connectFound(const KindData &plan, const std::vector<KindData> &devices) override;
-    void showFrame() override;
-    void askToOperate(const std::function<void()> &then) override;
     void useSettings(const ProgramSettings &settings) override;
-    std::any takeWork() override;
-    void goOn(const std::any &work) override;
-    QAction *actionFor(DataCheck::Action action) const override;
-
-    void showSettings();
-    void showSearch();
 
 private:
     // What the bar above the pages asks the user to agree to.
@@ -90,59 +74,45 @@ private:
         stopOfNode,  // that a job stops its node for a moment
     };
 
-    void showCurrent() override;
-    void showStatus();
-    void setBus(CanopenSession *bus); // null: it is about to go
-    void tellActions();
-    void tellAfresh();
-    void listAdapters();
-    void connectAs(const KindData &plan);
-    void connectUnsure(const KindData &plan);
-    void connectTrainingBus();
-    void test(const KindData &plan);
-    void showOpened();
-    void showRefused(const Refusal &why);
+    CanopenSession *session() const;
+    void setBus(AskedBus *bus) override;
+    ShownStatus status() const override;
+    void listPorts() override;
+    void connectAs(const KindData &plan) override;
+    void connectAgreed(const KindData &plan) override;
+    void keepLink(const KindData &plan) override;
+    void test(const KindData &plan) override;
+    void showOpened() override;
+    void showRefused(const Refusal &why) override;
+    void showSimulated() override { open(); }
+    void showChosen() override;
+    void agree() override;
+    QString whyNotDisconnected() const override;
+    std::any takeRows() override;
+    void showRows(const std::any &rows) override;
     void showState();
     void ask(Asked what, const QString &sentence, const QString &answer);
     void withdraw(Asked what);
-    void agree();
     void watchJobs();
     void askToStop(Place place, const Outcome &outcome);
     void askToCommand(int node, canopen::NmtCommand command);
     void sendCommand(int node, canopen::NmtCommand command);
     void tellSent(const FrameSent &sent);
     void takeOver(const std::vector<CanFoundRow> &found);
-    void removeChosen();
-    void showChosen();
-    void startAfresh();
-    void disconnectBus();
-    void showPlanned();
-    void showNewPlan();
-    void showName();
 
     CanopenAtWork &m_bus;
-    const WindowParts m_parts;
     CanopenActions &m_actions;
-    CanopenStatus m_status;
-    InlineMessage *m_notice; // asks the user to agree
     Asked m_asked = Asked::nothing;
     CanopenKeeper *m_keeper;
-    OperateQuestion *m_operateQuestion;
-    QPointer<CanopenSession> m_session;
-    std::optional<Place> m_chosen;
     std::optional<Place> m_wouldStop; // the node that a job asks to stop
     QPointer<QMessageBox> m_commandQuestion;
     CanTrafficView *m_traffic;
     CanBusPanel *m_panel;
     DictionaryView *m_objects;
     CanSearchPage *m_search;
-    ConnectPage *m_connection;
     CanSettingsForm *m_interface;
     CanSettingsForm *m_adapter; // at a serial port
-    BackgroundSteps m_test;
-    bool m_isPlanned = false; // in the project
-    CanopenSettings m_wanted; // when an adapter was last to be opened
-    ComparisonPage *m_comparison;
+    CanopenSettings m_wanted;   // when an adapter was last to be opened
 };
 
 } // namespace codewheel

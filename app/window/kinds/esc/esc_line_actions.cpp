@@ -4,21 +4,14 @@
 #include "app/window/look/described_action.h"
 #include "app/window/window_actions.h"
 #include "widgets/look/describe.h"
-#include "widgets/look/icons.h"
 
 #include <QMenu>
 
 namespace codewheel {
 
 EscLineActions::EscLineActions(WindowActions &window)
-    : QObject(&window)
-    , menu(new QMenu(tr("Serial &line"), window.menuParent()))
+    : AskedBusActions(window, tr("Serial &line"))
 {
-    menu->setIcon(lineIcon(Icon::ring));
-    menu->setToolTipsVisible(true);
-    const auto add = [this](Icon icon, const QString &text, const QKeySequence &key, const QString &what) {
-        return described(menu->addAction(lineIcon(icon), text), key, what);
-    };
     settings = add(Icon::parameters, tr("&Connection…"), Qt::SHIFT | Qt::Key_F6,
                    tr("How the line is connected: port and settings. Nothing is written"));
     search = add(Icon::search, tr("&Search for encoders…"), Qt::SHIFT | Qt::Key_F7,
@@ -34,27 +27,15 @@ EscLineActions::EscLineActions(WindowActions &window)
     menu->addSeparator();
     training =
         add(Icon::training, tr("T&raining line"), {}, tr("Three simulated encoders, in place of a port"));
-    afresh =
-        foundBy(add(Icon::refresh, tr("Start a&fresh"), {}, {}), tr("reset, factory settings, no faults"));
-    disconnectLine = add(Icon::cancel, tr("&Disconnect the line"), Qt::CTRL | Qt::SHIFT | Qt::Key_F6,
-                         tr("Closes the serial line"));
+    addAfresh();
+    disconnectBus = add(Icon::cancel, tr("&Disconnect the line"), Qt::CTRL | Qt::SHIFT | Qt::Key_F6,
+                        tr("Closes the serial line"));
     swapWarningBytes = checkable(new QAction(tr("&Swap warning bytes")));
     remove = new QAction(lineIcon(Icon::remove), tr("Remove from the serial &line"));
     window.insert(WindowActions::Section::kinds, {menu->menuAction()});
     window.insert(WindowActions::Section::device, {swapWarningBytes, remove});
     window.insert(WindowActions::Section::toolBar, {terminal});
     showChosen({});
-}
-
-void EscLineActions::tellBus(const QString &bus)
-{
-    for (QAction *action : {settings, search, terminal, figures, training, afresh, disconnectLine})
-        codewheel::tellBus(action, bus);
-}
-
-void EscLineActions::tellWhyNotDisconnected(const QString &why)
-{
-    described(disconnectLine, disconnectLine->shortcut(), why);
 }
 
 void EscLineActions::showChosen(Chosen chosen)

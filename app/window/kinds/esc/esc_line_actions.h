@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
-
-class QAction;
-class QMenu;
+#include "app/window/buses/asked_bus_actions.h"
 
 namespace codewheel {
 
-class WindowActions;
-
 // The actions for serial lines only. All lines of a window share them (WindowActions::ofKind()).
-class EscLineActions : public QObject
+class EscLineActions : public AskedBusActions
 {
     Q_OBJECT
 
@@ -27,20 +22,10 @@ public:
         bool isSwapped = false;
     };
     void showChosen(Chosen chosen);
-    void tellBus(const QString &bus);                // which line they apply to; empty: the chosen one
-    void tellWhyNotDisconnected(const QString &why); // while it is disabled
 
-    QMenu *menu;
-    QAction *settings;
-    QAction *search;
     QAction *terminal;
     QAction *figures;
-    QAction *training;
-    QAction *afresh; // the training line; described by Afresh
-    QAction *disconnectLine;
-    // For the chosen encoder
-    QAction *swapWarningBytes; // checkable
-    QAction *remove;
+    QAction *swapWarningBytes; // of the chosen encoder; checkable
 };
 
 } // namespace codewheel

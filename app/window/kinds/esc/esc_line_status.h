@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/buses/asked_bus_views.h"
+
 #include <QCoreApplication>
 
 namespace codewheel {
 
 class EscLineSession;
-class RoleLabel;
-class StatusLine;
 
 // What the status line shows of a serial line: port, baud rate, and who answers. Used by EscLineViews.
 class EscLineStatus
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::EscLineStatus)
-    Q_DISABLE_COPY_MOVE(EscLineStatus)
 
 public:
-    explicit EscLineStatus(StatusLine &line);
-    ~EscLineStatus();
-
-    void show(const EscLineSession *line); // null, or not open: nothing
-
-private:
-    RoleLabel *m_label;
+    static ShownStatus of(const EscLineSession &session); // which is open
 };
 
 } // namespace codewheel

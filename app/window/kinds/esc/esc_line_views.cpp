@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/kinds/esc/esc_line_views.h"
 
-#include "app/window/buses/leaving.h"
 #include "app/window/buses/operate_question.h"
-#include "app/window/connect/link_test.h"
 #include "app/window/connect/port_rows.h"
 #include "app/window/connect/trouble_of.h"
 #include "app/window/kinds/esc/esc_line_actions.h"
 #include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/kinds/esc/esc_line_keeper.h"
 #include "app/window/kinds/esc/esc_line_rate.h"
-#include "app/window/look/afresh.h"
+#include "app/window/kinds/esc/esc_line_status.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "catalog/catalog.h"
@@ -21,7 +19,6 @@
 #include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/protocol/esc_refusals.h"
 #include "vocabulary/refusal_text.h"
-#include "widgets/comparison/comparison_page.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/connect/plain_link_form.h"
 #include "widgets/help/help_topic.h"
@@ -43,12 +40,6 @@
 
 namespace codewheel {
 namespace {
-
-struct WorkOnLine
-{
-    EscLineTerminal::Collected collected;
-    int link = 0; // that is being entered
-};
 
 std::vector<EscLineSearch::Device> devicesOnLines(const Catalog &catalog)
 {
@@ -99,87 +90,50 @@ KeyGroup keysOfLines()
     return {EscLineViews::tr("Request field of the terminal"), RequestField::keys()};
 }
 
-EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &parts, QObject *parent)
-    : BusViews(parent)
+EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &windowParts, QObject *parent)
+    : AskedBusViews(line, windowParts.actions.ofKind<EscLineActions>(), windowParts,
+                    {QStringLiteral("line"), "serial-line.md#connecting", lineOperateWarning}, parent)
     , m_line(line)
-    , m_parts(parts)
-    , m_actions(parts.actions.ofKind<EscLineActions>())
-    , m_status(parts.status)
-    , m_notice(own(new InlineMessage(&parts.pages)))
-    , m_keeper(new EscLineKeeper(line, line.project(), this))
-    , m_operateQuestion(new OperateQuestion(line, lineOperateWarning, *parts.pages.window(), this))
-    , m_terminal(own(new EscLineTerminal(&parts.pages)))
-    , m_panel(own(new EscLinePanel(&parts.pages)))
-    , m_connection(own(new ConnectPage(&parts.pages)))
-    , m_form(new EscLineSettingsForm(m_connection))
-    , m_search(own(new EscLineSearch(&parts.pages)))
-    , m_training(own(new EscLineTrainingPanel(line.id(), &parts.pages)))
-    , m_comparison(
-          own(new ComparisonPage(line.project(), line.catalog(), line.id(), line.kind(), &parts.pages)))
+    , m_actions(windowParts.actions.ofKind<EscLineActions>())
+    , m_keeper(new EscLineKeeper(line, this))
+    , m_terminal(own(new EscLineTerminal(&windowParts.pages)))
+    , m_panel(own(new EscLinePanel(&windowParts.pages)))
+    , m_form(new EscLineSettingsForm(&connection()))
+    , m_search(own(new EscLineSearch(&windowParts.pages)))
+    , m_training(own(new EscLineTrainingPanel(line.id(), &windowParts.pages)))
 {
-    m_notice->setObjectName(QStringLiteral("lineNotice"));
-    parts.notices.insertWidget(0, m_notice);
-    m_connection->setObjectName(QStringLiteral("lineSettings"));
-    m_connection->addForm(m_form);
-    m_connection->addForm(
+    connection().addForm(m_form);
+    connection().addForm(
         new PlainLinkForm(tr("Training line"),
                           tr("Three simulated encoders, at factory settings, in this program. "
                              "Nothing leaves this computer."),
-                          {}, m_connection, [](const KindData &plan) {
+                          {}, &connection(), [](const KindData &plan) {
                               const auto *planned = plan.as<EscLinePlan>();
                               return planned != nullptr && planned->settings.port.isEmpty();
                           }));
     m_search->setObjectName(QStringLiteral("lineSearch"));
     m_search->setDevices(devicesOnLines(line.catalog()));
-    parts.pages.addWidget(m_connection);
-    parts.pages.addWidget(m_search);
-    parts.pages.addWidget(m_comparison);
-    setHelpTopic(*m_connection, "serial-line.md#connecting");
     setHelpTopic(*m_search, "serial-line.md#searching-for-encoders");
-    setHelpTopic(*m_comparison, "project.md#comparing");
     setHelpTopic(*m_training, "training.md#the-serial-line");
-    m_terminal->setHistory(parts.settings.typedRequests());
+    m_terminal->setHistory(parts().settings.typedRequests());
     connect(m_terminal, &EscLineTerminal::historyChanged, this,
-            [this] { m_parts.settings.setTypedRequests(m_terminal->history()); });
+            [this] { parts().settings.setTypedRequests(m_terminal->history()); });
     connect(m_terminal, &EscLineTerminal::goToWanted, this, &EscLineViews::goToWanted);
     connect(m_form, &EscLineSettingsForm::fractionBitsWanted, this, &EscLineViews::determineFractionBits);
     connect(m_form, &EscLineSettingsForm::baudRateWanted, m_keeper, &EscLineKeeper::keepBaudRate);
-    connect(m_connection, &ConnectPage::portsWanted, this, &EscLineViews::listPorts);
-    connect(m_connection, &ConnectPage::connectWanted, this, &EscLineViews::connectAs);
-    connect(m_connection, &ConnectPage::keepWanted, this,
-            [this](const KindData &plan) { keepPort(wanted(plan.as<EscLinePlan>()->settings)); });
-    connect(m_connection, &ConnectPage::testWanted, this, &EscLineViews::test);
-    connect(m_connection, &ConnectPage::testCancelled, &m_test, &BackgroundSteps::cancel);
-    connect(&m_test, &BackgroundSteps::ended, this, [this] { m_connection->setTesting(false); });
-    connect(m_connection, &ConnectPage::agreed, this, &EscLineViews::connectOtherAdapter);
-    connect(m_notice, &InlineMessage::actionTriggered, this, &EscLineViews::useOtherAdapter);
     connect(m_search, &EscLineSearch::takeOverWanted, this, &EscLineViews::takeOver);
-    connect(&line.project(), &ProjectDocument::replaced, this, &EscLineViews::showPlanned);
-    connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showChosen);
-    connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showName);
-    connect(&line.project(), &ProjectDocument::changed, this, &EscLineViews::showNewPlan);
     connect(m_training, &EscLineTrainingPanel::acted, this,
             [this](Place place, const TrainingAct &what) { tellTraining(place, what); });
     connect(m_training, &EscLineTrainingPanel::afreshWanted, this, &EscLineViews::startAfresh);
-    connect(&line, &EscLineAtWork::opened, this, &EscLineViews::showOpened);
-    connect(&line, &EscLineAtWork::openRefused, this, &EscLineViews::showRefused);
-    connect(&line, &EscLineAtWork::openingChanged, this, [this] {
-        m_connection->setConnecting(m_line.isOpening());
-        showActions();
-    });
-    connect(&line, &EscLineAtWork::aboutToChange, this, [this] { setLine(nullptr); });
-    connect(&line, &EscLineAtWork::changed, this, [this] { setLine(m_line.session()); });
-    onAction(m_actions.settings, [this] { showSettings(); });
-    onAction(m_actions.search, [this] { showSearch(); });
     onAction(m_actions.terminal, [this] { showTerminal(); });
     onAction(m_actions.figures, [this] { open(); });
-    onAction(m_actions.training, [this] { connectTraining(); });
-    onAction(m_actions.afresh, [this] { startAfresh(); });
-    onAction(m_actions.disconnectLine, [this] { disconnectLine(); });
-    onAction(m_actions.remove, [this] { removeChosen(); });
     connect(m_actions.swapWarningBytes, &QAction::triggered, this, &EscLineViews::swapWarningBytes);
-    setLine(line.session());
-    showPlanned();
+    begin(*m_keeper, *m_search);
+}
+
+EscLineSession *EscLineViews::session() const
+{
+    return static_cast<EscLineSession *>(AskedBusViews::session());
 }
 
 std::vector<std::pair<const Panel *, QWidget *>> EscLineViews::pages() const
@@ -187,47 +141,13 @@ std::vector<std::pair<const Panel *, QWidget *>> EscLineViews::pages() const
     return {{&panel::training, m_training}, {&terminalPanel, m_terminal}, {&linePanel, m_panel}};
 }
 
-QWidget *EscLineViews::comparison() const
-{
-    return m_comparison;
-}
-
-QMenu *EscLineViews::menu() const
-{
-    return m_actions.menu;
-}
-
-void EscLineViews::showCurrent()
-{
-    showStatus();
-    tellActions();
-}
-
-void EscLineViews::showStatus()
-{
-    m_status.show(isCurrent() ? m_session.get() : nullptr);
-}
-
-void EscLineViews::tellActions()
-{
-    if (isCurrent())
-        m_actions.tellBus(nameAmongOthers(m_line.id())); // their menu already says that it is the line
-    const bool isConnected = m_line.session() != nullptr || m_line.isOpening();
-    m_actions.disconnectLine->setEnabled(isMeant() && isConnected);
-    if (!isConnected)
-        m_actions.tellWhyNotDisconnected(tr("The line is not connected."));
-    m_actions.training->setEnabled(isMeant() && m_line.training() == nullptr);
-    showAfresh(*m_training, m_actions.afresh, Afresh::whyNot(m_session));
-    showChosen();
-}
-
 // For a planned encoder, the project has the byte order of its warnings.
 void EscLineViews::showChosen()
 {
     if (!isCurrent())
         return;
-    const EncoderSession *encoder = m_session && m_chosen ? m_session->encoder(*m_chosen) : nullptr;
-    const ProjectDevice *planned = m_chosen ? findDevice(m_line.project().project(), *m_chosen) : nullptr;
+    const EncoderSession *encoder = session() && chosen() ? session()->encoder(*chosen()) : nullptr;
+    const ProjectDevice *planned = chosen() ? findDevice(m_line.project().project(), *chosen()) : nullptr;
     const KindData given = valueOptionsOf(encoder);
     const auto *options = given.as<EscValueOptions>();
     m_actions.showChosen(
@@ -240,9 +160,8 @@ void EscLineViews::showChosen()
 
 void EscLineViews::setChosen(std::optional<Place> place)
 {
-    m_chosen = place;
     m_training->setDevice(place.value_or(Place{m_line.id(), {}}));
-    showChosen();
+    choose(place);
 }
 
 void EscLineViews::setRecordingChosen(bool isChosen)
@@ -253,13 +172,7 @@ void EscLineViews::setRecordingChosen(bool isChosen)
 void EscLineViews::showFrame()
 {
     m_training->refresh();
-    showAfresh(*m_training, m_actions.afresh, Afresh::whyNot(m_session));
-    showStatus();
-}
-
-void EscLineViews::askToOperate(const std::function<void()> &then)
-{
-    m_operateQuestion->ask(then);
+    AskedBusViews::showFrame();
 }
 
 // Nothing on a line can be switched off or confirmed.
@@ -270,40 +183,13 @@ FaultBanner::Offer EscLineViews::offer(const Fault &, FaultAction) const
 
 void EscLineViews::act(const Fault &, FaultAction)
 {
-    if (m_session)
-        m_session->setRunning(true);
-}
-
-QAction *EscLineViews::actionFor(DataCheck::Action action) const
-{
-    switch (action) {
-    case DataCheck::Action::connectBus:
-    case DataCheck::Action::connection:
-        return m_actions.settings;
-    case DataCheck::Action::search:
-        return m_actions.search;
-    default:
-        return nullptr;
-    }
+    if (session())
+        session()->setRunning(true);
 }
 
 void EscLineViews::useSettings(const ProgramSettings &settings)
 {
     m_terminal->setMostRows(settings.traceRows);
-}
-
-std::any EscLineViews::takeWork()
-{
-    return WorkOnLine{m_terminal->takeRows(), m_connection->chosenLink()};
-}
-
-void EscLineViews::goOn(const std::any &work)
-{
-    const auto *before = std::any_cast<WorkOnLine>(&work);
-    if (before == nullptr)
-        return;
-    m_terminal->goOn(before->collected);
-    m_connection->chooseLink(before->link);
 }
 
 void EscLineViews::open()
@@ -324,21 +210,15 @@ void EscLineViews::showTerminal()
     m_terminal->setFocus();
 }
 
-void EscLineViews::setLine(EscLineSession *line)
+void EscLineViews::setBus(AskedBus *)
 {
-    if (m_session) {
-        m_session->disconnect(this);
-        m_session->disconnect(m_keeper);
-    }
-    m_session = line;
+    EscLineSession *line = session();
     m_takesOther = false;
-    m_notice->withdraw();
     if (line != nullptr) {
         connect(line, &EscLineSession::otherAdapterFound, this, &EscLineViews::askForOtherAdapter);
         connect(line, &EscLineSession::fractionBitsDetermined, this,
                 [this](Place, const Result<int> &bits) { takeFractionBits(bits); });
         connect(line, &EscLineSession::stateChanged, this, &EscLineViews::showState);
-        connect(line, &EscLineSession::nodesChanged, this, &EscLineViews::showActions);
         connect(line, &EscLineSession::nodesChanged, this, &EscLineViews::explainTerminal);
         connect(line, &EscLineSession::nodesChanged, this, &EscLineViews::watchBaudRates);
         connect(line, &EscLineSession::moved, m_keeper, &EscLineKeeper::moveEncoder);
@@ -351,57 +231,44 @@ void EscLineViews::setLine(EscLineSession *line)
     m_terminal->setLine(line);
     m_panel->setLine(line);
     m_search->setLine(line);
-    m_comparison->setBus(line);
     m_training->setLine(line != nullptr ? m_line.training() : nullptr);
-    using enum ConnectPage::Connected;
-    m_connection->setConnected(line == nullptr ? no : m_line.training() != nullptr ? simulated : real);
-    showStatus();
-    showActions();
 }
 
-void EscLineViews::showActions()
+void EscLineViews::showEncoders()
 {
-    if (isCurrent())
-        tellActions();
-    m_form->setCanDetermine(m_session && !m_session->places().empty());
+    tellActions();
+    m_form->setCanDetermine(session() && !session()->places().empty());
 }
 
-void EscLineViews::showPlanned()
+TrainingArea *EscLineViews::training() const
 {
-    if (const EscLinePlan *planned = linePlan(m_line.project().project(), m_line.id()))
-        m_connection->showPlan(KindData(*planned));
-    showName();
+    return m_training;
 }
 
-// What is being entered for a line that is planned already stays.
-void EscLineViews::showNewPlan()
+ShownStatus EscLineViews::status() const
 {
-    const bool isPlanned = linePlan(m_line.project().project(), m_line.id()) != nullptr;
-    if (isPlanned && !std::exchange(m_isPlanned, isPlanned))
-        showPlanned();
-    m_isPlanned = isPlanned;
+    return EscLineStatus::of(*session());
 }
 
-void EscLineViews::showName()
+QString EscLineViews::whyNotDisconnected() const
 {
-    const PlannedBus *planned = findBus(m_line.project().project(), m_line.id());
-    const QString name = planned != nullptr ? planned->name : m_line.nameOfNew();
-    m_connection->setAbout(name);
-    m_search->setAbout(name);
+    return tr("The line is not connected.");
+}
+
+std::any EscLineViews::takeRows()
+{
+    return m_terminal->takeRows();
+}
+
+void EscLineViews::showRows(const std::any &rows)
+{
+    m_terminal->goOn(std::any_cast<const EscLineTerminal::Collected &>(rows));
 }
 
 void EscLineViews::showSettings()
 {
     m_isFound = false;
-    listPorts();
-    m_parts.pages.setCurrentWidget(m_connection);
-    m_connection->setFocus();
-}
-
-void EscLineViews::showSearch()
-{
-    m_parts.pages.setCurrentWidget(m_search);
-    m_search->setFocus();
+    AskedBusViews::showSettings();
 }
 
 void EscLineViews::showFound()
@@ -413,7 +280,7 @@ void EscLineViews::showFound()
 void EscLineViews::listPorts()
 {
     const PortRows ports = portRows(m_line.ports());
-    m_connection->setPorts(ports.rows, ports.trouble);
+    connection().setPorts(ports.rows, ports.trouble);
 }
 
 EscLinePlan EscLineViews::wanted(const EscLineSettings &wish) const
@@ -429,10 +296,10 @@ void EscLineViews::connectAs(const KindData &plan)
 {
     const auto *line = plan.as<EscLinePlan>();
     if (line == nullptr) {
-        connectTraining();
+        connectSimulated();
         return;
     }
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this, wish = wanted(line->settings)] {
+    afterLeaving([this, wish = wanted(line->settings)] {
         m_opened = wish;
         m_line.openPort(m_opened);
     });
@@ -442,35 +309,26 @@ void EscLineViews::connectAs(const KindData &plan)
 void EscLineViews::test(const KindData &plan)
 {
     const EscLinePlan line = wanted(plan.as<EscLinePlan>()->settings);
-    std::vector<EscLineAddress> addresses;
-    for (const ProjectDevice &encoder : devicesOn(m_line.project().project(), m_line.id()))
-        addresses.push_back(EscLineAddress::of(encoder.place().node));
-    m_connection->setProblem({});
-    m_connection->setTesting(true);
-    m_test.start(std::make_unique<LinkTest<EscLineCheck, ByteLink>>(
-        m_line.makeLink(line),
-        [this](const EscLineFinding &finding) {
-            m_connection->addStep(finding.outcome, EscLineCheck::stepText(finding.step, finding.address),
-                                  finding.sentence);
-            if (finding.why)
-                tellCommand(*m_connection, *finding.why);
-        },
-        line.settings, std::move(addresses)));
+    startTest<EscLineCheck>(m_line.makeLink(line), line.settings, plannedAddresses<EscLineAddress>());
 }
 
-void EscLineViews::connectOtherAdapter(const KindData &plan)
+void EscLineViews::connectAgreed(const KindData &plan)
 {
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()},
-                        [this, wish = plan.as<EscLinePlan>()->settings] {
-                            m_opened = m_keeper->line();
-                            m_opened.settings = wish;
-                            m_line.openOtherAdapter(m_opened);
-                        });
+    afterLeaving([this, wish = plan.as<EscLinePlan>()->settings] {
+        m_opened = m_keeper->line();
+        m_opened.settings = wish;
+        m_line.openOtherAdapter(m_opened);
+    });
+}
+
+void EscLineViews::keepLink(const KindData &plan)
+{
+    keepPort(wanted(plan.as<EscLinePlan>()->settings));
 }
 
 void EscLineViews::showOpened()
 {
-    m_connection->setProblem({});
+    connection().setProblem({});
     m_form->tellBaudRate({});
     keepPort(m_opened);
     if (!isCurrent())
@@ -484,9 +342,9 @@ void EscLineViews::showOpened()
 void EscLineViews::showRefused(const Refusal &why)
 {
     if (why.id == RefusalId::portOfOther)
-        m_connection->ask(refusalText(why), tr("Use this adapter"));
+        connection().ask(refusalText(why), tr("Use this adapter"));
     else
-        m_connection->setProblem(troubleOf(why));
+        connection().setProblem(troubleOf(why));
 }
 
 void EscLineViews::keepPort(const EscLinePlan &line)
@@ -497,53 +355,53 @@ void EscLineViews::keepPort(const EscLinePlan &line)
 
 void EscLineViews::askForOtherAdapter(const Refusal &which)
 {
-    m_notice->showMessage(Role::attention, refusalText(which), tr("&Use this adapter"));
+    notice().showMessage(Role::attention, refusalText(which), tr("&Use this adapter"));
 }
 
-void EscLineViews::useOtherAdapter()
+void EscLineViews::agree()
 {
-    m_notice->withdraw();
-    if (!m_session)
+    notice().withdraw();
+    if (!session())
         return;
-    m_session->takeOtherAdapter();
+    session()->takeOtherAdapter();
     m_takesOther = true;
 }
 
 void EscLineViews::showState()
 {
-    if (!m_session->latest().connected)
+    if (!session()->latest().connected)
         return;
-    m_notice->withdraw();
+    notice().withdraw();
     if (std::exchange(m_takesOther, false))
         keepPort(m_keeper->line());
 }
 
 void EscLineViews::determineFractionBits()
 {
-    if (!m_session || m_session->places().empty())
+    if (!session() || session()->places().empty())
         return;
-    const Place asked = m_chosen && m_session->encoder(*m_chosen) ? *m_chosen : firstThatAnswers(*m_session);
-    if (const auto started = m_session->determineFractionBits(asked); !started)
-        m_connection->setProblem(refusalText(started.error()));
+    const Place asked = chosen() && session()->encoder(*chosen()) ? *chosen() : firstThatAnswers(*session());
+    if (const auto started = session()->determineFractionBits(asked); !started)
+        connection().setProblem(refusalText(started.error()));
 }
 
 void EscLineViews::takeFractionBits(const Result<int> &bits)
 {
-    m_connection->setProblem(bits ? QString() : refusalText(bits.error()));
+    connection().setProblem(bits ? QString() : refusalText(bits.error()));
     if (!bits)
         return;
     m_form->setFractionBits(*bits);
-    m_session->setFractionBits(*bits);
+    session()->setFractionBits(*bits);
     m_keeper->keepFractionBits(*bits);
 }
 
 // The training line starts anew with each connection, with its encoders at factory settings.
 void EscLineViews::watchBaudRates()
 {
-    if (!m_session || m_line.training() != nullptr)
+    if (!session() || m_line.training() != nullptr)
         return;
-    for (const Place place : m_session->places())
-        if (const EncoderSession *encoder = m_session->encoder(place)) {
+    for (const Place place : session()->places())
+        if (const EncoderSession *encoder = session()->encoder(place)) {
             disconnect(encoder, &EncoderSession::finished, this, nullptr);
             connect(encoder, &EncoderSession::finished, this, [this, encoder](const Outcome &outcome) {
                 if (const auto rate = valueOf(outcome.written, Parameter::baudRate))
@@ -554,15 +412,15 @@ void EscLineViews::watchBaudRates()
 
 void EscLineViews::tellBaudRate(Place encoder, int rate)
 {
-    const EscLineRate told = lineRateAfter(*m_session, encoder, rate);
+    const EscLineRate told = lineRateAfter(*session(), encoder, rate);
     m_form->tellBaudRate(told.sentence, told.baudRate);
 }
 
 // With the settings of the line, so that the terminal reads a factor as the driver does.
 void EscLineViews::explainTerminal()
 {
-    if (m_session)
-        m_terminal->setExplainOptions(m_session->explainOptions());
+    if (session())
+        m_terminal->setExplainOptions(session()->explainOptions());
 }
 
 // Its page says how that went.
@@ -571,32 +429,13 @@ void EscLineViews::connectFound(const KindData &plan, const std::vector<KindData
     showSettings();
     m_isFound = true;
     m_foundThere = foundEncoders(devices);
-    m_connection->connectBy(plan);
-}
-
-void EscLineViews::connectTraining()
-{
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.openTraining(); });
-}
-
-// It may have become impossible since the last frame.
-void EscLineViews::startAfresh()
-{
-    if (!Afresh::whyNot(m_session).isEmpty())
-        return;
-    m_line.startAfresh();
-    tellTraining(Place{m_line.id()}, startedAfresh());
-}
-
-void EscLineViews::disconnectLine()
-{
-    m_parts.leaving.ask(Leaving::Why::disconnect, {m_line.session()}, [this] { m_line.close(); });
+    connection().connectBy(plan);
 }
 
 // Encoders at another baud rate would only fall silent: they have to be connected at theirs.
 void EscLineViews::takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey)
 {
-    EscLineSession *line = m_line.session();
+    EscLineSession *line = session();
     if (line == nullptr)
         return;
     std::vector<Place> taken;
@@ -620,28 +459,13 @@ void EscLineViews::takeOver(const std::vector<FoundEncoder> &found, const QStrin
         m_search->showRefused(*refused);
 }
 
-void EscLineViews::removeChosen()
-{
-    const auto chosen = m_chosen; // changes once it is removed
-    const EncoderSession *encoder = chosen && m_session ? m_session->encoder(*chosen) : nullptr;
-    if (encoder == nullptr)
-        return;
-    if (const auto removed = m_session->remove(*chosen)) {
-        m_keeper->removeEncoder(*chosen);
-    } else {
-        m_parts.notice.showMessage(Role::attention, refusalText(removed.error()));
-        connect(encoder, &EncoderSession::finished, &m_parts.notice, &InlineMessage::withdraw,
-                Qt::SingleShotConnection);
-    }
-}
-
 void EscLineViews::swapWarningBytes(bool on)
 {
-    if (!isCurrent() || !m_chosen)
+    if (!isCurrent() || !chosen())
         return;
-    if (m_session)
-        m_session->setSwapsWarningBytes(*m_chosen, on);
-    m_keeper->keepByteOrder(*m_chosen, on);
+    if (session())
+        session()->setSwapsWarningBytes(*chosen(), on);
+    m_keeper->keepByteOrder(*chosen(), on);
 }
 
 } // namespace codewheel

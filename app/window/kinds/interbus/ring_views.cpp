@@ -269,7 +269,7 @@ void RingViews::showFrame()
         m_links->showRegisters();
     m_offer->showFrame();
     m_training->refresh();
-    showAfresh(*m_training, m_actions.afresh, whyNotAfresh());
+    showAfresh(m_training, m_actions.afresh, whyNotAfresh());
     showStatus();
 }
 
@@ -421,7 +421,7 @@ void RingViews::showState()
     const bool isClosed = bus.state() == BusState::closed;
     const bool hasMaster = m_ring.isOpen() && bus.master() != nullptr;
     m_actions.tellBus(called());
-    showAfresh(*m_training, m_actions.afresh, whyNotAfresh());
+    showAfresh(m_training, m_actions.afresh, whyNotAfresh());
     m_actions.connection->setEnabled(isMeant());
     m_actions.showRegisters(isMeant() && (m_ring.gateway() || m_links->plansGateway()));
     m_actions.showOffer(m_offer->whyNot(), m_offer->isOn());

@@ -112,7 +112,7 @@ TEST_F(EscLineAdapterTest, TheWindowDoesNotWaitForThePort)
     EXPECT_EQ(shown->line().session(), before);
     EXPECT_EQ((*button)->text(), QStringLiteral("Connecting…"));
     EXPECT_FALSE((*button)->isEnabled());
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     EXPECT_FALSE(shown->line().isOpening());
     EXPECT_EQ(shown->line().session(), nullptr);
     QTest::qWait(50);

@@ -164,12 +164,12 @@ TEST_F(EscLineAtPort, GoesToOperateOnlyWhenItWasAgreedToWriteToARealLine)
     EXPECT_EQ(operateQuestion(), nullptr) << "once in a connection";
     ASSERT_TRUE(comes([&] { return line().isOperating(); }));
 
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     connectPort(port);
     ASSERT_TRUE(answers(at3));
     actions().operate->trigger();
     EXPECT_NE(operateQuestion(), nullptr);
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(100);
     EXPECT_TRUE(operateQuestion() == nullptr || !operateQuestion()->isVisible())
         << "it goes with the line it is about";

@@ -264,10 +264,10 @@ TEST_F(EscLineViewsTest, ThePortOfAnEncoderIsConnectedInWatch)
         << "the encoders of the project";
     EXPECT_EQ(findDevice(project(), standingEncoder)->station, QStringLiteral("Slide"));
 
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(50);
     EXPECT_EQ(shown->line().session(), nullptr);
-    EXPECT_FALSE(lineActions().disconnectLine->isEnabled());
+    EXPECT_FALSE(lineActions().disconnectBus->isEnabled());
     lineActions().training->trigger();
     advance(200);
     EXPECT_NE(shown->line().training(), nullptr);
@@ -377,7 +377,7 @@ TEST_F(EscLineViewsTest, APortIsPlannedWithoutBeingOpened)
     auto &form = view<EscLineSettingsForm>();
     EXPECT_FALSE(button(connection(), QStringLiteral("Keep in project"))->isEnabled())
         << "the training line is open";
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(50);
     EscLineSettings settings = form.settings();
     settings.port = QStringLiteral("/dev/ttyHALL");
@@ -398,7 +398,7 @@ TEST_F(EscLineViewsTest, APortIsPlannedWithoutBeingOpened)
 // The project page says so of it, too.
 TEST_F(EscLineViewsTest, ALineThatIsPlannedWithoutAPortIsTheTrainingLine)
 {
-    lineActions().disconnectLine->trigger();
+    lineActions().disconnectBus->trigger();
     advance(50);
     Project planned = project();
     setLinePlan(planned, firstLine, EscLinePlan{});

@@ -123,12 +123,6 @@ EscLineSearch::~EscLineSearch()
     m_table->setModel(nullptr);
 }
 
-void EscLineSearch::setAbout(const QString &line)
-{
-    m_about = line;
-    Q_EMIT headChanged();
-}
-
 void EscLineSearch::makeFields()
 {
     auto *form = new QFormLayout;

@@ -39,9 +39,7 @@ public:
     explicit EscLineSearch(QWidget *parent = nullptr);
     ~EscLineSearch() override;
 
-    void setAbout(const QString &line); // the name of the line
     QString title() const override { return tr("Search for encoders"); }
-    QString about() const override { return m_about; }
     QString effect() const override
     {
         return tr("Asks encoders for their serial numbers. Nothing is written.");
@@ -76,7 +74,6 @@ private:
     void showWhatIsPossible();
     bool isConnected() const;
 
-    QString m_about;
     QPointer<EscLineSession> m_line;
     bool m_isSearching = false;
     QSpinBox *m_first;

@@ -94,12 +94,6 @@ QString RegistersPage::effect() const
     return tr("Only reads. The word order is kept in the project.");
 }
 
-void RegistersPage::setAbout(const QString &bus)
-{
-    m_about = bus;
-    Q_EMIT headChanged();
-}
-
 void RegistersPage::show(std::vector<DeviceRegisters> devices, WordOrder set, bool isLive)
 {
     m_set = set;

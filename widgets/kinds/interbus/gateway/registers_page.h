@@ -26,9 +26,7 @@ public:
     explicit RegistersPage(QWidget *parent = nullptr);
     ~RegistersPage() override;
 
-    void setAbout(const QString &bus); // its name
     QString title() const override { return tr("Registers"); }
-    QString about() const override { return m_about; }
     QString effect() const override;
 
     // `isLive`: of the connected bus, frame by frame; otherwise as planned, or as read by "Read now".
@@ -49,7 +47,6 @@ private:
     void showButtons();
     void read();
 
-    QString m_about;
     WordReadingsModel *m_model;
     QTableView *m_table;
     QLabel *m_meanings;

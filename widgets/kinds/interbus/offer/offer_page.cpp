@@ -56,12 +56,6 @@ QString OfferPage::effect() const
     return tr("Other programs can use the simulated ring. Nothing real is offered.");
 }
 
-void OfferPage::setAbout(const QString &bus)
-{
-    if (std::exchange(m_about, bus) != bus)
-        Q_EMIT headChanged();
-}
-
 void OfferPage::setPlace(const std::optional<OfferedPlace> &place)
 {
     m_isOffered = place.has_value();

@@ -27,9 +27,7 @@ class OfferPage : public Page
 public:
     explicit OfferPage(QWidget *parent = nullptr);
 
-    void setAbout(const QString &bus); // its name
     QString title() const override { return tr("Offer to others"); }
-    QString about() const override { return m_about; }
     QString effect() const override;
 
     OfferForm &form() { return *m_form; }
@@ -49,7 +47,6 @@ private:
     void offer();
     void showButtons();
 
-    QString m_about;
     QString m_whyNot;
     OfferForm *m_form;
     OfferedView *m_offered;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/buses/asked_bus_actions.h"
+
+#include "app/window/look/described_action.h"
+#include "app/window/window_actions.h"
+
+#include <QMenu>
+
+namespace codewheel {
+
+AskedBusActions::AskedBusActions(WindowActions &window, const QString &title)
+    : QObject(&window)
+    , menu(new QMenu(title, window.menuParent()))
+{
+    menu->setIcon(lineIcon(Icon::ring));
+    menu->setToolTipsVisible(true);
+}
+
+QAction *AskedBusActions::add(Icon icon, const QString &text, const QKeySequence &key, const QString &what)
+{
+    return described(menu->addAction(lineIcon(icon), text), key, what);
+}
+
+void AskedBusActions::addAfresh()
+{
+    afresh =
+        foundBy(add(Icon::refresh, tr("Start a&fresh"), {}, {}), tr("reset, factory settings, no faults"));
+}
+
+void AskedBusActions::tellBus(const QString &bus)
+{
+    for (QAction *action : menu->actions())
+        if (!action->isSeparator())
+            codewheel::tellBus(action, bus);
+}
+
+void AskedBusActions::tellWhyNotDisconnected(const QString &why)
+{
+    described(disconnectBus, disconnectBus->shortcut(), why);
+}
+
+} // namespace codewheel
