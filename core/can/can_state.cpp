@@ -17,37 +17,25 @@ struct CanStateNames
     Q_DECLARE_TR_FUNCTIONS(codewheel::CanState)
 };
 
-struct CanStateRow
-{
-    CanState id;
-    const char *key;
-    const char *text;
-};
-
-constexpr std::array canStateRows{
-    CanStateRow{CanState::active, "active", QT_TRANSLATE_NOOP("codewheel::CanState", "no errors")},
-    CanStateRow{CanState::warning, "warning", QT_TRANSLATE_NOOP("codewheel::CanState", "many errors")},
-    CanStateRow{CanState::passive, "passive", QT_TRANSLATE_NOOP("codewheel::CanState", "error passive")},
-    CanStateRow{CanState::busOff, "busOff", QT_TRANSLATE_NOOP("codewheel::CanState", "bus off")},
-    CanStateRow{CanState::notKnown, "notKnown", QT_TRANSLATE_NOOP("codewheel::CanState", "not known")},
-};
-static_assert(areInOrder(canStateRows, &CanStateRow::id, CanState::notKnown));
-
-const CanStateRow &rowOf(CanState state)
-{
-    return canStateRows.at(static_cast<std::size_t>(state));
-}
+constexpr auto canStateRows = std::to_array<KeyedText<CanState>>({
+    {CanState::active, "active", QT_TRANSLATE_NOOP("codewheel::CanState", "no errors")},
+    {CanState::warning, "warning", QT_TRANSLATE_NOOP("codewheel::CanState", "many errors")},
+    {CanState::passive, "passive", QT_TRANSLATE_NOOP("codewheel::CanState", "error passive")},
+    {CanState::busOff, "busOff", QT_TRANSLATE_NOOP("codewheel::CanState", "bus off")},
+    {CanState::notKnown, "notKnown", QT_TRANSLATE_NOOP("codewheel::CanState", "not known")},
+});
+static_assert(areInOrder(canStateRows, &KeyedText<CanState>::id, CanState::notKnown));
 
 } // namespace
 
 QString canStateKey(CanState state)
 {
-    return QString::fromLatin1(rowOf(state).key);
+    return QString::fromLatin1(rowOf(canStateRows, state).key);
 }
 
 QString canStateText(CanState state)
 {
-    return CanStateNames::tr(rowOf(state).text);
+    return CanStateNames::tr(rowOf(canStateRows, state).text);
 }
 
 QString inKilobits(int rate)

@@ -23,4 +23,27 @@ constexpr bool areInOrder(const Rows &rows, Id Row::*id, Last last)
     return areInOrder(rows, id) && rows.size() == static_cast<std::size_t>(last) + 1;
 }
 
+// A row of such a table: what files and JSON call a value, and its English text.
+template <typename Id>
+struct KeyedText
+{
+    Id id;
+    const char *key;
+    const char *text;
+};
+
+// Without a key.
+template <typename Id>
+struct TextOf
+{
+    Id id;
+    const char *text;
+};
+
+template <typename Rows, typename Id>
+constexpr const auto &rowOf(const Rows &rows, Id id)
+{
+    return rows.at(static_cast<std::size_t>(id));
+}
+
 } // namespace codewheel

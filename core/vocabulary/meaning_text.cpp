@@ -12,14 +12,7 @@
 namespace codewheel {
 namespace {
 
-struct MeaningRow
-{
-    MeaningId id;
-    const char *key;
-    const char *text;
-};
-
-constexpr auto meaningRows = std::to_array<MeaningRow>({
+constexpr auto meaningRows = std::to_array<KeyedText<MeaningId>>({
     // OUT. "%1 = %2" is a parameter and its value.
     {MeaningId::normalRunning, "normalRunning", QT_TRANSLATE_NOOP("Meaning", "Normal running")},
     {MeaningId::normalRunningData, "normalRunningData",
@@ -125,23 +118,18 @@ constexpr auto meaningRows = std::to_array<MeaningRow>({
     {MeaningId::undefinedIn, "undefinedIn", QT_TRANSLATE_NOOP("Meaning", "Not defined for this encoder")},
 });
 
-static_assert(areInOrder(meaningRows, &MeaningRow::id) && meaningRows.size() == meaningCount);
-
-const MeaningRow &meaningRow(MeaningId id)
-{
-    return meaningRows.at(static_cast<std::size_t>(id));
-}
+static_assert(areInOrder(meaningRows, &KeyedText<MeaningId>::id) && meaningRows.size() == meaningCount);
 
 } // namespace
 
 QString meaningKey(MeaningId id)
 {
-    return QString::fromLatin1(meaningRow(id).key);
+    return QString::fromLatin1(rowOf(meaningRows, id).key);
 }
 
 QString meaningSentence(MeaningId id, const QStringList &parts)
 {
-    return sentence(QCoreApplication::translate("Meaning", meaningRow(id).text), parts);
+    return sentence(QCoreApplication::translate("Meaning", rowOf(meaningRows, id).text), parts);
 }
 
 bool asksForParameter(MeaningId id)

@@ -12,23 +12,12 @@
 namespace codewheel {
 namespace {
 
-struct ModeRow
-{
-    Mode mode;
-    const char *key;
-    const char *text;
-};
-constexpr std::array modeRows{
-    ModeRow{Mode::position, "position", QT_TRANSLATE_NOOP("Mode", "position mode")},
-    ModeRow{Mode::velocity, "velocity", QT_TRANSLATE_NOOP("Mode", "velocity mode")},
-    ModeRow{Mode::cam, "cam", QT_TRANSLATE_NOOP("Mode", "cam mode")},
-};
-static_assert(areInOrder(modeRows, &ModeRow::mode));
-
-const ModeRow &modeRow(Mode mode)
-{
-    return modeRows.at(static_cast<std::size_t>(mode));
-}
+constexpr auto modeRows = std::to_array<KeyedText<Mode>>({
+    {Mode::position, "position", QT_TRANSLATE_NOOP("Mode", "position mode")},
+    {Mode::velocity, "velocity", QT_TRANSLATE_NOOP("Mode", "velocity mode")},
+    {Mode::cam, "cam", QT_TRANSLATE_NOOP("Mode", "cam mode")},
+});
+static_assert(areInOrder(modeRows, &KeyedText<Mode>::id));
 
 std::optional<unsigned> programOf(const SwitchMode &mode)
 {
@@ -46,7 +35,7 @@ QString modeText(Mode mode, std::optional<unsigned> camProgram)
 {
     return camProgram ? sentence(QCoreApplication::translate("Mode", "cam mode, program %1"),
                                  {QString::number(*camProgram)})
-                      : QCoreApplication::translate("Mode", modeRow(mode).text);
+                      : QCoreApplication::translate("Mode", rowOf(modeRows, mode).text);
 }
 
 std::vector<RefusalArgument> modeArguments(const SwitchMode &mode)
@@ -56,7 +45,7 @@ std::vector<RefusalArgument> modeArguments(const SwitchMode &mode)
 
 std::vector<RefusalArgument> modeArguments(Mode mode, std::optional<unsigned> camProgram)
 {
-    std::vector<RefusalArgument> arguments{QString::fromLatin1(modeRow(mode).key)};
+    std::vector<RefusalArgument> arguments{QString::fromLatin1(rowOf(modeRows, mode).key)};
     if (camProgram)
         arguments.emplace_back(std::int64_t{*camProgram});
     return arguments;
@@ -66,11 +55,11 @@ QString modeText(const std::vector<RefusalArgument> &arguments)
 {
     const QStringList parts = argumentTexts(arguments);
     const auto row = std::ranges::find_if(
-        modeRows, [&](const ModeRow &one) { return parts.value(0) == QLatin1String(one.key); });
+        modeRows, [&](const KeyedText<Mode> &one) { return parts.value(0) == QLatin1String(one.key); });
     if (row == modeRows.end())
         return parts.value(0);
     const auto *program = arguments.size() > 1 ? std::get_if<std::int64_t>(&arguments[1]) : nullptr;
-    return modeText(row->mode,
+    return modeText(row->id,
                     program != nullptr ? std::optional(static_cast<unsigned>(*program)) : std::nullopt);
 }
 

@@ -163,7 +163,7 @@ TEST(Completion, UnderstandsTheUsageOfEveryCommand)
 {
     for (const Subcommand *command : allCommands()) {
         const UsageWords words(*command);
-        for (int i = 0; i < command->minimumArguments; ++i)
+        for (int i = 0; i < command->arguments.least; ++i)
             EXPECT_FALSE(words.at(i).isEmpty()) << command->name << ", argument " << i;
         for (const QString &word : words.at(0))
             EXPECT_FALSE(word.contains(QRegularExpression(QStringLiteral("[\\[\\]. ]"))))

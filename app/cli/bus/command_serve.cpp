@@ -74,9 +74,7 @@ const Subcommand serveCommand{
         "Each serves until it is ended with Ctrl+C (SIGINT or SIGTERM)."),
     .examples = serveExamples,
     .options = {}, // those of the services
-    .minimumArguments = 1,
-    .maximumArguments = 1,
-    .needsBus = false,
+    .arguments = {1},
     .run = runServe,
 };
 

@@ -98,13 +98,13 @@ Complaint aboutMissingCommand()
 Checked<void> checkCount(const Subcommand &command, const Arguments &arguments)
 {
     const QString call = callOf(command);
-    if (arguments.rest.size() < command.minimumArguments)
+    if (arguments.rest.size() < command.arguments.least)
         return badInput(QStringLiteral("missingArgument"),
                         CommandLine::tr("Something is missing. Usage: codewheel-cli %1"), {call});
-    if (arguments.rest.size() > command.maximumArguments)
+    if (arguments.rest.size() > command.arguments.most)
         return badInput(QStringLiteral("tooManyArguments"),
                         CommandLine::tr("\"%1\" is too much. Usage: codewheel-cli %2"),
-                        {arguments.rest[command.maximumArguments], call});
+                        {arguments.rest[command.arguments.most], call});
     return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include <QtGlobal>
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,15 @@ struct Call
     BusAccess &busOf(Place place) const; // of an encoder of the call
 };
 
+// How many arguments a command takes, besides its options.
+struct ArgumentCount
+{
+    static constexpr int any = std::numeric_limits<int>::max();
+
+    int least = 0;
+    int most = least;
+};
+
 // One command of the command line: how it is called, how it is explained, and what it does. Texts are
 // untranslated, in the context codewheel::CommandLine.
 struct Subcommand
@@ -45,9 +55,8 @@ struct Subcommand
     const char *details;
     std::span<const char *const> examples; // without the name of the program
     std::span<const Option> options;
-    int minimumArguments;
-    int maximumArguments;
-    bool needsBus;
+    ArgumentCount arguments{};
+    bool needsBus = false;
     bool needsLinks = false;         // for what is known of its buses before they are opened
     const char *busOption = nullptr; // needs it only with this option
     bool namesProject = false;       // its first argument is a project

@@ -215,9 +215,7 @@ const Subcommand devicesCommand{
                           "~/.local/share/codewheel/devices/*.json; --check tells whether one is sound."),
     .examples = devicesExamples,
     .options = devicesOptions,
-    .minimumArguments = 0,
-    .maximumArguments = 1,
-    .needsBus = false,
+    .arguments = {0, 1},
     .needsLinks = true,
     .run = runDevices,
 };

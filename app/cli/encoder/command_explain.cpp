@@ -233,9 +233,7 @@ const Subcommand explainCommand{
         "(\"Gate 2/05P\"), else by the only one that has its address.\n\nNeeds no bus and sends nothing."),
     .examples = explainExamples,
     .options = explainOptions,
-    .minimumArguments = 1,
-    .maximumArguments = 1,
-    .needsBus = false,
+    .arguments = {1},
     .needsLinks = true,
     .run = runExplain,
 };

@@ -13,7 +13,6 @@
 #include "vocabulary/sentence.h"
 
 #include <array>
-#include <limits>
 
 namespace codewheel {
 namespace {
@@ -161,8 +160,7 @@ const Subcommand readCommand{
         "An encoder on a serial line also has a version, which is text."),
     .examples = readExamples,
     .options = readOptions,
-    .minimumArguments = 1,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {1, ArgumentCount::any},
     .needsBus = true,
     .run = atPlace<runRead>,
 };

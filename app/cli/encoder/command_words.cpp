@@ -10,7 +10,6 @@
 #include "vocabulary/sentence.h"
 
 #include <array>
-#include <limits>
 
 namespace codewheel {
 namespace {
@@ -118,8 +117,7 @@ const Subcommand wordsCommand{
         "hexadecimal, as the manuals print them."),
     .examples = wordsExamples,
     .options = wordsOptions,
-    .minimumArguments = 2,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {2, ArgumentCount::any},
     .needsBus = true,
     .textIsAccount = true,
     .run = runWords,

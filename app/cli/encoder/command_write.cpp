@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace codewheel {
 namespace {
@@ -244,8 +243,7 @@ const Subcommand writeCommand{
         "A VALUE is a number or a name: 255, 0xFF, FFh, cw."),
     .examples = writeExamples,
     .options = writeOptions,
-    .minimumArguments = 2,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {2, ArgumentCount::any},
     .needsBus = true,
     .textIsAccount = true,
     .run = atPlace<runWrite>,

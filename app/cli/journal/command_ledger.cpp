@@ -211,9 +211,7 @@ const Subcommand ledgerCommand{
         "what is known here, in eeprom-writes-COMPUTER.json. Needs no bus."),
     .examples = ledgerExamples,
     .options = ledgerOptions,
-    .minimumArguments = 0,
-    .maximumArguments = 1000,
-    .needsBus = false,
+    .arguments = {0, 1000},
     .run = runLedger,
 };
 

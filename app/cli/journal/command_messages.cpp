@@ -319,9 +319,7 @@ const Subcommand messagesCommand{
         "that is given.\nNeeds no bus."),
     .examples = messagesExamples,
     .options = messagesOptions,
-    .minimumArguments = 0,
-    .maximumArguments = 0,
-    .needsBus = false,
+    .arguments = {0},
     .run = runMessages,
 };
 

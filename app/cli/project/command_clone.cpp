@@ -9,7 +9,6 @@
 #include "vocabulary/sentence.h"
 
 #include <array>
-#include <limits>
 
 namespace codewheel {
 namespace {
@@ -86,8 +85,7 @@ const Subcommand cloneCommand{
         "own; leaving one that was changed before costs an EEPROM write."),
     .examples = cloneExamples,
     .options = cloneOptions,
-    .minimumArguments = 2,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {2, ArgumentCount::any},
     .needsBus = true,
     .textIsAccount = true,
     .run = runClone,

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 
 namespace codewheel {
@@ -274,8 +273,7 @@ const Subcommand storeCommand{
         "\"compare\"): exit code 1. The file that was there is kept as PROJECT~."),
     .examples = storeExamples,
     .options = storeOptions,
-    .minimumArguments = 1,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {1, ArgumentCount::any},
     .needsBus = true,
     .namesProject = true,
     .textIsAccount = true,

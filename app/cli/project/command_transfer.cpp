@@ -8,7 +8,6 @@
 #include "vocabulary/sentence.h"
 
 #include <array>
-#include <limits>
 
 namespace codewheel {
 namespace {
@@ -77,8 +76,7 @@ const Subcommand transferCommand{
         "another number now (see \"compare\"). Exit code 1 if an encoder has not got all of it."),
     .examples = transferExamples,
     .options = transferOptions,
-    .minimumArguments = 1,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {1, ArgumentCount::any},
     .needsBus = true,
     .namesProject = true,
     .textIsAccount = true,

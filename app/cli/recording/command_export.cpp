@@ -192,9 +192,7 @@ const Subcommand exportCommand{
         "still be written.\n\nNeeds no bus."),
     .examples = exportExamples,
     .options = exportOptions,
-    .minimumArguments = 1,
-    .maximumArguments = 1,
-    .needsBus = false,
+    .arguments = {1},
     .textIsAccount = true,
     .run = runExport,
 };

@@ -345,9 +345,7 @@ const Subcommand framesCommand{
         "read. A log\nof any length is read piece by piece.\n\nNeeds no bus and sends nothing."),
     .examples = framesExamples,
     .options = framesOptions,
-    .minimumArguments = 1,
-    .maximumArguments = 1,
-    .needsBus = false,
+    .arguments = {1},
     .run = runFrames,
 };
 

@@ -20,8 +20,6 @@
 #include <QFile>
 #include <QLocale>
 
-#include <limits>
-
 namespace codewheel {
 namespace {
 
@@ -253,8 +251,7 @@ const Subcommand recordCommand{
         "on this\ncomputer, and follows."),
     .examples = recordExamples,
     .options = recordOptions,
-    .minimumArguments = 0,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {0, ArgumentCount::any},
     .needsBus = true,
     .textIsAccount = true,
     .run = runRecord,

@@ -100,9 +100,7 @@ const Subcommand doctorCommand{
         "port and sends nothing to an encoder. Ends with 1 if something prevents a link, else with 0."),
     .examples = doctorExamples,
     .options = {},
-    .minimumArguments = 0,
-    .maximumArguments = 0,
-    .needsBus = false,
+    .arguments = {0},
     .needsLinks = true,
     .run = run,
 };

@@ -89,9 +89,7 @@ const Subcommand findCommand{
         "told with how sure it is and the link that leads there. Ends with 1 if nobody was found."),
     .examples = findExamples,
     .options = findOptions,
-    .minimumArguments = 0,
-    .maximumArguments = 64,
-    .needsBus = false,
+    .arguments = {0, 64},
     .run = runFind,
 };
 

@@ -180,8 +180,7 @@ const Subcommand monitorCommand{
                           "and\ntells at the end how the line has done. Nothing is written. Ctrl+C ends it."),
     .examples = monitorExamples,
     .options = monitorOptions,
-    .minimumArguments = 1,
-    .maximumArguments = 1,
+    .arguments = {1},
     .needsBus = true,
     .run = atPlace<runMonitor>,
 };

@@ -205,8 +205,7 @@ const Subcommand scanCommand{
                           "knows of devices\nthat are still there is taken along."),
     .examples = scanExamples,
     .options = scanOptions,
-    .minimumArguments = 0,
-    .maximumArguments = 0,
+    .arguments = {0},
     .needsBus = true,
     .run = runScan,
 };

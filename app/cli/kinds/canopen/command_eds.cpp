@@ -291,9 +291,7 @@ const Subcommand edsCommand{
         "storing, restoring and the preset."),
     .examples = edsExamples,
     .options = edsOptions,
-    .minimumArguments = 1,
-    .maximumArguments = 1,
-    .needsBus = false,
+    .arguments = {1},
     .busOption = "--read",
     .run = runEds,
 };

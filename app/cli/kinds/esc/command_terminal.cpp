@@ -22,7 +22,6 @@
 #include <QScopedValueRollback>
 
 #include <array>
-#include <limits>
 
 namespace codewheel {
 namespace {
@@ -363,8 +362,7 @@ const Subcommand terminalCommand{
         "request that is wrong, not answered, or refused for want of --yes is the last."),
     .examples = terminalExamples,
     .options = terminalOptions,
-    .minimumArguments = 0,
-    .maximumArguments = std::numeric_limits<int>::max(),
+    .arguments = {0, ArgumentCount::any},
     .needsBus = true,
     .answersInLines = true,
     .textIsAccount = true,

@@ -267,9 +267,7 @@ const Subcommand gatewayCommand{
         "that is set\nhas a *. Writes nothing. Exit code 1 if anything failed."),
     .examples = gatewayExamples,
     .options = gatewayOptions,
-    .minimumArguments = 0,
-    .maximumArguments = 1,
-    .needsBus = false,
+    .arguments = {0, 1},
     .needsLinks = true,
     .run = runGateway,
 };

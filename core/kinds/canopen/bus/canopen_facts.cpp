@@ -37,25 +37,14 @@ constexpr auto stateKeys = std::to_array<StateKey>({
     {NmtState::preOperational, "preOperational"},
 });
 
-struct HeartbeatRow
-{
-    Heartbeat id;
-    const char *key;
-    const char *text;
-};
-constexpr auto heartbeatRows = std::to_array<HeartbeatRow>({
+constexpr auto heartbeatRows = std::to_array<KeyedText<Heartbeat>>({
     {Heartbeat::notHeard, "notHeard", ""},
     {Heartbeat::heard, "heard", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
     {Heartbeat::present, "present", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "comes")},
     {Heartbeat::late, "late", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "late")},
     {Heartbeat::lost, "lost", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "lost")},
 });
-static_assert(areInOrder(heartbeatRows, &HeartbeatRow::id, Heartbeat::lost));
-
-const HeartbeatRow &rowOf(Heartbeat heartbeat)
-{
-    return heartbeatRows.at(static_cast<std::size_t>(heartbeat));
-}
+static_assert(areInOrder(heartbeatRows, &KeyedText<Heartbeat>::id, Heartbeat::lost));
 
 QString translated(const char *text)
 {
@@ -209,8 +198,10 @@ constexpr auto nodeFactRows = std::to_array<CanopenNodeFact>({
      [](const Node &node) { return nmtStateJson(node.state); }},
     {"heartbeat", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Heartbeat"),
      QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it comes in time. A node may have none"),
-     [](const Node &node) { return translated(rowOf(node.heartbeat).text); },
-     [](const Node &node) { return QJsonValue(QString::fromLatin1(rowOf(node.heartbeat).key)); }},
+     [](const Node &node) { return translated(rowOf(heartbeatRows, node.heartbeat).text); },
+     [](const Node &node) {
+         return QJsonValue(QString::fromLatin1(rowOf(heartbeatRows, node.heartbeat).key));
+     }},
     {"sendsPdos", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "PDO"),
      QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it sends process data"), pdoText,
      [](const Node &node) { return QJsonValue(node.sendsPdos); }},

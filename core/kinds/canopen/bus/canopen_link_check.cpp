@@ -3,7 +3,6 @@
 
 #include "can/can_state.h"
 #include "kinds/canopen/protocol/cob_id.h"
-#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QLocale>
@@ -25,19 +24,13 @@ bool isOfNode(CobId::Service service)
 } // namespace
 
 CanopenLinkCheck::CanopenLinkCheck(CanLink &link, int rate, const std::vector<CanopenAddress> &nodes)
-    : m_link(link)
+    : LinkCheck(link, {{CanopenLinkStep::opened}, {CanopenLinkStep::traffic}})
     , m_rate(rate)
-    , m_steps{{CanopenLinkStep::opened}, {CanopenLinkStep::traffic}}
 {
     for (const CanopenAddress node : nodes)
-        m_steps.push_back({CanopenLinkStep::node, node});
+        addStep(CanopenLinkStep::node, node);
     if (nodes.empty())
-        m_steps.push_back({CanopenLinkStep::node});
-}
-
-CanopenLinkCheck::~CanopenLinkCheck()
-{
-    m_link.close();
+        addStep(CanopenLinkStep::node);
 }
 
 QString CanopenLinkCheck::stepText(CanopenLinkStep step, CanopenAddress address)
@@ -53,70 +46,43 @@ QString CanopenLinkCheck::stepText(CanopenLinkStep step, CanopenAddress address)
     return address.isNode() ? codewheel::sentence(tr("Node %1"), {address.shown()}) : tr("Nodes");
 }
 
-void CanopenLinkCheck::interrupt()
+QString CanopenLinkCheck::notTested(bool isStopped) const
 {
-    m_isStopped = true;
-    m_link.interrupt();
+    return isStopped ? tr("Not tested: the test was ended.")
+                     : tr("Not tested, because of what failed before.");
 }
 
-CanopenLinkFinding CanopenLinkCheck::told(CheckOutcome outcome, const QString &sentence) const
+CanopenLinkFinding CanopenLinkCheck::found(CanopenLinkStep step, CanopenAddress address)
 {
-    CanopenLinkFinding finding = m_steps[m_next];
-    finding.outcome = outcome;
-    finding.sentence = sentence;
-    return finding;
-}
-
-CanopenLinkFinding CanopenLinkCheck::refused(const Refusal &why)
-{
-    m_isOver = true;
-    CanopenLinkFinding finding = told(CheckOutcome::failed, refusalText(why));
-    finding.why = why;
-    return finding;
-}
-
-CanopenLinkFinding CanopenLinkCheck::next()
-{
-    CanopenLinkFinding finding =
-        told(CheckOutcome::skipped, m_isStopped ? tr("Not tested: the test was ended.")
-                                                : tr("Not tested, because of what failed before."));
-    if (!m_isOver && !m_isStopped) {
-        switch (m_steps[m_next].step) {
-        case CanopenLinkStep::opened:
-            finding = open();
-            break;
-        case CanopenLinkStep::traffic:
-            finding = listen();
-            break;
-        case CanopenLinkStep::node:
-            finding = node(m_steps[m_next].address);
-            break;
-        }
+    switch (step) {
+    case CanopenLinkStep::opened:
+        return open();
+    case CanopenLinkStep::traffic:
+        return listen();
+    case CanopenLinkStep::node:
+        break;
     }
-    ++m_next;
-    if (isDone())
-        m_link.close();
-    return finding;
+    return node(address);
 }
 
 CanopenLinkFinding CanopenLinkCheck::open()
 {
-    if (const auto opened = m_link.open(CanUse::watch); !opened)
+    if (const auto opened = link().open(CanUse::watch); !opened)
         return refused(opened.error());
-    const CanStatus status = m_link.status();
+    const CanStatus status = link().status();
     const QString rate = inKilobits(status.rate.value_or(m_rate));
     return told(CheckOutcome::passed,
                 codewheel::sentence(status.listensOnly == true
                                         ? tr("%1 is open at %2 kBit/s, and listens only.")
                                         : tr("%1 is open at %2 kBit/s. Nothing is sent."),
-                                    {m_link.name(), rate}));
+                                    {link().name(), rate}));
 }
 
 CanopenLinkFinding CanopenLinkCheck::listen()
 {
-    const Instant until = m_link.now() + listens;
-    while (m_link.now() < until && !m_isStopped) {
-        const auto news = m_link.receive(until);
+    const Instant until = link().now() + listens;
+    while (link().now() < until && !isStopped()) {
+        const auto news = link().receive(until);
         if (!news)
             return refused(news.error());
         std::ranges::for_each(news->frames, [this](const CanFrame &frame) { take(frame); });

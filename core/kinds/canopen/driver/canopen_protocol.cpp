@@ -9,6 +9,7 @@
 #include "kinds/canopen/driver/node_plan.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -27,12 +28,7 @@ struct StepTexts
 };
 
 // Those of which the line says less than is meant.
-struct StepTextRow
-{
-    StepTask task;
-    const char *text;
-};
-constexpr auto stepTextRows = std::to_array<StepTextRow>({
+constexpr auto stepTextRows = std::to_array<TextOf<StepTask>>({
     {StepTask::bits, QT_TRANSLATE_NOOP("CanopenStep", "read %1, of which other bits stay as they are")},
     {StepTask::readBack, QT_TRANSLATE_NOOP("CanopenStep", "read %1 back")},
     {StepTask::store, QT_TRANSLATE_NOOP("CanopenStep", "store what is in force (%1 := \"save\")")},
@@ -41,12 +37,7 @@ constexpr auto stepTextRows = std::to_array<StepTextRow>({
     {StepTask::bootUp, QT_TRANSLATE_NOOP("CanopenStep", "wait until the node reports again")},
 });
 
-struct CommandTextRow
-{
-    canopen::NmtCommand command;
-    const char *text;
-};
-constexpr auto commandTextRows = std::to_array<CommandTextRow>({
+constexpr auto commandTextRows = std::to_array<TextOf<canopen::NmtCommand>>({
     {canopen::NmtCommand::start, QT_TRANSLATE_NOOP("CanopenStep", "start the node")},
     {canopen::NmtCommand::stop, QT_TRANSLATE_NOOP("CanopenStep", "stop the node")},
     {canopen::NmtCommand::preOperational, QT_TRANSLATE_NOOP("CanopenStep", "node to pre-operational")},
@@ -71,7 +62,7 @@ QString commandText(const QByteArray &line)
 {
     const int number = line.mid(line.indexOf(' ') + 1).toInt();
     const auto row = std::ranges::find(commandTextRows, static_cast<canopen::NmtCommand>(number),
-                                       &CommandTextRow::command);
+                                       &TextOf<canopen::NmtCommand>::id);
     return row != commandTextRows.end() ? StepTexts::tr(row->text) : QString::fromLatin1(line);
 }
 
@@ -107,7 +98,7 @@ QString CanopenProtocol::stepText(const DeviceDescription &device, const Step &s
     if (task == StepTask::nmt)
         return commandText(step.line);
     const QString object = objectTextOf(step.line);
-    const auto row = std::ranges::find(stepTextRows, task, &StepTextRow::task);
+    const auto row = std::ranges::find(stepTextRows, task, &TextOf<StepTask>::id);
     if (row != stepTextRows.end())
         return sentence(StepTexts::tr(row->text), {object});
     QStringList names;

@@ -14,13 +14,7 @@ namespace {
 
 constexpr std::size_t mostNotes = 1'000;
 
-struct EdsFaultRow
-{
-    EdsFault fault;
-    const char *text;
-};
-
-constexpr auto edsFaultRows = std::to_array<EdsFaultRow>({
+constexpr auto edsFaultRows = std::to_array<TextOf<EdsFault>>({
     {EdsFault::notUtf8,
      QT_TRANSLATE_NOOP("Eds", "The text is not UTF-8, and is read as Latin-1: names may be wrong.")},
     {EdsFault::lettersLost,
@@ -88,14 +82,13 @@ constexpr auto edsFaultRows = std::to_array<EdsFaultRow>({
     {EdsFault::tooManyObjects,
      QT_TRANSLATE_NOOP("Eds", "This file has more than %1 objects: it is of no encoder.")},
 });
-static_assert(areInOrder(edsFaultRows, &EdsFaultRow::fault, EdsFault::tooManyObjects));
+static_assert(areInOrder(edsFaultRows, &TextOf<EdsFault>::id, EdsFault::tooManyObjects));
 
 } // namespace
 
 QString EdsNote::text() const
 {
-    const char *pattern = edsFaultRows.at(static_cast<std::size_t>(fault)).text;
-    return sentence(QCoreApplication::translate("Eds", pattern), parts);
+    return sentence(QCoreApplication::translate("Eds", rowOf(edsFaultRows, fault).text), parts);
 }
 
 void EdsNotes::add(EdsNote note)

@@ -3,7 +3,6 @@
 
 #include "kinds/esc/line/exchange_over_link.h"
 #include "vocabulary/hex.h"
-#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QLocale>
@@ -28,19 +27,13 @@ QString inMilliseconds(Instant time)
 } // namespace
 
 EscLineCheck::EscLineCheck(ByteLink &link, EscLineSettings settings, std::vector<EscLineAddress> addresses)
-    : m_link(link)
+    : LinkCheck(link, {{EscLineStep::found}, {EscLineStep::opened}, {EscLineStep::quiet}})
     , m_settings(std::move(settings))
-    , m_steps{{EscLineStep::found}, {EscLineStep::opened}, {EscLineStep::quiet}}
 {
     if (addresses.empty())
         addresses.push_back(EscLineAddress::master());
     for (const EscLineAddress address : addresses)
-        m_steps.push_back({EscLineStep::encoder, address});
-}
-
-EscLineCheck::~EscLineCheck()
-{
-    m_link.close();
+        addStep(EscLineStep::encoder, address);
 }
 
 QString EscLineCheck::stepText(EscLineStep step, EscLineAddress address)
@@ -58,62 +51,34 @@ QString EscLineCheck::stepText(EscLineStep step, EscLineAddress address)
     return address.isMaster() ? tr("Any encoder") : sentence(tr("Encoder %1"), {address.shown()});
 }
 
-void EscLineCheck::interrupt()
+QString EscLineCheck::notTested(bool isStopped) const
 {
-    m_isStopped = true;
-    m_link.interrupt();
+    return isStopped ? tr("Not tested: the test was ended.")
+                     : tr("Not tested, because of what failed before.");
 }
 
-EscLineFinding EscLineCheck::told(CheckOutcome outcome, const QString &sentence) const
+EscLineFinding EscLineCheck::found(EscLineStep step, EscLineAddress address)
 {
-    EscLineFinding finding = m_steps[m_next];
-    finding.outcome = outcome;
-    finding.sentence = sentence;
-    return finding;
-}
-
-EscLineFinding EscLineCheck::refused(const Refusal &why)
-{
-    m_isOver = true;
-    EscLineFinding finding = told(CheckOutcome::failed, refusalText(why));
-    finding.why = why;
-    return finding;
-}
-
-EscLineFinding EscLineCheck::next()
-{
-    EscLineFinding finding =
-        told(CheckOutcome::skipped, m_isStopped ? tr("Not tested: the test was ended.")
-                                                : tr("Not tested, because of what failed before."));
-    if (!m_isOver && !m_isStopped) {
-        switch (m_steps[m_next].step) {
-        case EscLineStep::found:
-            finding = find();
-            break;
-        case EscLineStep::opened:
-            finding = open();
-            break;
-        case EscLineStep::quiet:
-            finding = listen();
-            break;
-        case EscLineStep::encoder:
-            finding = ask(m_steps[m_next].address);
-            break;
-        }
+    switch (step) {
+    case EscLineStep::found:
+        return find();
+    case EscLineStep::opened:
+        return open();
+    case EscLineStep::quiet:
+        return listen();
+    case EscLineStep::encoder:
+        break;
     }
-    ++m_next;
-    if (isDone())
-        m_link.close();
-    return finding;
+    return ask(address);
 }
 
 // A link looks for its port and opens it in one call.
 EscLineFinding EscLineCheck::find()
 {
-    m_opened = m_link.open(m_settings.serial);
+    m_opened = link().open(m_settings.serial);
     if (!m_opened && isAboutPort(m_opened.error().id))
         return refused(m_opened.error());
-    return told(CheckOutcome::passed, sentence(tr("The port %1 is there."), {m_link.name()}));
+    return told(CheckOutcome::passed, sentence(tr("The port %1 is there."), {link().name()}));
 }
 
 EscLineFinding EscLineCheck::open()
@@ -121,7 +86,7 @@ EscLineFinding EscLineCheck::open()
     if (!m_opened)
         return refused(m_opened.error());
     const QString opened = sentence(tr("Opened at %1 Bd."), {QString::number(m_settings.serial.baudRate)});
-    if (m_link.lowLatency() != LowLatency::refused)
+    if (link().lowLatency() != LowLatency::refused)
         return told(CheckOutcome::passed, opened);
     return told(CheckOutcome::passed, opened + u' ' +
                                           tr("The adapter does not grant low latency: it may collect bytes "
@@ -131,9 +96,9 @@ EscLineFinding EscLineCheck::open()
 EscLineFinding EscLineCheck::listen()
 {
     QByteArray heard;
-    const Instant until = m_link.now() + listens;
-    while (m_link.now() < until && !m_isStopped) {
-        const auto bytes = m_link.read(until);
+    const Instant until = link().now() + listens;
+    while (link().now() < until && !isStopped()) {
+        const auto bytes = link().read(until);
         if (!bytes)
             return refused(bytes.error());
         heard += *bytes;
@@ -142,7 +107,7 @@ EscLineFinding EscLineCheck::listen()
         return told(CheckOutcome::passed,
                     sentence(tr("Nothing came within %1 ms."),
                              {QLocale().toString(static_cast<int>(listens / std::chrono::milliseconds(1)))}));
-    m_isOver = true;
+    endHere();
     return told(CheckOutcome::failed,
                 tr("%n bytes came before anything was asked: another master works on this line, or something "
                    "sends by itself. Nothing was sent.",
@@ -166,10 +131,10 @@ EscLineFinding EscLineCheck::ask(EscLineAddress address)
 {
     esc::Timing timing = m_settings.timing;
     timing.character = m_settings.serial.timeOf(1);
-    const auto exchanged = exchangeOver(m_link, {address, esc::Command::position}, timing, m_isStopped);
+    const auto exchanged = exchangeOver(link(), {address, esc::Command::position}, timing, isStopped());
     if (!exchanged)
         return refused(exchanged.error());
-    if (m_isStopped)
+    if (isStopped())
         return told(CheckOutcome::skipped, tr("Not tested: the test was ended."));
     const esc::ExchangeResult &result = exchanged->result;
     const auto &answer = result.answer;

@@ -9,50 +9,43 @@
 namespace codewheel::esc {
 namespace {
 
-struct CommandName
-{
-    Command command;
-    const char *name;
-};
+constexpr auto commandNames = std::to_array<TextOf<Command>>({
+    {Command::operatingParameters, QT_TRANSLATE_NOOP("EscCommand", "operating parameters")},
+    {Command::version, QT_TRANSLATE_NOOP("EscCommand", "version")},
+    {Command::measuringRange, QT_TRANSLATE_NOOP("EscCommand", "total measuring range")},
+    {Command::stepsPerTurn, QT_TRANSLATE_NOOP("EscCommand", "steps per revolution")},
+    {Command::preset, QT_TRANSLATE_NOOP("EscCommand", "preset")},
+    {Command::alarms, QT_TRANSLATE_NOOP("EscCommand", "alarms")},
+    {Command::warnings, QT_TRANSLATE_NOOP("EscCommand", "warnings")},
+    {Command::operatingTime, QT_TRANSLATE_NOOP("EscCommand", "operating time")},
+    {Command::offset, QT_TRANSLATE_NOOP("EscCommand", "offset")},
+    {Command::serialNumber, QT_TRANSLATE_NOOP("EscCommand", "serial number")},
+    {Command::upperLimit, QT_TRANSLATE_NOOP("EscCommand", "upper limit switch")},
+    {Command::lowerLimit, QT_TRANSLATE_NOOP("EscCommand", "lower limit switch")},
+    {Command::scalingFactor, QT_TRANSLATE_NOOP("EscCommand", "scaling factor")},
+    {Command::deviceCode, QT_TRANSLATE_NOOP("EscCommand", "device code")},
+    {Command::revolutions, QT_TRANSLATE_NOOP("EscCommand", "number of revolutions")},
+    {Command::position, QT_TRANSLATE_NOOP("EscCommand", "position")},
+    {Command::writePreset, QT_TRANSLATE_NOOP("EscCommand", "preset")},
+    {Command::writeStepsPerTurn, QT_TRANSLATE_NOOP("EscCommand", "steps per revolution")},
+    {Command::writeRevolutions, QT_TRANSLATE_NOOP("EscCommand", "number of revolutions")},
+    {Command::writeMeasuringRange, QT_TRANSLATE_NOOP("EscCommand", "total measuring range")},
+    {Command::writeLowerLimit, QT_TRANSLATE_NOOP("EscCommand", "lower limit switch")},
+    {Command::writeUpperLimit, QT_TRANSLATE_NOOP("EscCommand", "upper limit switch")},
+    {Command::writeScalingFactor, QT_TRANSLATE_NOOP("EscCommand", "scaling factor")},
+    {Command::writeDirection, QT_TRANSLATE_NOOP("EscCommand", "direction")},
+    {Command::writeScaling, QT_TRANSLATE_NOOP("EscCommand", "scaling")},
+    {Command::writeAddress, QT_TRANSLATE_NOOP("EscCommand", "device address")},
+    {Command::writeBaudRate, QT_TRANSLATE_NOOP("EscCommand", "baud rate")},
+});
 
-constexpr std::array commandNames{
-    CommandName{Command::operatingParameters, QT_TRANSLATE_NOOP("EscCommand", "operating parameters")},
-    CommandName{Command::version, QT_TRANSLATE_NOOP("EscCommand", "version")},
-    CommandName{Command::measuringRange, QT_TRANSLATE_NOOP("EscCommand", "total measuring range")},
-    CommandName{Command::stepsPerTurn, QT_TRANSLATE_NOOP("EscCommand", "steps per revolution")},
-    CommandName{Command::preset, QT_TRANSLATE_NOOP("EscCommand", "preset")},
-    CommandName{Command::alarms, QT_TRANSLATE_NOOP("EscCommand", "alarms")},
-    CommandName{Command::warnings, QT_TRANSLATE_NOOP("EscCommand", "warnings")},
-    CommandName{Command::operatingTime, QT_TRANSLATE_NOOP("EscCommand", "operating time")},
-    CommandName{Command::offset, QT_TRANSLATE_NOOP("EscCommand", "offset")},
-    CommandName{Command::serialNumber, QT_TRANSLATE_NOOP("EscCommand", "serial number")},
-    CommandName{Command::upperLimit, QT_TRANSLATE_NOOP("EscCommand", "upper limit switch")},
-    CommandName{Command::lowerLimit, QT_TRANSLATE_NOOP("EscCommand", "lower limit switch")},
-    CommandName{Command::scalingFactor, QT_TRANSLATE_NOOP("EscCommand", "scaling factor")},
-    CommandName{Command::deviceCode, QT_TRANSLATE_NOOP("EscCommand", "device code")},
-    CommandName{Command::revolutions, QT_TRANSLATE_NOOP("EscCommand", "number of revolutions")},
-    CommandName{Command::position, QT_TRANSLATE_NOOP("EscCommand", "position")},
-    CommandName{Command::writePreset, QT_TRANSLATE_NOOP("EscCommand", "preset")},
-    CommandName{Command::writeStepsPerTurn, QT_TRANSLATE_NOOP("EscCommand", "steps per revolution")},
-    CommandName{Command::writeRevolutions, QT_TRANSLATE_NOOP("EscCommand", "number of revolutions")},
-    CommandName{Command::writeMeasuringRange, QT_TRANSLATE_NOOP("EscCommand", "total measuring range")},
-    CommandName{Command::writeLowerLimit, QT_TRANSLATE_NOOP("EscCommand", "lower limit switch")},
-    CommandName{Command::writeUpperLimit, QT_TRANSLATE_NOOP("EscCommand", "upper limit switch")},
-    CommandName{Command::writeScalingFactor, QT_TRANSLATE_NOOP("EscCommand", "scaling factor")},
-    CommandName{Command::writeDirection, QT_TRANSLATE_NOOP("EscCommand", "direction")},
-    CommandName{Command::writeScaling, QT_TRANSLATE_NOOP("EscCommand", "scaling")},
-    CommandName{Command::writeAddress, QT_TRANSLATE_NOOP("EscCommand", "device address")},
-    CommandName{Command::writeBaudRate, QT_TRANSLATE_NOOP("EscCommand", "baud rate")},
-};
-
-static_assert(areInOrder(commandNames, &CommandName::command) &&
-              commandNames.size() == static_cast<std::size_t>(Command::writeBaudRate) + 1);
+static_assert(areInOrder(commandNames, &TextOf<Command>::id, Command::writeBaudRate));
 
 } // namespace
 
 QString commandName(Command command)
 {
-    return QCoreApplication::translate("EscCommand", commandNames.at(static_cast<std::size_t>(command)).name);
+    return QCoreApplication::translate("EscCommand", rowOf(commandNames, command).text);
 }
 
 } // namespace codewheel::esc

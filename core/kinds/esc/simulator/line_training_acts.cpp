@@ -35,13 +35,7 @@ constexpr auto lineActRows = std::to_array<TrainingActRow>({
 });
 static_assert(lineActRows.size() == static_cast<std::size_t>(LineAct::adapterPluggedIn) + 1);
 
-struct LineTroubleRow
-{
-    LineTrouble trouble;
-    const char *key;
-    const char *text;
-};
-constexpr auto lineTroubleRows = std::to_array<LineTroubleRow>({
+constexpr auto lineTroubleRows = std::to_array<KeyedText<LineTrouble>>({
     {LineTrouble::powered, "powered", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Power on")},
     {LineTrouble::mute, "mute", QT_TRANSLATE_NOOP("codewheel::LineTraining", "Silent")},
     {LineTrouble::batteryLimit, "batteryLimit",
@@ -56,7 +50,7 @@ constexpr auto lineTroubleRows = std::to_array<LineTroubleRow>({
     {LineTrouble::vrHigh, "vrHigh", QT_TRANSLATE_NOOP("codewheel::LineTraining", "VR at +UB")},
     {LineTrouble::stOpen, "stOpen", QT_TRANSLATE_NOOP("codewheel::LineTraining", "ST open")},
 });
-static_assert(areInOrder(lineTroubleRows, &LineTroubleRow::trouble));
+static_assert(areInOrder(lineTroubleRows, &KeyedText<LineTrouble>::id));
 
 const QString troubleActKey = QStringLiteral("lineTrouble"); // key of the trouble, 1 or 0
 
@@ -67,12 +61,12 @@ std::optional<QString> troubleActText(const TrainingAct &act)
         return std::nullopt;
     const QString key = argumentText(act[1]);
     const auto row = std::ranges::find_if(
-        lineTroubleRows, [&](const LineTroubleRow &one) { return key == QLatin1String(one.key); });
+        lineTroubleRows, [&](const KeyedText<LineTrouble> &one) { return key == QLatin1String(one.key); });
     if (row == lineTroubleRows.end())
         return std::nullopt;
     return sentence(act[2] == RefusalArgument(std::int64_t{1}) ? LineTraining::tr("%1: yes.")
                                                                : LineTraining::tr("%1: no."),
-                    {lineTroubleName(row->trouble)});
+                    {lineTroubleName(row->id)});
 }
 
 } // namespace
@@ -86,13 +80,13 @@ TrainingAct lineAct(LineAct what, const std::vector<RefusalArgument> &its)
 
 TrainingAct lineTroubleAct(LineTrouble trouble, bool isThere)
 {
-    const LineTroubleRow &row = lineTroubleRows.at(static_cast<std::size_t>(trouble));
-    return {troubleActKey, QString::fromLatin1(row.key), std::int64_t{isThere ? 1 : 0}};
+    return {troubleActKey, QString::fromLatin1(rowOf(lineTroubleRows, trouble).key),
+            std::int64_t{isThere ? 1 : 0}};
 }
 
 QString lineTroubleName(LineTrouble trouble)
 {
-    return LineTraining::tr(lineTroubleRows.at(static_cast<std::size_t>(trouble)).text);
+    return LineTraining::tr(rowOf(lineTroubleRows, trouble).text);
 }
 
 std::optional<QString> lineActText(const TrainingAct &act)

@@ -3,6 +3,7 @@
 
 #include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/sentence.h"
 
 #include <algorithm>
@@ -34,14 +35,7 @@ std::optional<RegistersOfKey> registersOf(const QString &key)
     return isKey ? std::optional(RegistersOfKey{all[0], all[1], all[2]}) : std::nullopt;
 }
 
-struct WrongAnswerRow
-{
-    WrongAnswer what;
-    const char *key;
-    const char *text;
-};
-
-constexpr auto wrongAnswerRows = std::to_array<WrongAnswerRow>({
+constexpr auto wrongAnswerRows = std::to_array<KeyedText<WrongAnswer>>({
     {WrongAnswer::incomplete, "incomplete",
      QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
                        "it is incomplete. Look for newer firmware of the gateway.")},
@@ -155,7 +149,7 @@ QString exceptionText(int code)
 QString wrongAnswerKey(WrongAnswer what, std::initializer_list<int> numbers)
 {
     QStringList parts{
-        QString::fromLatin1(std::ranges::find(wrongAnswerRows, what, &WrongAnswerRow::what)->key)};
+        QString::fromLatin1(std::ranges::find(wrongAnswerRows, what, &KeyedText<WrongAnswer>::id)->key)};
     for (const int number : numbers)
         parts << QString::number(number);
     return parts.join(betweenNumbers);
@@ -164,8 +158,9 @@ QString wrongAnswerKey(WrongAnswer what, std::initializer_list<int> numbers)
 QString wrongAnswerText(const QString &key)
 {
     const QStringList parts = key.split(betweenNumbers);
-    const auto row = std::ranges::find_if(
-        wrongAnswerRows, [&](const WrongAnswerRow &one) { return parts.front() == QLatin1String(one.key); });
+    const auto row = std::ranges::find_if(wrongAnswerRows, [&](const KeyedText<WrongAnswer> &one) {
+        return parts.front() == QLatin1String(one.key);
+    });
     return row == wrongAnswerRows.end() ? key : sentence(GatewayTexts::tr(row->text), parts.sliced(1));
 }
 

@@ -12,13 +12,7 @@
 namespace codewheel {
 namespace {
 
-struct FaultRow
-{
-    TrainingFault fault;
-    const char *key;
-    const char *text;
-};
-constexpr auto faultRows = std::to_array<FaultRow>({
+constexpr auto faultRows = std::to_array<KeyedText<TrainingFault>>({
     {TrainingFault::wireBreak, "wireBreak",
      QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Wire break before it")},
     {TrainingFault::crcErrors, "crcErrors",
@@ -42,12 +36,7 @@ constexpr auto faultRows = std::to_array<FaultRow>({
      QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Cam out of range")},
     {TrainingFault::magnetLost, "magnetLost", QT_TRANSLATE_NOOP("codewheel::FaultPlan", "Magnet lost")},
 });
-static_assert(areInOrder(faultRows, &FaultRow::fault) && faultRows.size() == trainingFaults);
-
-const FaultRow &faultRow(TrainingFault fault)
-{
-    return faultRows.at(static_cast<std::size_t>(fault));
-}
+static_assert(areInOrder(faultRows, &KeyedText<TrainingFault>::id) && faultRows.size() == trainingFaults);
 
 QString faultText(const char *text)
 {
@@ -58,19 +47,19 @@ QString faultText(const char *text)
 
 QString trainingFaultName(TrainingFault fault)
 {
-    return faultText(faultRow(fault).text);
+    return faultText(rowOf(faultRows, fault).text);
 }
 
 QString trainingFaultKey(TrainingFault fault)
 {
-    return QString::fromLatin1(faultRow(fault).key);
+    return QString::fromLatin1(rowOf(faultRows, fault).key);
 }
 
 std::optional<TrainingFault> trainingFaultFromKey(const QString &key)
 {
-    const auto found =
-        std::ranges::find_if(faultRows, [&](const FaultRow &row) { return key == QLatin1String(row.key); });
-    return found == faultRows.end() ? std::nullopt : std::optional(found->fault);
+    const auto found = std::ranges::find_if(
+        faultRows, [&](const KeyedText<TrainingFault> &row) { return key == QLatin1String(row.key); });
+    return found == faultRows.end() ? std::nullopt : std::optional(found->id);
 }
 
 QString trainingFaultText(TrainingFault fault, const QString &place, std::int64_t value)
