@@ -9,6 +9,7 @@
 #include "app/window/kinds/canopen/canopen_at_work.h"
 #include "app/window/kinds/canopen/canopen_keeper.h"
 #include "app/window/kinds/canopen/canopen_status.h"
+#include "app/window/kinds/canopen/planned_objects.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "can/can_refusals.h"
@@ -86,6 +87,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     connect(m_traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
     connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
     connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
+    connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showWanted);
     onAction(m_actions.nodes, [this] { open(); });
     begin(*m_keeper, *m_search);
 }
@@ -148,6 +150,7 @@ void CanopenViews::setBus(AskedBus *)
             ask(Asked::unsureWatch, refusalText(why), tr("&Watch all the same"));
         });
         connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::watchJobs);
+        connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::showWanted);
         connect(bus, &CanopenSession::frameSent, this, &CanopenViews::tellSent);
     }
     delete m_commandQuestion;
@@ -155,6 +158,7 @@ void CanopenViews::setBus(AskedBus *)
     m_traffic->setBus(bus);
     m_panel->setBus(bus);
     m_objects->setBus(bus);
+    showWanted();
     m_search->setBus(bus);
 }
 
@@ -274,6 +278,11 @@ void CanopenViews::showState()
             tr("&Send all the same"));
     else
         withdraw(Asked::otherMaster);
+}
+
+void CanopenViews::showWanted()
+{
+    m_objects->setWanted(objectsWantedOn(m_bus));
 }
 
 void CanopenViews::listPorts()

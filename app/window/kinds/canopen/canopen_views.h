@@ -99,6 +99,7 @@ private:
     void sendCommand(int node, canopen::NmtCommand command);
     void tellSent(const FrameSent &sent);
     void takeOver(const std::vector<CanFoundRow> &found);
+    void showWanted();
 
     CanopenAtWork &m_bus;
     CanopenActions &m_actions;

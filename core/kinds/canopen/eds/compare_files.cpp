@@ -24,8 +24,14 @@ std::optional<double> realOf(const FileValue &value)
                                                         : std::nullopt;
 }
 
-// A real number may be written as an integer, too.
-bool isSame(const FileValue &one, const FileValue &other)
+ObjectDifference differenceIn(DifferenceKind kind, const FileObject &object)
+{
+    return {.kind = kind, .object = object.object, .name = object.name, .type = object.type};
+}
+
+} // namespace
+
+bool isSameValue(const FileValue &one, const FileValue &other)
 {
     if (one == other)
         return true;
@@ -33,13 +39,6 @@ bool isSame(const FileValue &one, const FileValue &other)
         std::holds_alternative<double>(one.value) || std::holds_alternative<double>(other.value);
     return hasReal && realOf(one) && realOf(one) == realOf(other);
 }
-
-ObjectDifference differenceIn(DifferenceKind kind, const FileObject &object)
-{
-    return {.kind = kind, .object = object.object, .name = object.name, .type = object.type};
-}
-
-} // namespace
 
 std::vector<ObjectDifference> compareFiles(const DeviceFile &file, const DeviceFile &other)
 {
@@ -63,7 +62,7 @@ std::vector<ObjectDifference> compareFiles(const DeviceFile &file, const DeviceF
             auto difference = differenceIn(DifferenceKind::differs, *one);
             difference.value = comparedValue(*one++, itsNode);
             difference.other = comparedValue(*two++, othersNode);
-            if (difference.value && difference.other && !isSame(*difference.value, *difference.other))
+            if (difference.value && difference.other && !isSameValue(*difference.value, *difference.other))
                 differences.push_back(std::move(difference));
         }
     }

@@ -29,4 +29,7 @@ struct ObjectDifference
 // says nothing, there is no difference. A file without a node has that of the other one.
 std::vector<ObjectDifference> compareFiles(const DeviceFile &file, const DeviceFile &other);
 
+// A real number may be written as an integer, too.
+bool isSameValue(const FileValue &one, const FileValue &other);
+
 } // namespace codewheel::canopen

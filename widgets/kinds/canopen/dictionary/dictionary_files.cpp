@@ -59,8 +59,8 @@ bool DictionaryView::openFile(const QString &path)
         return false;
     Known &its = known();
     its.path = path;
+    keepRows();
     its.file = *std::move(file);
-    its.rows = ObjectModel::rowsOf(its.file);
     showRows();
     return true;
 }
@@ -69,9 +69,14 @@ bool DictionaryView::openFile(const QString &path)
 canopen::DeviceFile DictionaryView::fileNow()
 {
     canopen::DeviceFile file = known().file;
-    for (std::size_t i = 0; i < file.objects.size(); ++i)
-        if (const auto &now = m_rows->rows()[i].now)
-            file.objects[i].value = now;
+    auto object = file.objects.begin();
+    for (const ObjectRow &row : m_rows->rows()) {
+        if (row.source != ObjectRow::Source::file)
+            continue;
+        if (row.now)
+            object->value = row.now;
+        ++object;
+    }
     file.commissioning.node = m_node;
     if (m_bus && m_bus->rate() > 0)
         file.commissioning.rate = m_bus->rate();
@@ -85,8 +90,7 @@ bool DictionaryView::compareWith(const QString &path)
         return false;
     known().comparedWith = *std::move(file);
     known().comparedPath = path;
-    m_table->setColumnHidden(ObjectModel::other, false);
-    compareAgain();
+    renewRows();
     tellDifferences();
     showWhatIsPossible();
     return true;
@@ -111,6 +115,22 @@ void DictionaryView::tellDifferences()
             ? sentence(tr("All values are those of %1."), {name})
             : sentence(tr("Compared with %1: %2 values differ, %3 objects are not in it, %4 only in it."),
                        {name, count(Kind::differs), count(Kind::missing), count(Kind::additional)}));
+}
+
+// What was not read may differ, too.
+void DictionaryView::tellProject()
+{
+    if (wanted().empty())
+        return;
+    const auto count = [&](auto predicate) {
+        return QString::number(std::ranges::count_if(m_rows->rows(), predicate));
+    };
+    const QString differing = count([](const ObjectRow &row) { return row.differsFromProject(); });
+    const QString unread = count([](const ObjectRow &row) { return row.wanted && !row.now; });
+    m_message->showMessage(
+        differing == u'0' && unread == u'0' ? Role::running : Role::attention,
+        sentence(tr("Of %1 objects that the project wants, %2 differ, and %3 have not been read."),
+                 {QString::number(wanted().size()), differing, unread}));
 }
 
 bool DictionaryView::exportTo(const QString &path)

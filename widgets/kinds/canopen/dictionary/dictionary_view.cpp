@@ -30,6 +30,8 @@
 #include <QStackedWidget>
 #include <QToolBar>
 
+#include <algorithm>
+
 namespace codewheel {
 
 namespace {
@@ -93,7 +95,11 @@ void DictionaryView::makeTools(QToolBar &bar)
     m_compare = addTool(*this, bar,
                         {Icon::compare, tr("Compare…"), {}, tr("Marks what an EDS or DCF has otherwise")});
     m_onlyDifferent = addTool(
-        *this, bar, {Icon::filter, tr("Differences"), {}, tr("Shows only what differs from the file")});
+        *this, bar,
+        {Icon::filter,
+         tr("Differences"),
+         {},
+         tr("Shows only what the node has otherwise than its file, the project or the file compared with")});
     m_export = addTool(*this, bar, {Icon::exportData, tr("Export…"), {}, tr("Saves the values as a DCF")});
     m_onlyDifferent->setCheckable(true);
     connect(m_open, &QAction::triggered, this, &DictionaryView::askOpen);
@@ -105,6 +111,8 @@ void DictionaryView::makeTools(QToolBar &bar)
     connect(m_onlyDifferent, &QAction::toggled, this, [this](bool only) {
         m_filter->setOnlyDifferent(only);
         showCounts();
+        if (only)
+            tellProject();
     });
 }
 
@@ -125,14 +133,16 @@ void DictionaryView::makeTable()
     setWidth(Column::type, fontMetrics(), QStringLiteral("unicode"));
     setWidth(Column::access, fontMetrics(), objectAccessText(canopen::FileAccess::readAndWrite));
     setWidth(Column::factory, numbers, widestValue);
+    setWidth(Column::inFile, numbers, widestValue);
     setWidth(Column::value, numbers, widestValue + u'0');
+    setWidth(Column::project, numbers, widestValue + u'0');
     setWidth(Column::other, numbers, widestValue);
     setWidth(Column::readAt, numbers, QStringLiteral("00:00:00"));
-    for (const Column column :
-         {Column::name, Column::type, Column::access, Column::factory, Column::value, Column::other})
+    for (const Column column : {Column::name, Column::type, Column::access, Column::factory, Column::inFile,
+                                Column::value, Column::project, Column::other})
         allowEliding(*m_table, column);
     m_table->setTextColumn(Column::meaning, fewestMeaningLettersOfObject);
-    m_table->setColumnHidden(Column::other, true);
+    showComparedColumns();
     connect(m_table, &LogTable::chosenChanged, this, &DictionaryView::showChosen);
 }
 
@@ -173,7 +183,7 @@ void DictionaryView::setBus(CanopenSession *bus)
     m_bus = bus;
     if (isOther && bus != nullptr) // what was read is of other devices
         for (auto &[node, its] : m_known)
-            its.rows = ObjectModel::rowsOf(its.file);
+            its.rows.clear();
     m_transfers->setBus(bus);
     if (bus != nullptr) {
         connect(bus, &CanopenSession::stateChanged, this, &DictionaryView::showWhatIsPossible);
@@ -196,6 +206,22 @@ void DictionaryView::setNode(std::optional<int> node)
     showRows();
 }
 
+void DictionaryView::setWanted(WantedByNode wantedNow)
+{
+    if (m_wanted == wantedNow)
+        return;
+    m_wanted = std::move(wantedNow);
+    if (m_node)
+        renewRows();
+}
+
+const std::vector<canopen::WantedObject> &DictionaryView::wanted() const
+{
+    static const std::vector<canopen::WantedObject> none;
+    const auto found = m_node ? m_wanted.find(*m_node) : m_wanted.end();
+    return found != m_wanted.end() ? found->second : none;
+}
+
 void DictionaryView::setRecordingChosen(bool isChosen)
 {
     m_isRecordingChosen = isChosen;
@@ -209,7 +235,6 @@ DictionaryView::Known &DictionaryView::known()
         canopen::DeviceFile file = canopen::standardObjects();
         for (canopen::FileObject &object : file.objects)
             object.name = canopen::standardObjectName(object.object);
-        found->second.rows = ObjectModel::rowsOf(file);
         found->second.file = std::move(file);
     }
     return found->second;
@@ -221,14 +246,49 @@ void DictionaryView::keepRows()
         known().rows = m_rows->rows();
 }
 
+// Their rows may be others since: another file is compared with, the project wants more.
 void DictionaryView::showRows()
 {
-    m_rows->show(m_node ? known().rows : std::vector<ObjectRow>(), m_node);
+    std::vector<ObjectRow> rows;
+    if (m_node) {
+        const Known &its = known();
+        rows = objectRows(its.file, its.comparedWith ? &*its.comparedWith : nullptr, wanted());
+        takeAnswers(rows, its.rows);
+    }
+    m_rows->show(std::move(rows), m_node);
+    m_rows->setWanted(wanted());
     m_content->setCurrentIndex(m_node ? 0 : 1);
-    m_table->setColumnHidden(ObjectModel::other, !m_node || !known().comparedWith);
+    showComparedColumns();
     showSource();
     showChosen();
     showProgress();
+}
+
+// The chosen object stays chosen.
+void DictionaryView::renewRows()
+{
+    const auto chosen = chosenObject();
+    keepRows();
+    showRows();
+    const int row = chosen ? m_rows->rowOf(chosen->object) : -1;
+    if (row >= 0)
+        m_table->setCurrentIndex(m_filter->mapFromSource(m_rows->index(row, 0)));
+}
+
+void DictionaryView::showComparedColumns()
+{
+    const bool hasFileValues =
+        m_node && std::ranges::any_of(known().file.objects,
+                                      [](const canopen::FileObject &each) { return each.value.has_value(); });
+    m_table->setColumnHidden(ObjectModel::inFile, !hasFileValues);
+    m_table->setColumnHidden(ObjectModel::project, wanted().empty());
+    m_table->setColumnHidden(ObjectModel::other, !m_node || !known().comparedWith);
+}
+
+bool DictionaryView::canDiffer()
+{
+    return !m_table->isColumnHidden(ObjectModel::inFile) || !m_table->isColumnHidden(ObjectModel::project) ||
+           !m_table->isColumnHidden(ObjectModel::other);
 }
 
 void DictionaryView::showSource()
@@ -274,7 +334,10 @@ std::optional<canopen::FileObject> DictionaryView::chosenObject() const
 
 void DictionaryView::showChosen()
 {
-    m_writing->setObject(chosenObject(), m_node);
+    auto object = chosenObject();
+    if (object && m_rows->rowAt(m_rows->rowOf(object->object)).source != ObjectRow::Source::file)
+        object->access.reset(); // what another file says of it is not said of this node
+    m_writing->setObject(object, m_node);
     showWhatIsPossible();
 }
 
@@ -309,7 +372,9 @@ void DictionaryView::showWhatIsPossible()
     m_cancel->setEnabled(m_transfers->left() > 0);
     for (QAction *action : {m_open, m_compare, m_export})
         action->setEnabled(m_node && !isBusy);
-    m_onlyDifferent->setEnabled(m_node && known().comparedWith);
+    m_onlyDifferent->setEnabled(canDiffer());
+    if (!m_onlyDifferent->isEnabled())
+        m_onlyDifferent->setChecked(false);
     m_writing->setWhyNot(whyNot);
 }
 

@@ -39,6 +39,8 @@ public:
     void setBus(codewheel::CanopenSession *bus); // null: none
     void setNode(std::optional<int> node);       // that of the chosen encoder
     void setRecordingChosen(bool isChosen);      // then nothing is sent
+    using WantedByNode = std::map<int, std::vector<canopen::WantedObject>>;
+    void setWanted(WantedByNode wanted); // by the project
 
     // Report on the spot what went wrong.
     bool openFile(const QString &path);
@@ -60,8 +62,12 @@ private:
     void makeTable();
     QWidget *makeFilter();
     Known &known();
+    const std::vector<canopen::WantedObject> &wanted() const; // of the node
     void keepRows();
     void showRows();
+    void renewRows();
+    void showComparedColumns();
+    bool canDiffer();
     void showSource();
     void showCounts();
     void showChosen();
@@ -76,6 +82,7 @@ private:
     std::optional<canopen::DeviceFile> fileAt(const QString &path);
     void tellFault(const QString &path, const canopen::EdsNote &why);
     canopen::DeviceFile fileNow();
+    void tellProject();
     void compareAgain();
     void tellDifferences();
     void askOpen();
@@ -86,7 +93,8 @@ private:
     bool m_isRecordingChosen = false;
     std::optional<int> m_node;
     std::map<int, Known> m_known; // by node
-    std::size_t m_reading = 0;    // objects that are to be read
+    WantedByNode m_wanted;
+    std::size_t m_reading = 0; // objects that are to be read
     ObjectModel *m_rows;
     ObjectFilter *m_filter;
     ObjectTransfers *m_transfers;

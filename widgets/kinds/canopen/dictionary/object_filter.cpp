@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/canopen/dictionary/object_filter.h"
 
+#include <algorithm>
+
 namespace codewheel {
 
 ObjectFilter::ObjectFilter(ObjectModel &rows, QObject *parent)
@@ -46,7 +48,7 @@ bool ObjectFilter::isIn(Group group, canopen::SdoObject object)
 bool ObjectFilter::hasText(int row) const
 {
     constexpr ObjectModel::Column searched[] = {ObjectModel::object, ObjectModel::name, ObjectModel::value,
-                                                ObjectModel::meaning};
+                                                ObjectModel::meaning, ObjectModel::project};
     return m_text.isEmpty() || std::ranges::any_of(searched, [&](ObjectModel::Column column) {
                return m_rows.index(row, column).data().toString().contains(m_text, Qt::CaseInsensitive);
            });
@@ -55,7 +57,8 @@ bool ObjectFilter::hasText(int row) const
 bool ObjectFilter::filterAcceptsRow(int row, const QModelIndex & /*parent*/) const
 {
     const ObjectRow &its = m_rows.rowAt(row);
-    return (!m_isOnlyDifferent || its.difference) && isIn(m_group, its.object.object) && hasText(row);
+    return (!m_isOnlyDifferent || m_rows.isDifferent(its)) && isIn(m_group, its.object.object) &&
+           hasText(row);
 }
 
 } // namespace codewheel

@@ -20,7 +20,7 @@ public:
 
     void setText(const QString &text); // in object, name, value or meaning
     void setGroup(Group group);
-    void setOnlyDifferent(bool only); // from the file compared with
+    void setOnlyDifferent(bool only); // ObjectModel::isDifferent()
 
     static bool isIn(Group group, canopen::SdoObject object);
 

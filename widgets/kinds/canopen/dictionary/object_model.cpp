@@ -10,6 +10,8 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/roles.h"
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -28,24 +30,9 @@ QString valueTextOf(const std::optional<canopen::FileValue> &value, std::optiona
 
 } // namespace
 
-bool ObjectRow::differsFromDefault(std::optional<int> node) const
-{
-    const auto its = defaultAt(object, node);
-    return now && its && *now != *its;
-}
-
 ObjectModel::ObjectModel(QObject *parent)
     : TableModelBase(parent)
 {}
-
-std::vector<ObjectRow> ObjectModel::rowsOf(const canopen::DeviceFile &file)
-{
-    std::vector<ObjectRow> made;
-    made.reserve(file.objects.size());
-    for (const canopen::FileObject &each : file.objects)
-        made.push_back({.object = each});
-    return made;
-}
 
 void ObjectModel::show(std::vector<ObjectRow> shown, std::optional<int> node)
 {
@@ -83,15 +70,37 @@ void ObjectModel::take(canopen::SdoObject which, const canopen::SdoOutcome &outc
 
 void ObjectModel::setDifferences(const std::vector<canopen::ObjectDifference> &differences)
 {
-    std::vector<ObjectRow> compared = rows();
-    for (ObjectRow &row : compared)
-        row.difference.reset();
-    for (const canopen::ObjectDifference &each : differences)
-        if (const int row = rowOf(each.object); row >= 0)
-            compared[static_cast<std::size_t>(row)].difference = each;
-    for (int row = 0; row < rowCount(); ++row)
-        if (compared[static_cast<std::size_t>(row)].difference || rowAt(row).difference)
-            replace(row, std::move(compared[static_cast<std::size_t>(row)]));
+    auto next = differences.begin();
+    for (int position = 0; position < rowCount(); ++position) {
+        const auto order = canopen::orderOf(rowAt(position).object.object);
+        while (next != differences.end() && canopen::orderOf(next->object) < order)
+            ++next;
+        const bool differs = next != differences.end() && canopen::orderOf(next->object) == order;
+        if (!differs && !rowAt(position).difference)
+            continue;
+        ObjectRow row = rowAt(position);
+        row.difference = differs ? std::optional(*next) : std::nullopt;
+        replace(position, std::move(row));
+    }
+}
+
+void ObjectModel::setWanted(const std::vector<canopen::WantedObject> &wanted)
+{
+    for (int position = 0; position < rowCount(); ++position) {
+        const auto found =
+            std::ranges::find(wanted, rowAt(position).object.object, &canopen::WantedObject::object);
+        const auto its = found != wanted.end() ? std::optional(*found) : std::nullopt;
+        if (its == rowAt(position).wanted)
+            continue;
+        ObjectRow row = rowAt(position);
+        row.wanted = its;
+        replace(position, std::move(row));
+    }
+}
+
+bool ObjectModel::isDifferent(const ObjectRow &row) const
+{
+    return row.difference || row.differsFromProject() || row.differsFromFile(m_node);
 }
 
 QVariant ObjectModel::headerCell(int column, int role) const
@@ -111,8 +120,12 @@ QVariant ObjectModel::headerCell(int column, int role) const
         {tr("Type"), tr("What the file says. How wide a value is, the node tells")},
         {tr("Access"), tr("Whether the object can be read and written")},
         {tr("Default"), tr("What the device has when it comes from the maker")},
+        {tr("In the file"),
+         tr("The value that the file gives this device (ParameterValue). A mark: the node has "
+            "another")},
         {tr("Value"), tr("What the node answered, in hexadecimal and decimal. A mark: not the default")},
         {tr("Meaning"), tr("What the bits say, or why there is no value")},
+        {tr("Project"), tr("What the project wants the node to have. A mark: the node has another value")},
         {tr("Compared with"), tr("The value of the file that is compared with, where it is another")},
         {tr("Read"), tr("When the node was asked last")},
     };
@@ -135,26 +148,68 @@ QString ObjectModel::textOf(const ObjectRow &row, int column) const
         const auto its = defaultAt(row.object, m_node);
         return valueTextOf(its ? its : row.object.factory, row.object.type);
     }
+    case inFile: {
+        const auto its = row.object.value ? row.object.value->at(m_node) : std::nullopt;
+        return row.source == ObjectRow::Source::compared
+                   ? QString()
+                   : valueTextOf(its ? its : row.object.value, row.object.type);
+    }
     case value:
         return valueTextOf(row.now, row.object.type);
     case meaning:
-        return row.now ? objectMeaningText(row.object.object, *row.now) : row.refused;
+        return meaningOf(row);
+    case project:
+        return row.wanted ? wantedObjectText(*row.wanted, row.object.type) : QString();
     case other:
-        return !row.difference ? QString()
-               : row.difference->kind == canopen::ObjectDifference::Kind::missing
-                   ? tr("not there")
-                   : valueTextOf(row.difference->other, row.object.type);
+        return otherOf(row);
     default:
         return row.at.isValid() ? row.at.toString(QStringLiteral("HH:mm:ss")) : QString();
     }
 }
 
+QString ObjectModel::meaningOf(const ObjectRow &row) const
+{
+    if (row.now)
+        return objectMeaningText(row.object.object, *row.now);
+    if (!row.refused.isEmpty())
+        return row.refused;
+    switch (row.source) {
+    case ObjectRow::Source::compared:
+        return tr("Only in the file that is compared with.");
+    case ObjectRow::Source::project:
+        return tr("Not in the file; the project wants it.");
+    case ObjectRow::Source::file:
+        break;
+    }
+    return {};
+}
+
+QString ObjectModel::otherOf(const ObjectRow &row) const
+{
+    if (!row.difference)
+        return {};
+    if (row.difference->kind == canopen::ObjectDifference::Kind::missing)
+        return tr("not there");
+    const QString text = valueTextOf(row.difference->other, row.object.type);
+    return text.isEmpty() ? tr("there, no value") : text;
+}
+
+// Another value than its own is what the eye looks for.
+bool ObjectModel::isMarked(const ObjectRow &row, int column) const
+{
+    return (column == value && row.differsFromDefault(m_node)) ||
+           (column == inFile && row.differsFromFile(m_node)) ||
+           (column == project && row.differsFromProject());
+}
+
 QString ObjectModel::tipOf(const ObjectRow &row, int column) const
 {
     const QString text = textOf(row, column);
-    return column == value && row.differsFromDefault(m_node)
-               ? sentence(tr("%1, not the default: %2"), {text, textOf(row, factory)})
-               : text;
+    if (column == value && row.differsFromDefault(m_node))
+        return sentence(tr("%1, not the default: %2"), {text, textOf(row, factory)});
+    if ((column == inFile || column == project) && isMarked(row, column))
+        return sentence(tr("%1, but the node has %2"), {text, textOf(row, value)});
+    return text;
 }
 
 QVariant ObjectModel::cell(const ObjectRow &row, int column, int role) const
@@ -168,13 +223,11 @@ QVariant ObjectModel::cell(const ObjectRow &row, int column, int role) const
     case Qt::AccessibleTextRole:
         return tipOf(row, column);
     case Qt::DecorationRole:
-        return column == value && row.differsFromDefault(m_node)
-                   ? QVariant(lineIcon(Icon::setBit, Role::setBit))
-                   : QVariant();
+        return isMarked(row, column) ? QVariant(lineIcon(Icon::setBit, Role::setBit)) : QVariant();
     case Qt::FontRole:
-        return column == object || column == value || column == factory || column == other || column == readAt
-                   ? QVariant(numberFont())
-                   : QVariant();
+        return column == name || column == type || column == access || column == meaning
+                   ? QVariant()
+                   : QVariant(numberFont());
     default:
         return {};
     }

@@ -67,6 +67,19 @@ QString objectValueText(const canopen::FileValue &value, std::optional<canopen::
     return QStringLiteral("%1 = %2").arg(ObjectTexts::hexadecimal(*number, type), value.text(type));
 }
 
+QString wantedObjectText(const canopen::WantedObject &wanted, std::optional<canopen::DataType> type)
+{
+    if (wanted.bits == 0)
+        return objectValueText(wanted.value, type);
+    const auto word = static_cast<std::uint32_t>(*wanted.value.number());
+    QStringList bits;
+    for (int bit = 0; bit < 32; ++bit)
+        if ((wanted.bits >> bit & 1) != 0)
+            bits << sentence(ObjectTexts::tr("bit %1 = %2"),
+                             {QString::number(bit), QString::number(word >> bit & 1)});
+    return bits.join(QStringLiteral(", "));
+}
+
 QString objectMeaningText(canopen::SdoObject object, const canopen::FileValue &value)
 {
     const std::int64_t *number = value.number();
