@@ -9,6 +9,7 @@
 #include "app/window/kinds/canopen/canopen_at_work.h"
 #include "app/window/kinds/canopen/canopen_keeper.h"
 #include "app/window/kinds/canopen/canopen_status.h"
+#include "app/window/kinds/canopen/node_recognition.h"
 #include "app/window/kinds/canopen/planned_objects.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
@@ -65,6 +66,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     , m_bus(bus)
     , m_actions(windowParts.actions.ofKind<CanopenActions>())
     , m_keeper(new CanopenKeeper(bus, this))
+    , m_recognition(new NodeRecognition(bus.project(), this))
     , m_traffic(own(new CanTrafficView(&windowParts.pages)))
     , m_panel(own(new CanBusPanel(&windowParts.pages)))
     , m_objects(own(new DictionaryView(&windowParts.pages)))
@@ -88,6 +90,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
     connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
     connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showWanted);
+    connect(m_recognition, &NodeRecognition::recognised, this, &CanopenViews::tellRecognised);
     onAction(m_actions.nodes, [this] { open(); });
     begin(*m_keeper, *m_search);
 }
@@ -114,6 +117,18 @@ void CanopenViews::setChosen(std::optional<Place> place)
         m_panel->chooseNode(CanopenAddress::of(place->node).node);
     m_objects->setNode(place ? std::optional(CanopenAddress::of(place->node).node) : std::nullopt);
     choose(place);
+}
+
+void CanopenViews::showFrame()
+{
+    m_recognition->goOn();
+    AskedBusViews::showFrame();
+}
+
+void CanopenViews::tellRecognised(Place place, const QString &device)
+{
+    parts().notice.showMessage(
+        Role::running, sentence(tr("By its identity, %1 is described as %2."), {place.shown(), device}));
 }
 
 void CanopenViews::setRecordingChosen(bool isChosen)
@@ -160,6 +175,7 @@ void CanopenViews::setBus(AskedBus *)
     m_objects->setBus(bus);
     showWanted();
     m_search->setBus(bus);
+    m_recognition->setBus(bus);
 }
 
 void CanopenViews::ask(Asked what, const QString &sentence, const QString &answer)

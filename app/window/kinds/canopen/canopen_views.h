@@ -24,6 +24,7 @@ class CanopenAtWork;
 class CanopenKeeper;
 class CanopenSession;
 class DictionaryView;
+class NodeRecognition;
 struct CanFoundRow;
 struct FrameSent;
 struct Outcome;
@@ -64,6 +65,7 @@ public:
     bool open(Place place) override; // its row among the nodes, since it has no words
     void connectFound(const KindData &plan, const std::vector<KindData> &devices) override;
     void useSettings(const ProgramSettings &settings) override;
+    void showFrame() override;
 
 private:
     // What the bar above the pages asks the user to agree to.
@@ -100,6 +102,7 @@ private:
     void tellSent(const FrameSent &sent);
     void takeOver(const std::vector<CanFoundRow> &found);
     void showWanted();
+    void tellRecognised(Place place, const QString &device);
 
     CanopenAtWork &m_bus;
     CanopenActions &m_actions;
@@ -107,6 +110,7 @@ private:
     CanopenKeeper *m_keeper;
     std::optional<Place> m_wouldStop; // the node that a job asks to stop
     QPointer<QMessageBox> m_commandQuestion;
+    NodeRecognition *m_recognition;
     CanTrafficView *m_traffic;
     CanBusPanel *m_panel;
     DictionaryView *m_objects;

@@ -58,7 +58,7 @@ void CanopenSession::mayStopNode(Place place)
 void CanopenSession::takeOther(const CanopenEvent &event)
 {
     if (const auto *row = std::get_if<CanopenRow>(&event.what)) {
-        Q_EMIT passed(*row);
+        Q_EMIT passed(*row, event.at);
         TrafficRow told = m_traffic.row(*row, event.at);
         told.place = placeOf(told.place ? told.place->node : NodeId());
         tellTraffic(std::move(told));

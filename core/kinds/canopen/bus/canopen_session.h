@@ -64,7 +64,7 @@ public:
     void scan() { post(canopen_command::Scan{}); } // all numbers are asked
 
 Q_SIGNALS:
-    void passed(const codewheel::CanopenRow &row);
+    void passed(const codewheel::CanopenRow &row, codewheel::Instant at);
     void frameSent(const codewheel::FrameSent &sent);
     void transferEnded(const codewheel::TransferEnded &ended);
     void configured(const codewheel::Configured &ended);
