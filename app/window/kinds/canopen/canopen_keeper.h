@@ -17,6 +17,8 @@ public:
     explicit CanopenKeeper(const CanopenAtWork &bus, QObject *parent = nullptr); // which must outlive it
 
     void keepLink(const CanopenSettings &settings);
+    // Of an encoder of the project: that its objects are taken from this EDS or DCF.
+    void keepFile(int node, const QString &path);
 
 private:
     KindData asOpened() const override;

@@ -87,9 +87,10 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     m_search->setObjectName(QStringLiteral("canSearch"));
     setHelpTopic(*m_search, "canopen.md#searching-for-nodes");
     connect(m_traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
+    connect(m_objects, &DictionaryView::fileChosen, m_keeper, &CanopenKeeper::keepFile);
     connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
     connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
-    connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showWanted);
+    connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showPlannedObjects);
     connect(m_recognition, &NodeRecognition::recognised, this, &CanopenViews::tellRecognised);
     onAction(m_actions.nodes, [this] { open(); });
     begin(*m_keeper, *m_search);
@@ -117,6 +118,11 @@ void CanopenViews::setChosen(std::optional<Place> place)
         m_panel->chooseNode(CanopenAddress::of(place->node).node);
     m_objects->setNode(place ? std::optional(CanopenAddress::of(place->node).node) : std::nullopt);
     choose(place);
+}
+
+void CanopenViews::showPlannedObjects()
+{
+    m_objects->setPlanned(plannedObjectsOn(m_bus));
 }
 
 void CanopenViews::showFrame()
@@ -165,7 +171,7 @@ void CanopenViews::setBus(AskedBus *)
             ask(Asked::unsureWatch, refusalText(why), tr("&Watch all the same"));
         });
         connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::watchJobs);
-        connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::showWanted);
+        connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::showPlannedObjects);
         connect(bus, &CanopenSession::frameSent, this, &CanopenViews::tellSent);
     }
     delete m_commandQuestion;
@@ -173,7 +179,7 @@ void CanopenViews::setBus(AskedBus *)
     m_traffic->setBus(bus);
     m_panel->setBus(bus);
     m_objects->setBus(bus);
-    showWanted();
+    showPlannedObjects();
     m_search->setBus(bus);
     m_recognition->setBus(bus);
 }
@@ -294,11 +300,6 @@ void CanopenViews::showState()
             tr("&Send all the same"));
     else
         withdraw(Asked::otherMaster);
-}
-
-void CanopenViews::showWanted()
-{
-    m_objects->setWanted(objectsWantedOn(m_bus));
 }
 
 void CanopenViews::listPorts()

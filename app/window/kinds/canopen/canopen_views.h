@@ -101,7 +101,7 @@ private:
     void sendCommand(int node, canopen::NmtCommand command);
     void tellSent(const FrameSent &sent);
     void takeOver(const std::vector<CanFoundRow> &found);
-    void showWanted();
+    void showPlannedObjects();
     void tellRecognised(Place place, const QString &device);
 
     CanopenAtWork &m_bus;

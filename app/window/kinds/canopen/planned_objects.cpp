@@ -7,6 +7,9 @@
 #include "transfer/transfer_wish.h"
 #include "widgets/project/project_document.h"
 
+#include <QDir>
+#include <QFileInfo>
+
 namespace codewheel {
 namespace {
 
@@ -17,21 +20,41 @@ const DeviceDescription *descriptionAt(const CanopenAtWork &bus, Place place, co
     return encoder != nullptr ? &encoder->device() : bus.catalog().find(planned.participant.deviceKey);
 }
 
+std::vector<canopen::WantedObject> wantedOf(const CanopenAtWork &bus, Place place,
+                                            const ProjectDevice &planned)
+{
+    const DeviceDescription *device = descriptionAt(bus, place, planned);
+    if (device == nullptr || device->profile != profile::cia406)
+        return {};
+    return canopen::wantedObjects(*device, withoutItsPlace(planned.wanted), planned.wantedCams);
+}
+
+QString fileOf(const ProjectDevice &planned, const QString &project)
+{
+    const QString file = planned.its<CanopenEncoderSettings>().file;
+    if (file.isEmpty() || project.isEmpty() || QFileInfo::exists(file))
+        return file;
+    const QString beside = QFileInfo(project).dir().filePath(QFileInfo(file).fileName());
+    return QFileInfo::exists(beside) ? beside : file;
+}
+
 } // namespace
 
-DictionaryView::WantedByNode objectsWantedOn(const CanopenAtWork &bus)
+PlannedObjects plannedObjectsOn(const CanopenAtWork &bus)
 {
-    DictionaryView::WantedByNode wanted;
-    bus.project().forEachDevice([&](Place place, const ProjectDevice &planned) {
-        const DeviceDescription *device =
-            place.bus == bus.id() ? descriptionAt(bus, place, planned) : nullptr;
-        if (device == nullptr || device->profile != profile::cia406)
+    const ProjectDocument &document = bus.project();
+    PlannedObjects planned;
+    document.forEachDevice([&](Place place, const ProjectDevice &device) {
+        if (place.bus != bus.id())
             return;
-        auto objects = canopen::wantedObjects(*device, withoutItsPlace(planned.wanted), planned.wantedCams);
-        if (!objects.empty())
-            wanted.emplace(CanopenAddress::of(place.node).node, std::move(objects));
+        const int node = CanopenAddress::of(place.node).node;
+        auto wanted = wantedOf(bus, place, device);
+        if (!wanted.empty())
+            planned.wanted.emplace(node, std::move(wanted));
+        if (findDevice(document.project(), place) != nullptr)
+            planned.files.emplace(node, fileOf(device, document.file()));
     });
-    return wanted;
+    return planned;
 }
 
 } // namespace codewheel

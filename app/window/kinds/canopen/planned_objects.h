@@ -7,7 +7,8 @@ namespace codewheel {
 
 class CanopenAtWork;
 
-// What the project wants the objects of each node to be, as a transfer would write them.
-DictionaryView::WantedByNode objectsWantedOn(const CanopenAtWork &bus);
+// What is wanted is what a transfer would write. A file that is not where the project says is looked for
+// beside the project.
+PlannedObjects plannedObjectsOn(const CanopenAtWork &bus);
 
 } // namespace codewheel

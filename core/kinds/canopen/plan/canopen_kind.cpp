@@ -55,10 +55,10 @@ std::vector<ProjectDevice> readNodes(const JsonObject &json)
 {
     std::vector<ProjectDevice> encoders;
     std::set<QString> places;
-    for (const JsonObject &row : json.array(
-             "devices",
-             {"place", "device", "station", "group", "note", "label", "wanted", "stored", "lastPosition"},
-             canopen::lastNode)) {
+    for (const JsonObject &row : json.array("devices",
+                                            {"place", "device", "station", "group", "note", "label", "wanted",
+                                             "stored", "lastPosition", "file"},
+                                            canopen::lastNode)) {
         ProjectDevice encoder;
         const QString told = row.text("place");
         const auto address = CanopenAddress::read(told);
@@ -69,6 +69,7 @@ std::vector<ProjectDevice> readNodes(const JsonObject &json)
         encoder.participant.number = address.value_or(CanopenAddress{1}).place();
         encoder.participant.deviceKey = row.text("device");
         ProjectReader::readWhatIsKnown(row, encoder);
+        encoder.set(CanopenEncoderSettings{.file = row.freeText("file")});
         encoders.push_back(std::move(encoder));
     }
     std::ranges::sort(encoders, {}, [](const ProjectDevice &encoder) { return encoder.place(); });
@@ -149,6 +150,7 @@ void CanopenKind::write(ProjectWriter &writer, const KindData &settings,
         writer.writeNames(encoder);
         writer.writeValues(encoder);
         writer.writeLastPosition(encoder);
+        writer.writeText("file", encoder.its<CanopenEncoderSettings>().file);
     });
 }
 

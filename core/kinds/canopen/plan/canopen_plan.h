@@ -17,6 +17,15 @@ struct CanopenPlan
 
     friend bool operator==(const CanopenPlan &, const CanopenPlan &) = default;
 };
+
+// What is peculiar to an encoder of the plan (ProjectDevice::its()).
+struct CanopenEncoderSettings
+{
+    QString file{}; // EDS or DCF that its objects are taken from; empty: none
+
+    friend bool operator==(const CanopenEncoderSettings &, const CanopenEncoderSettings &) = default;
+};
+
 inline constexpr char canopenKind[] = "canopen";
 
 // Null: the project has no such bus with this number.

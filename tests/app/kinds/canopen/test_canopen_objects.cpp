@@ -4,6 +4,7 @@
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/dictionary/object_model.h"
 
+#include <QFile>
 #include <QTableView>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,60 @@ TEST_F(CanopenObjectsTest, WhatTheProjectWantsOfTheEncoderStandsBesideItsObjects
     shown->project().undoStack().undo();
     advance(50);
     EXPECT_EQ(cell("6001h:0", ObjectModel::project), QString());
+}
+
+class FileOfAnEncoderTest : public test::CanopenWindowTest
+{
+protected:
+    static QString saved(const QString &path, const QByteArray &bytes)
+    {
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        return path;
+    }
+    DictionaryView &objects() { return *window().findChild<DictionaryView *>(); }
+    int rows() { return objects().findChild<QTableView *>()->model()->rowCount(); }
+    QString kept() { return shown->project().device(nodeSix).its<CanopenEncoderSettings>().file; }
+
+    const QByteArray oneObject = "[6004]\nParameterName=Position\nDataType=7\nAccessType=ro\n";
+};
+
+TEST_F(FileOfAnEncoderTest, IsKeptInTheProjectAndThereWhenItIsOpened)
+{
+    plan(QStringLiteral("can:can0"), {nodeSix});
+    tree().choose(nodeSix);
+    advance(50);
+    const QString path = saved(folder.filePath(QStringLiteral("rotor.eds")), oneObject);
+    ASSERT_TRUE(objects().openFile(path));
+    EXPECT_EQ(kept(), path);
+    EXPECT_EQ(rows(), 1);
+    shown->project().undoStack().undo();
+    EXPECT_EQ(kept(), QString());
+    EXPECT_GT(rows(), 90);
+    shown->project().undoStack().redo();
+    EXPECT_EQ(rows(), 1);
+    const Project project = shown->project().project();
+    shown->project().setProject(Project(), {});
+    advance(50);
+    shown->project().setProject(project, {});
+    tree().choose(nodeSix);
+    advance(50);
+    EXPECT_EQ(rows(), 1);
+}
+
+TEST_F(FileOfAnEncoderTest, IsFoundBesideTheProject)
+{
+    plan(QStringLiteral("can:can0"), {nodeSix});
+    Project project = shown->project().project();
+    devicesOn(project, firstCanBus)[0].set(
+        CanopenEncoderSettings{.file = QStringLiteral("/on/another/computer/rotor.eds")});
+    saved(folder.filePath(QStringLiteral("rotor.eds")), oneObject);
+    shown->project().setProject(project, folder.filePath(QStringLiteral("plant.codewheel")));
+    tree().choose(nodeSix);
+    advance(50);
+    EXPECT_EQ(rows(), 1);
+    EXPECT_EQ(kept(), QStringLiteral("/on/another/computer/rotor.eds"));
 }
 
 } // namespace

@@ -78,6 +78,18 @@ TEST_F(CanopenPlanFile, IsKeptThroughSavingAndOpening)
     EXPECT_FALSE(plansTraining(*opened, firstCanBus));
 }
 
+TEST_F(CanopenPlanFile, TheFileOfAnEncoderIsKept)
+{
+    const QString file = QStringLiteral("/home/rotor/R\u00f6tor 12.eds");
+    devicesOn(project, firstCanBus)[1].set(CanopenEncoderSettings{.file = file});
+    const QByteArray text = written();
+    EXPECT_EQ(text.count("\"file\""), 1);
+    const auto opened = loadProject(path);
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(*opened, project);
+    EXPECT_EQ(devicesOn(*opened, firstCanBus)[1].its<CanopenEncoderSettings>().file, file);
+}
+
 TEST_F(CanopenPlanFile, WhatCannotBeIsRefused)
 {
     const QByteArray text = written();

@@ -24,32 +24,60 @@ namespace {
 
 constexpr qint64 largestDeviceFile = 16 * 1024 * 1024;
 
-} // namespace
-
-void DictionaryView::tellFault(const QString &path, const canopen::EdsNote &why)
+struct ReadFile
 {
-    m_message->showMessage(
-        Role::attention, why.line == 0 ? sentence(tr("%1: %2", "file, what is wrong"), {path, why.text()})
-                                       : sentence(tr("%1, line %2, %3: %4", "file, line, key, what is wrong"),
-                                                  {path, QString::number(why.line), why.key, why.text()}));
+    std::optional<canopen::DeviceFile> file{};
+    QString fault{}; // why there is none, or what of it does not count
+};
+
+QString faultText(const QString &path, const canopen::EdsNote &why)
+{
+    return why.line == 0
+               ? sentence(DictionaryView::tr("%1: %2", "file, what is wrong"), {path, why.text()})
+               : sentence(DictionaryView::tr("%1, line %2, %3: %4", "file, line, key, what is wrong"),
+                          {path, QString::number(why.line), why.key, why.text()});
 }
+
+ReadFile readFileAt(const QString &path)
+{
+    const auto bytes = readWholeFile(path, largestDeviceFile);
+    if (!bytes)
+        return {.fault = refusalText(bytes.error())};
+    auto file = canopen::readDeviceFile(*bytes);
+    if (!file)
+        return {.fault = faultText(path, file.error())};
+    const QString fault = file->refused.empty() ? QString() : faultText(path, file->refused.front());
+    return {.file = *std::move(file), .fault = fault}; // the rest counts
+}
+
+} // namespace
 
 std::optional<canopen::DeviceFile> DictionaryView::fileAt(const QString &path)
 {
     m_message->withdraw();
-    const auto bytes = readWholeFile(path, largestDeviceFile);
-    if (!bytes) {
-        m_message->showMessage(Role::attention, refusalText(bytes.error()));
-        return std::nullopt;
+    auto read = readFileAt(path);
+    if (!read.fault.isEmpty())
+        m_message->showMessage(Role::attention, read.fault);
+    return std::move(read.file);
+}
+
+// It stays in the project, whatever becomes of the file.
+void DictionaryView::readKnownFile(Known &its)
+{
+    auto read = readFileAt(its.path);
+    its.isRead = read.file.has_value();
+    if (read.file) {
+        its.file = *std::move(read.file);
+        return;
     }
-    auto file = canopen::readDeviceFile(*bytes);
-    if (!file) {
-        tellFault(path, file.error());
-        return std::nullopt;
-    }
-    if (!file->refused.empty()) // the rest counts
-        tellFault(path, file->refused.front());
-    return *std::move(file);
+    its.whyNot = read.fault;
+    m_message->showMessage(
+        Role::attention,
+        sentence(
+            tr("The objects are not those of the file that the project has for this encoder. %1 It stays in "
+               "the project; put it back, or open another one.",
+               "why"),
+            {read.fault}));
 }
 
 bool DictionaryView::openFile(const QString &path)
@@ -59,9 +87,12 @@ bool DictionaryView::openFile(const QString &path)
         return false;
     Known &its = known();
     its.path = path;
+    its.isRead = true;
+    its.whyNot.clear();
     keepRows();
     its.file = *std::move(file);
     showRows();
+    Q_EMIT fileChosen(*m_node, path);
     return true;
 }
 
@@ -71,11 +102,11 @@ canopen::DeviceFile DictionaryView::fileNow()
     canopen::DeviceFile file = known().file;
     auto object = file.objects.begin();
     for (const ObjectRow &row : m_rows->rows()) {
-        if (row.source != ObjectRow::Source::file)
-            continue;
-        if (row.now)
+        const auto order = canopen::orderOf(row.object.object);
+        while (object != file.objects.end() && canopen::orderOf(object->object) < order)
+            ++object;
+        if (row.now && object != file.objects.end() && object->object == row.object.object)
             object->value = row.now;
-        ++object;
     }
     file.commissioning.node = m_node;
     if (m_bus && m_bus->rate() > 0)
@@ -138,13 +169,13 @@ bool DictionaryView::exportTo(const QString &path)
     if (!m_node)
         return false;
     canopen::DeviceFile file = fileNow();
-    if (known().path.isEmpty()) // names as in any file
+    if (!known().isRead) // names as in any file
         for (const canopen::DeviceFile standard = canopen::standardObjects();
              canopen::FileObject & object : file.objects)
             if (const canopen::FileObject *its = standard.find(object.object))
                 object.name = its->name;
     const canopen::DcfHead head{.fileName = QFileInfo(path).fileName(),
-                                .ofFile = QFileInfo(known().path).fileName(),
+                                .ofFile = known().isRead ? QFileInfo(known().path).fileName() : QString(),
                                 .now = QDateTime::currentDateTime()};
     const auto written = replaceFile(path, canopen::dcfOf(file, head), OldFile::goes);
     if (written)

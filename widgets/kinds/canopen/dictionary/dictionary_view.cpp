@@ -3,7 +3,7 @@
 
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_session.h"
-#include "kinds/canopen/eds/standard_objects.h"
+#include "kinds/canopen/eds/described_objects.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
@@ -187,6 +187,7 @@ void DictionaryView::setBus(CanopenSession *bus)
     m_transfers->setBus(bus);
     if (bus != nullptr) {
         connect(bus, &CanopenSession::stateChanged, this, &DictionaryView::showWhatIsPossible);
+        connect(bus, &CanopenSession::nodesChanged, this, &DictionaryView::followDescription);
         connect(bus, &QObject::destroyed, this, &DictionaryView::showWhatIsPossible);
     }
     if (isOther && bus != nullptr)
@@ -203,14 +204,25 @@ void DictionaryView::setNode(std::optional<int> node)
     m_transfers->setNode(node);
     m_node = node;
     m_message->withdraw();
+    if (node)
+        if (const auto before = m_known.find(*node); before != m_known.end())
+            before->second.whyNot.clear(); // its file may be there again
     showRows();
 }
 
-void DictionaryView::setWanted(WantedByNode wantedNow)
+void DictionaryView::setPlanned(PlannedObjects planned)
 {
-    if (m_wanted == wantedNow)
+    if (m_planned == planned)
         return;
-    m_wanted = std::move(wantedNow);
+    m_planned = std::move(planned);
+    for (const auto &[node, path] : m_planned.files) {
+        const auto found = m_known.find(node);
+        if (found != m_known.end() && found->second.path != path)
+            found->second = {.path = path,
+                             .rows = std::move(found->second.rows),
+                             .comparedWith = std::move(found->second.comparedWith),
+                             .comparedPath = std::move(found->second.comparedPath)};
+    }
     if (m_node)
         renewRows();
 }
@@ -218,8 +230,8 @@ void DictionaryView::setWanted(WantedByNode wantedNow)
 const std::vector<canopen::WantedObject> &DictionaryView::wanted() const
 {
     static const std::vector<canopen::WantedObject> none;
-    const auto found = m_node ? m_wanted.find(*m_node) : m_wanted.end();
-    return found != m_wanted.end() ? found->second : none;
+    const auto found = m_node ? m_planned.wanted.find(*m_node) : m_planned.wanted.end();
+    return found != m_planned.wanted.end() ? found->second : none;
 }
 
 void DictionaryView::setRecordingChosen(bool isChosen)
@@ -231,13 +243,42 @@ void DictionaryView::setRecordingChosen(bool isChosen)
 DictionaryView::Known &DictionaryView::known()
 {
     const auto [found, isNew] = m_known.try_emplace(m_node.value_or(0));
-    if (isNew) {
-        canopen::DeviceFile file = canopen::standardObjects();
-        for (canopen::FileObject &object : file.objects)
-            object.name = canopen::standardObjectName(object.object);
-        found->second.file = std::move(file);
-    }
-    return found->second;
+    Known &its = found->second;
+    if (isNew)
+        if (const auto planned = m_planned.files.find(found->first); planned != m_planned.files.end())
+            its.path = planned->second;
+    if (!its.path.isEmpty() && !its.isRead && its.whyNot.isEmpty())
+        readKnownFile(its);
+    if (!its.isRead && its.file.objects.empty())
+        describeKnown(its);
+    return its;
+}
+
+void DictionaryView::describeKnown(Known &its) const
+{
+    const DeviceDescription *device = description();
+    its.file = canopen::describedObjects(device);
+    its.deviceKey = device != nullptr ? device->key : QString();
+}
+
+const DeviceDescription *DictionaryView::description() const
+{
+    const EncoderSession *encoder =
+        m_bus && m_node ? m_bus->encoder(m_bus->placeOf(CanopenAddress{*m_node}.place())) : nullptr;
+    return encoder != nullptr ? &encoder->device() : nullptr;
+}
+
+// By now it may be known of which make the encoder is.
+void DictionaryView::followDescription()
+{
+    if (m_node && isDescribedAnew())
+        renewRows();
+}
+
+bool DictionaryView::isDescribedAnew()
+{
+    const DeviceDescription *device = description();
+    return device != nullptr && !known().isRead && known().deviceKey != device->key;
 }
 
 void DictionaryView::keepRows()
@@ -251,7 +292,9 @@ void DictionaryView::showRows()
 {
     std::vector<ObjectRow> rows;
     if (m_node) {
-        const Known &its = known();
+        Known &its = known();
+        if (isDescribedAnew())
+            describeKnown(its);
         rows = objectRows(its.file, its.comparedWith ? &*its.comparedWith : nullptr, wanted());
         takeAnswers(rows, its.rows);
     }
@@ -298,11 +341,19 @@ void DictionaryView::showSource()
         return;
     }
     const Known &its = known();
-    m_source->setText(its.path.isEmpty() ? tr("CiA 301 and CiA 406") : QFileInfo(its.path).fileName());
-    m_source->setToolTip(
-        its.path.isEmpty()
-            ? tr("No device has all of these objects. A file of the maker has those of the device")
-            : its.path);
+    const QString standards = tr("CiA 301 and CiA 406");
+    const QString manyTip =
+        tr("No device has all of these objects. A file of the maker has those of the device");
+    if (its.isRead) {
+        m_source->setText(QFileInfo(its.path).fileName());
+        m_source->setToolTip(its.path);
+    } else if (const DeviceDescription *device = description(); device != nullptr && !device->isGeneric()) {
+        m_source->setText(device->fullName());
+        m_source->setToolTip(sentence(tr("%1, and what the description has: %2"), {standards, manyTip}));
+    } else {
+        m_source->setText(standards);
+        m_source->setToolTip(manyTip);
+    }
 }
 
 void DictionaryView::showCounts()

@@ -19,12 +19,22 @@ class QToolBar;
 
 namespace codewheel {
 
+struct DeviceDescription;
 class CanopenSession;
 class InlineMessage;
 class LogTable;
 class ObjectFilter;
 class ObjectTransfers;
 class ObjectWriteBar;
+
+// What the project has of the objects of nodes, by node.
+struct PlannedObjects
+{
+    std::map<int, std::vector<canopen::WantedObject>> wanted{};
+    std::map<int, QString> files{}; // of each node that it has; empty: none
+
+    friend bool operator==(const PlannedObjects &, const PlannedObjects &) = default;
+};
 
 // All objects of the chosen node, as a file of its maker has them, or else CiA 301 and CiA 406: they are
 // read, compared with a file, written one by one, and kept as a DCF.
@@ -39,20 +49,25 @@ public:
     void setBus(codewheel::CanopenSession *bus); // null: none
     void setNode(std::optional<int> node);       // that of the chosen encoder
     void setRecordingChosen(bool isChosen);      // then nothing is sent
-    using WantedByNode = std::map<int, std::vector<canopen::WantedObject>>;
-    void setWanted(WantedByNode wanted); // by the project
+    void setPlanned(PlannedObjects planned);
 
     // Report on the spot what went wrong.
     bool openFile(const QString &path);
     bool compareWith(const QString &path);
     bool exportTo(const QString &path);
 
+Q_SIGNALS:
+    void fileChosen(int node, const QString &path);
+
 private:
     // What is known of a node.
     struct Known
     {
         canopen::DeviceFile file{};
-        QString path{}; // empty: the standards have it
+        QString path{};      // empty: its description and the standards have it
+        bool isRead = false; // `file` is that at `path`
+        QString whyNot{};    // why not; empty: it was not tried
+        QString deviceKey{}; // the description that has it
         std::vector<ObjectRow> rows{};
         std::optional<canopen::DeviceFile> comparedWith{};
         QString comparedPath{};
@@ -62,6 +77,11 @@ private:
     void makeTable();
     QWidget *makeFilter();
     Known &known();
+    void describeKnown(Known &its) const;
+    void readKnownFile(Known &its);
+    void followDescription();
+    bool isDescribedAnew();
+    const DeviceDescription *description() const;             // null: not known
     const std::vector<canopen::WantedObject> &wanted() const; // of the node
     void keepRows();
     void showRows();
@@ -80,7 +100,6 @@ private:
     void beginReading(const std::vector<canopen::SdoObject> &objects);
     void takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome);
     std::optional<canopen::DeviceFile> fileAt(const QString &path);
-    void tellFault(const QString &path, const canopen::EdsNote &why);
     canopen::DeviceFile fileNow();
     void tellProject();
     void compareAgain();
@@ -93,7 +112,7 @@ private:
     bool m_isRecordingChosen = false;
     std::optional<int> m_node;
     std::map<int, Known> m_known; // by node
-    WantedByNode m_wanted;
+    PlannedObjects m_planned;
     std::size_t m_reading = 0; // objects that are to be read
     ObjectModel *m_rows;
     ObjectFilter *m_filter;

@@ -31,7 +31,7 @@ protected:
 TEST_F(ObjectsCompared, WhatTheProjectWantsStandsBesideWhatWasRead)
 {
     EXPECT_TRUE(table->isColumnHidden(ObjectModel::project));
-    view.setWanted({{6, {WantedObject{{0x6001, 0}, {std::int64_t{4096}}, 0}}}});
+    view.setPlanned({.wanted = {{6, {WantedObject{{0x6001, 0}, {std::int64_t{4096}}, 0}}}}});
     EXPECT_FALSE(table->isColumnHidden(ObjectModel::project));
     EXPECT_EQ(cell(rowOf("6001h:0"), ObjectModel::project), QStringLiteral("00001000h = 4096"));
     EXPECT_EQ(cell(rowOf("6002h:0"), ObjectModel::project), QString());
@@ -45,10 +45,10 @@ TEST_F(ObjectsCompared, WhatTheProjectWantsStandsBesideWhatWasRead)
 
 TEST_F(ObjectsCompared, WhatDiffersFromTheProjectIsListed)
 {
-    view.setWanted({{6,
-                     {WantedObject{{0x6000, 0}, {std::int64_t{1}}, 1},
-                      WantedObject{{0x6001, 0}, {std::int64_t{4096}}, 0},
-                      WantedObject{{0x6002, 0}, {std::int64_t{1}}, 0}}}});
+    view.setPlanned({.wanted = {{6,
+                                 {WantedObject{{0x6000, 0}, {std::int64_t{1}}, 1},
+                                  WantedObject{{0x6001, 0}, {std::int64_t{4096}}, 0},
+                                  WantedObject{{0x6002, 0}, {std::int64_t{1}}, 0}}}}});
     read("6001h:0");
     ASSERT_TRUE(action("Differences")->isEnabled());
     action("Differences")->trigger();
@@ -60,7 +60,7 @@ TEST_F(ObjectsCompared, WhatDiffersFromTheProjectIsListed)
 
 TEST_F(ObjectsCompared, OfBitsOnlyThoseThatAreWantedCount)
 {
-    view.setWanted({{6, {WantedObject{{0x6000, 0}, {std::int64_t{4}}, 4}}}});
+    view.setPlanned({.wanted = {{6, {WantedObject{{0x6000, 0}, {std::int64_t{4}}, 4}}}}});
     EXPECT_EQ(cell(rowOf("6000h:0"), ObjectModel::project), QStringLiteral("bit 2 = 1"));
     read("6000h:0");
     const bool isScaled = (cell(rowOf("6000h:0"), ObjectModel::value).section(u'=', 1).toInt() & 4) != 0;
@@ -71,7 +71,7 @@ TEST_F(ObjectsCompared, OfBitsOnlyThoseThatAreWantedCount)
 TEST_F(ObjectsCompared, WithNothingToCompareWithThereAreNoDifferences)
 {
     EXPECT_FALSE(action("Differences")->isEnabled());
-    view.setWanted({{6, {WantedObject{{0x6001, 0}, {std::int64_t{4096}}, 0}}}});
+    view.setPlanned({.wanted = {{6, {WantedObject{{0x6001, 0}, {std::int64_t{4096}}, 0}}}}});
     action("Differences")->trigger();
     view.setNode(5);
     EXPECT_FALSE(action("Differences")->isChecked());
@@ -81,7 +81,7 @@ TEST_F(ObjectsCompared, WithNothingToCompareWithThereAreNoDifferences)
 TEST_F(ObjectsCompared, WhatOnlyTheProjectWantsIsARowThatIsNotWritten)
 {
     ASSERT_TRUE(view.openFile(fileOf(test::rotorFile)));
-    view.setWanted({{6, {WantedObject{{0x6002, 0}, {std::int64_t{4096}}, 0}}}});
+    view.setPlanned({.wanted = {{6, {WantedObject{{0x6002, 0}, {std::int64_t{4096}}, 0}}}}});
     ASSERT_EQ(table->model()->rowCount(), 6);
     EXPECT_EQ(cell(rowOf("6002h:0"), ObjectModel::project), QStringLiteral("1000h = 4096"));
     choose("6002h:0");
