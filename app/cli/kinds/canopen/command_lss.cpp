@@ -8,6 +8,9 @@
 #include "cli/encoder/jobs.h"
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/canopen/object_argument.h"
+#include "kinds/canopen/protocol/lss_rates.h"
+#include "kinds/canopen/protocol/lss_selection.h"
+#include "kinds/canopen/setup/identity_reading.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/serial_number_text.h"
@@ -20,6 +23,7 @@ namespace {
 
 using canopen::LssOutcome;
 using canopen::LssRequest;
+using canopen::LssSelection;
 using canopen::NodeIdentity;
 
 constexpr const char *lssExamples[] = {"lss scan --link canopen:training", "lss node 9 --yes",
@@ -39,16 +43,6 @@ constexpr std::array lssOptions{
     ledgerOption,
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "send it without asking")},
 };
-
-// The places in table 0 of CiA 305; 5 is reserved.
-constexpr std::array<std::pair<int, int>, 8> lssRates{{{1'000'000, 0},
-                                                       {800'000, 1},
-                                                       {500'000, 2},
-                                                       {250'000, 3},
-                                                       {125'000, 4},
-                                                       {50'000, 6},
-                                                       {20'000, 7},
-                                                       {10'000, 8}}};
 
 Complaint lssComplaint(const char *key, const QString &text)
 {
@@ -150,8 +144,9 @@ public:
 
 private:
     Checked<LssOutcome> ask(const LssRequest &request, CanopenAccess::WhenStopped stopped);
-    Checked<LssOutcome> selectOne();
-    Checked<LssOutcome> selectNode(const QString &typed);
+    LssSelection::By way() const;
+    Complaint aboutTrouble(LssSelection::Trouble trouble) const;
+    Checked<void> readWanted(const QString &typed);
     Checked<NodeIdentity> identityAt(const NodeMeant &where);
 
     const Call &m_call;
@@ -174,88 +169,81 @@ Checked<LssOutcome> SelectedDevice::ask(const LssRequest &request, CanopenAccess
     return outcome;
 }
 
+LssSelection::By SelectedDevice::way() const
+{
+    return m_call.arguments.has("--alone") ? LssSelection::By::alone
+           : m_wanted                      ? LssSelection::By::identity
+                                           : LssSelection::By::fastScan;
+}
+
+Complaint SelectedDevice::aboutTrouble(LssSelection::Trouble trouble) const
+{
+    using Trouble = LssSelection::Trouble;
+    switch (trouble) {
+    case Trouble::notSent:
+        return aboutLssOutcome({.kind = LssOutcome::Kind::notSent});
+    case Trouble::nobody:
+        return aboutNoLssDevice(m_call);
+    case Trouble::notTold:
+        return lssComplaint("lssIdentityNotTold",
+                            CommandLine::tr("The device was selected, and then does not tell "
+                                            "its identity and number, without which nothing is "
+                                            "written."));
+    case Trouble::isOther:
+        return aboutOtherByLss();
+    case Trouble::several:
+        return aboutSeveralByLss();
+    }
+    Q_UNREACHABLE();
+}
+
 Checked<void> SelectedDevice::select()
 {
+    if (const auto of = m_call.arguments.value("--of"); of && !m_wanted)
+        if (const auto read = readWanted(*of); !read)
+            return read;
     m_isSelected = true;
-    // Whom somebody else has left in configuration would take what is meant for this one.
-    if (const auto others = ask({.kind = LssRequest::Kind::operateAll}); !others)
-        return tl::unexpected(others.error());
-    m_extraAnswers = 0;
-    const auto found = selectOne();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (found->kind == LssOutcome::Kind::notSent)
-        return tl::unexpected(aboutLssOutcome(*found));
-    if (found->kind != LssOutcome::Kind::done)
-        return tl::unexpected(aboutNoLssDevice(m_call));
-    const auto identity = ask({.kind = LssRequest::Kind::inquireIdentity});
-    if (!identity)
-        return tl::unexpected(identity.error());
-    const auto node = ask({.kind = LssRequest::Kind::inquireNode});
-    if (!node)
-        return tl::unexpected(node.error());
-    const bool isTold = identity->kind == LssOutcome::Kind::done && node->kind == LssOutcome::Kind::done;
-    if (!isTold && m_call.arguments.has("--alone"))
-        return tl::unexpected(aboutNoLssDevice(m_call));
-    if (!isTold)
-        return tl::unexpected(lssComplaint(
-            "lssIdentityNotTold", CommandLine::tr("The device was selected, and then does not tell "
-                                                  "its identity and number, without which nothing is "
-                                                  "written.")));
-    if (m_wanted.value_or(identity->identity) != identity->identity)
-        return tl::unexpected(aboutOtherByLss());
-    if (hasOthers())
-        return tl::unexpected(aboutSeveralByLss());
-    m_wanted = m_identity = identity->identity;
-    m_node = node->node;
+    LssSelection selection(way(), m_wanted);
+    while (const auto request = selection.next()) {
+        const auto outcome = ask(*request);
+        if (!outcome)
+            return tl::unexpected(outcome.error());
+        selection.take(*outcome);
+    }
+    if (selection.trouble())
+        return tl::unexpected(aboutTrouble(*selection.trouble()));
+    m_extraAnswers = 0; // those were of before
+    m_wanted = m_identity = selection.identity();
+    m_node = selection.node();
     return {};
 }
 
-Checked<LssOutcome> SelectedDevice::selectOne()
-{
-    if (m_call.arguments.has("--alone"))
-        return ask({.kind = LssRequest::Kind::configureAll});
-    if (m_wanted)
-        return ask({.kind = LssRequest::Kind::select, .identity = *m_wanted});
-    if (const auto of = m_call.arguments.value("--of"))
-        return selectNode(*of);
-    return ask({.kind = LssRequest::Kind::fastScan}).map([this](const LssOutcome &found) {
-        m_wanted = found.identity;
-        return found;
-    });
-}
-
-// By its identity, as the node itself tells it.
-Checked<LssOutcome> SelectedDevice::selectNode(const QString &typed)
+// Its identity, as the node itself tells it.
+Checked<void> SelectedDevice::readWanted(const QString &typed)
 {
     const auto where = nodeMeant(m_call, typed);
     if (!where)
         return tl::unexpected(where.error());
     m_place = where->place;
     m_of = where->node();
-    return identityAt(*where).and_then([this](const NodeIdentity &identity) {
-        m_wanted = identity;
-        return ask({.kind = LssRequest::Kind::select, .identity = identity});
-    });
+    return identityAt(*where).map([this](const NodeIdentity &identity) { m_wanted = identity; });
 }
 
 Checked<NodeIdentity> SelectedDevice::identityAt(const NodeMeant &where)
 {
-    constexpr std::uint16_t identityObject = 0x1018;
-    NodeIdentity identity;
-    for (std::uint8_t sub = 1; sub <= NodeIdentity::size; ++sub) {
-        const auto told = m_bus.transfer({.node = where.node(), .object = {identityObject, sub}});
+    canopen::IdentityReading reading(where.node());
+    while (const auto request = reading.next()) {
+        const auto told = m_bus.transfer(*request);
         if (!told)
             return tl::unexpected(told.error());
-        if (told->kind != canopen::SdoOutcome::Kind::read)
-            return tl::unexpected(
-                lssComplaint("identityNotRead",
-                             sentence(CommandLine::tr("Node %1 does not tell its whole identity (1018h), "
-                                                      "without which it cannot be selected."),
-                                      {CanopenAddress{where.node()}.shown()})));
-        identity.words.at(sub - 1U) = canopen::numberOf(told->value);
+        reading.answered(*told);
     }
-    return identity;
+    if (reading.result() == canopen::IdentityReading::Result::read)
+        return reading.identity();
+    return tl::unexpected(lssComplaint(
+        "identityNotRead", sentence(CommandLine::tr("Node %1 does not tell its whole identity (1018h), "
+                                                    "without which it cannot be selected."),
+                                    {CanopenAddress{where.node()}.shown()})));
 }
 
 bool SelectedDevice::isStillThere()
@@ -486,13 +474,13 @@ Checked<Answer> lssNode(const Call &call, CanopenAccess &bus)
 Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
 {
     const auto rate = parseNumber(call.arguments.rest.value(1));
-    const auto row = std::ranges::find(lssRates, rate.value_or(0), &std::pair<int, int>::first);
-    if (row == lssRates.end())
+    const canopen::LssRate *row = canopen::lssRate(rate.value_or(0));
+    if (row == nullptr)
         return badInput(QStringLiteral("lssRateWrong"),
                         CommandLine::tr("\"%1\" is not a rate of CiA 305. Give one of these, in Bd: %2."),
-                        {call.arguments.rest.value(1), listed(lssRates, [](const std::pair<int, int> &one) {
-                             return QString::number(one.first);
-                         })});
+                        {call.arguments.rest.value(1),
+                         listed(canopen::lssRates,
+                                [](const canopen::LssRate &one) { return QString::number(one.rate); })});
     const bool activates = call.arguments.has("--activate");
     if (activates && !call.arguments.has("--alone"))
         return badInput(
@@ -506,9 +494,9 @@ Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
                             "that of a serial adapter. Store the rate (codewheel-cli lss store), "
                             "switch the supply of the device off and on, and set the rate of the "
                             "interface."));
-    return writeByLss(call, bus, {.kind = LssRequest::Kind::setRate, .number = row->second},
-                      sentence(CommandLine::tr("Give it the rate %1 Bd?"), {QString::number(row->first)}),
-                      activates ? row->first : 0);
+    return writeByLss(call, bus, {.kind = LssRequest::Kind::setRate, .number = row->place},
+                      sentence(CommandLine::tr("Give it the rate %1 Bd?"), {QString::number(row->rate)}),
+                      activates ? row->rate : 0);
 }
 
 Checked<Answer> lssStore(const Call &call, CanopenAccess &bus)
