@@ -5296,6 +5296,24 @@
     </message>
 </context>
 <context>
+    <name>codewheel::AskedBusActions</name>
+    <message>
+        <source>Start a&amp;fresh</source>
+        <translation>Neu b&amp;eginnen</translation>
+    </message>
+    <message>
+        <source>reset, factory settings, no faults</source>
+        <translation>zurücksetzen, Werkseinstellungen, keine Störungen, keine Fehler, Reset</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::AskedBusKeeper</name>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::BarView</name>
     <message>
         <source>%1 bar</source>
@@ -6885,14 +6903,6 @@
         <translation>CANopen, simuliert</translation>
     </message>
     <message>
-        <source>Start a&amp;fresh</source>
-        <translation>Neu b&amp;eginnen</translation>
-    </message>
-    <message>
-        <source>reset, factory settings, no faults</source>
-        <translation>zurücksetzen, Werkseinstellungen, keine Fehler</translation>
-    </message>
-    <message>
         <source>&amp;Disconnect the CAN bus</source>
         <translation>CAN-Bus t&amp;rennen</translation>
     </message>
@@ -7380,10 +7390,6 @@
     <message>
         <source>Encoders of the CAN bus</source>
         <translation>Geber des CAN-Busses</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
     </message>
 </context>
 <context>
@@ -13650,14 +13656,6 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
         <source>serial port, adapter, baud rate</source>
         <translation>serieller Anschluss, Adapter, Baudrate</translation>
     </message>
-    <message>
-        <source>Start a&amp;fresh</source>
-        <translation>Neu b&amp;eginnen</translation>
-    </message>
-    <message>
-        <source>reset, factory settings, no faults</source>
-        <translation>zurücksetzen, Werkseinstellungen, keine Störungen, Reset</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::EscLineCheck</name>
@@ -13999,10 +13997,6 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     <message>
         <source>Encoders of the serial line</source>
         <translation>Geber der seriellen Leitung</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
     </message>
     <message>
         <source>Address of %1 to %2</source>

@@ -7,6 +7,7 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "jobs/job_report.h"
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -16,6 +17,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace codewheel {
 namespace {
@@ -53,29 +55,21 @@ const Freshness *freshnessOf(const EncoderBus &bus, NodeId node)
     return channel != nullptr ? &channel->freshness() : nullptr;
 }
 
+constexpr auto stateNames = std::to_array<TextOf<EncoderState>>({
+    {EncoderState::notSeen, QT_TRANSLATE_NOOP("codewheel::DataCheck", "not seen")},
+    {EncoderState::operation, QT_TRANSLATE_NOOP("codewheel::DataCheck", "operation")},
+    {EncoderState::parameterization, QT_TRANSLATE_NOOP("codewheel::DataCheck", "parameterization")},
+    {EncoderState::readOut, QT_TRANSLATE_NOOP("codewheel::DataCheck", "self test or read-out")},
+    {EncoderState::service, QT_TRANSLATE_NOOP("codewheel::DataCheck", "service mode")},
+    {EncoderState::error, QT_TRANSLATE_NOOP("codewheel::DataCheck", "error")},
+    {EncoderState::waiting, QT_TRANSLATE_NOOP("codewheel::DataCheck", "waiting")},
+    {EncoderState::silent, QT_TRANSLATE_NOOP("codewheel::DataCheck", "silent")},
+});
+
 QString stateName(const EncoderSession &encoder)
 {
-    switch (encoder.latest().state) {
-    case EncoderState::notSeen:
-        return DataCheckText::tr("not seen");
-    case EncoderState::operation:
-        return DataCheckText::tr("operation");
-    case EncoderState::parameterization:
-        return DataCheckText::tr("parameterization");
-    case EncoderState::readOut:
-        return DataCheckText::tr("self test or read-out");
-    case EncoderState::service:
-        return DataCheckText::tr("service mode");
-    case EncoderState::error:
-        return DataCheckText::tr("error");
-    case EncoderState::waiting:
-        return DataCheckText::tr("waiting");
-    case EncoderState::silent:
-        return DataCheckText::tr("silent");
-    case EncoderState::unknown:
-        break;
-    }
-    return DataCheckText::tr("unknown");
+    return DataCheckText::tr(
+        textFor(stateNames, encoder.latest().state, QT_TRANSLATE_NOOP("codewheel::DataCheck", "unknown")));
 }
 
 QString stateRemedy(const EncoderSession &encoder)

@@ -4,6 +4,7 @@
 #include "catalog/total_range.h"
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -13,6 +14,21 @@
 
 namespace codewheel {
 namespace {
+
+constexpr auto noteKeys = std::to_array<TextOf<ValueNote::Id>>({
+    {ValueNote::Id::revolutionsSetAlong, "revolutionsSetAlong"},
+    {ValueNote::Id::rangeJumps, "rangeJumps"},
+    {ValueNote::Id::revolutionsJump, "revolutionsJump"},
+    {ValueNote::Id::fractionJumps, "fractionJumps"},
+    {ValueNote::Id::presetNeeded, "presetNeeded"},
+    {ValueNote::Id::scalingOff, "scalingOff"},
+    {ValueNote::Id::scalingUnknown, "scalingUnknown"},
+    {ValueNote::Id::offsetLeftOut, "offsetLeftOut"},
+    {ValueNote::Id::positionShifts, "positionShifts"},
+    {ValueNote::Id::positionShiftsAbout, "positionShiftsAbout"},
+    {ValueNote::Id::presetUsedUp, "presetUsedUp"},
+    {ValueNote::Id::presetMayBeUsedUp, "presetMayBeUsedUp"},
+});
 
 void noteWhatIsSetAlong(const DeviceDescription &device, const ParameterValues &written,
                         const ParameterValues &known, std::vector<ValueNote> &notes)
@@ -239,33 +255,7 @@ QString forceLabel(const ValueNote &note)
 
 QString noteKey(ValueNote::Id id)
 {
-    switch (id) {
-    case ValueNote::Id::revolutionsSetAlong:
-        return QStringLiteral("revolutionsSetAlong");
-    case ValueNote::Id::rangeJumps:
-        return QStringLiteral("rangeJumps");
-    case ValueNote::Id::revolutionsJump:
-        return QStringLiteral("revolutionsJump");
-    case ValueNote::Id::fractionJumps:
-        return QStringLiteral("fractionJumps");
-    case ValueNote::Id::presetNeeded:
-        return QStringLiteral("presetNeeded");
-    case ValueNote::Id::scalingOff:
-        return QStringLiteral("scalingOff");
-    case ValueNote::Id::scalingUnknown:
-        return QStringLiteral("scalingUnknown");
-    case ValueNote::Id::offsetLeftOut:
-        return QStringLiteral("offsetLeftOut");
-    case ValueNote::Id::positionShifts:
-        return QStringLiteral("positionShifts");
-    case ValueNote::Id::positionShiftsAbout:
-        return QStringLiteral("positionShiftsAbout");
-    case ValueNote::Id::presetUsedUp:
-        return QStringLiteral("presetUsedUp");
-    case ValueNote::Id::presetMayBeUsedUp:
-        return QStringLiteral("presetMayBeUsedUp");
-    }
-    return {};
+    return QString::fromLatin1(textFor(noteKeys, id, ""));
 }
 
 } // namespace codewheel

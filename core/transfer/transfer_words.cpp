@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
 #include "jobs/job_report.h"
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/known_words.h"
 #include "vocabulary/mode_text.h"
@@ -14,6 +15,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 
 namespace codewheel::transfer_words {
 namespace {
@@ -24,27 +26,22 @@ struct TransferWords
     Q_DECLARE_TR_FUNCTIONS(codewheel::TransferWords)
 };
 
+constexpr auto becameTexts = std::to_array<TextOf<Became>>({
+    {Became::written, QT_TRANSLATE_NOOP("codewheel::TransferWords", "Written")},
+    {Became::alreadyThere, QT_TRANSLATE_NOOP("codewheel::TransferWords", "Already there")},
+    {Became::stored, QT_TRANSLATE_NOOP("codewheel::TransferWords", "In force before, and stored now")},
+    {Became::restored, QT_TRANSLATE_NOOP("codewheel::TransferWords", "Earlier value restored")},
+    {Became::confirmed,
+     QT_TRANSLATE_NOOP("codewheel::TransferWords", "Accepted, but not valid until run is sent")},
+    {Became::notActive, QT_TRANSLATE_NOOP("codewheel::TransferWords", "Acknowledged, not active")},
+    {Became::unknown,
+     QT_TRANSLATE_NOOP("codewheel::TransferWords", "Sent: it is not known whether the encoder has it")},
+});
+
 QString text(Became became)
 {
-    switch (became) {
-    case Became::written:
-        return TransferWords::tr("Written");
-    case Became::alreadyThere:
-        return TransferWords::tr("Already there");
-    case Became::stored:
-        return TransferWords::tr("In force before, and stored now");
-    case Became::restored:
-        return TransferWords::tr("Earlier value restored");
-    case Became::confirmed:
-        return TransferWords::tr("Accepted, but not valid until run is sent");
-    case Became::notActive:
-        return TransferWords::tr("Acknowledged, not active");
-    case Became::unknown:
-        return TransferWords::tr("Sent: it is not known whether the encoder has it");
-    case Became::notDone:
-        break;
-    }
-    return TransferWords::tr("Not done");
+    return TransferWords::tr(
+        textFor(becameTexts, became, QT_TRANSLATE_NOOP("codewheel::TransferWords", "Not done")));
 }
 
 // After its state.
@@ -96,28 +93,27 @@ QString known(const DeviceDescription *device, Parameter parameter, const std::o
     return QStringLiteral("%1 (%2)").arg(value(device, {parameter, known->value}), known_words::word(known));
 }
 
+constexpr auto leftInTexts = std::to_array<TextOf<EncoderState>>({
+    {EncoderState::operation, QT_TRANSLATE_NOOP("codewheel::TransferWords", "in operation")},
+    {EncoderState::parameterization,
+     QT_TRANSLATE_NOOP("codewheel::TransferWords",
+                       "in parameterization: it gives no position until run is sent")},
+    {EncoderState::error,
+     QT_TRANSLATE_NOOP("codewheel::TransferWords", "in the error state: it gives no valid position")},
+    {EncoderState::readOut, QT_TRANSLATE_NOOP("codewheel::TransferWords", "still showing a read-out value")},
+    {EncoderState::service,
+     QT_TRANSLATE_NOOP("codewheel::TransferWords",
+                       "in service mode: it gives no position until the service bit is 0")},
+    {EncoderState::waiting,
+     QT_TRANSLATE_NOOP("codewheel::TransferWords",
+                       "waiting for its parameters or to be started: it gives no position")},
+    {EncoderState::silent, QT_TRANSLATE_NOOP("codewheel::TransferWords", "silent: it does not answer")},
+});
+
 QString leftIn(EncoderState state)
 {
-    switch (state) {
-    case EncoderState::operation:
-        return TransferWords::tr("in operation");
-    case EncoderState::parameterization:
-        return TransferWords::tr("in parameterization: it gives no position until run is sent");
-    case EncoderState::error:
-        return TransferWords::tr("in the error state: it gives no valid position");
-    case EncoderState::readOut:
-        return TransferWords::tr("still showing a read-out value");
-    case EncoderState::service:
-        return TransferWords::tr("in service mode: it gives no position until the service bit is 0");
-    case EncoderState::waiting:
-        return TransferWords::tr("waiting for its parameters or to be started: it gives no position");
-    case EncoderState::silent:
-        return TransferWords::tr("silent: it does not answer");
-    case EncoderState::notSeen:
-    case EncoderState::unknown:
-        break;
-    }
-    return TransferWords::tr("not known");
+    return TransferWords::tr(
+        textFor(leftInTexts, state, QT_TRANSLATE_NOOP("codewheel::TransferWords", "not known")));
 }
 
 QString leftIn(const EncoderAccount &account)

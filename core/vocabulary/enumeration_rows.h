@@ -46,4 +46,14 @@ constexpr const auto &rowOf(const Rows &rows, Id id)
     return rows.at(static_cast<std::size_t>(id));
 }
 
+// Of a table that has rows for some values only.
+template <typename Rows, typename Id>
+constexpr const char *textFor(const Rows &rows, Id id, const char *otherwise)
+{
+    for (const auto &row : rows)
+        if (row.id == id)
+            return row.text;
+    return otherwise;
+}
+
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/freshness_text.h"
 
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/local_time.h"
 
 #include <QCoreApplication>
@@ -9,6 +10,7 @@
 #include <QTimeZone>
 
 #include <algorithm>
+#include <array>
 
 namespace codewheel {
 namespace {
@@ -18,6 +20,41 @@ struct FreshnessText
 {
     Q_DECLARE_TR_FUNCTIONS(Freshness)
 };
+
+using Reason = Freshness::Reason;
+
+struct FreshnessRow
+{
+    Reason reason;
+    const char *text;
+    const char *brief; // empty also where it has a comment for translators
+};
+constexpr auto freshnessRows = std::to_array<FreshnessRow>({
+    {Reason::none, "", ""},
+    {Reason::notSeen, QT_TRANSLATE_NOOP("Freshness", "Nothing has come from the encoder yet."),
+     QT_TRANSLATE_NOOP("Freshness", "Nothing yet")},
+    {Reason::disconnected, QT_TRANSLATE_NOOP("Freshness", "Not connected."),
+     QT_TRANSLATE_NOOP("Freshness", "Not connected")},
+    {Reason::linkLost, QT_TRANSLATE_NOOP("Freshness", "The link is lost."),
+     QT_TRANSLATE_NOOP("Freshness", "Link lost")},
+    {Reason::stopped, QT_TRANSLATE_NOOP("Freshness", "The bus does not run."),
+     QT_TRANSLATE_NOOP("Freshness", "Bus stopped")},
+    {Reason::notOnBus, QT_TRANSLATE_NOOP("Freshness", "The device is not on the bus."),
+     QT_TRANSLATE_NOOP("Freshness", "Not on the bus")},
+    {Reason::unsettled, QT_TRANSLATE_NOOP("Freshness", "No two reads of its word agree."), ""},
+    {Reason::silent, QT_TRANSLATE_NOOP("Freshness", "The encoder does not answer."),
+     QT_TRANSLATE_NOOP("Freshness", "No answer")},
+    {Reason::notAsked,
+     QT_TRANSLATE_NOOP("Freshness", "The encoder is not being asked: something else keeps the line busy."),
+     QT_TRANSLATE_NOOP("Freshness", "Not asked")},
+    {Reason::slept, QT_TRANSLATE_NOOP("Freshness", "The computer has slept since."),
+     QT_TRANSLATE_NOOP("Freshness", "Computer slept")},
+    {Reason::recorded, QT_TRANSLATE_NOOP("Freshness", "This is a recording."),
+     QT_TRANSLATE_NOOP("Freshness", "Recording")},
+    {Reason::notRecorded, QT_TRANSLATE_NOOP("Freshness", "Of this time nothing is recorded."),
+     QT_TRANSLATE_NOOP("Freshness", "Not recorded")},
+});
+static_assert(areInOrder(freshnessRows, &FreshnessRow::reason, Reason::notRecorded));
 
 constexpr qint64 minute = 60;
 constexpr qint64 hour = 60 * minute;
@@ -60,64 +97,16 @@ QString unchangedText(const QDateTime &since, const QDateTime &now)
 
 QString freshnessText(Freshness::Reason reason)
 {
-    switch (reason) {
-    case Freshness::Reason::none:
-        break;
-    case Freshness::Reason::notSeen:
-        return FreshnessText::tr("Nothing has come from the encoder yet.");
-    case Freshness::Reason::disconnected:
-        return FreshnessText::tr("Not connected.");
-    case Freshness::Reason::linkLost:
-        return FreshnessText::tr("The link is lost.");
-    case Freshness::Reason::stopped:
-        return FreshnessText::tr("The bus does not run.");
-    case Freshness::Reason::notOnBus:
-        return FreshnessText::tr("The device is not on the bus.");
-    case Freshness::Reason::unsettled:
-        return FreshnessText::tr("No two reads of its word agree.");
-    case Freshness::Reason::silent:
-        return FreshnessText::tr("The encoder does not answer.");
-    case Freshness::Reason::notAsked:
-        return FreshnessText::tr("The encoder is not being asked: something else keeps the line busy.");
-    case Freshness::Reason::slept:
-        return FreshnessText::tr("The computer has slept since.");
-    case Freshness::Reason::recorded:
-        return FreshnessText::tr("This is a recording.");
-    case Freshness::Reason::notRecorded:
-        return FreshnessText::tr("Of this time nothing is recorded.");
-    }
-    return {};
+    const char *text = rowOf(freshnessRows, reason).text;
+    return *text == '\0' ? QString() : FreshnessText::tr(text);
 }
 
 QString freshnessBrief(Freshness::Reason reason)
 {
-    switch (reason) {
-    case Freshness::Reason::none:
-        break;
-    case Freshness::Reason::notSeen:
-        return FreshnessText::tr("Nothing yet");
-    case Freshness::Reason::disconnected:
-        return FreshnessText::tr("Not connected");
-    case Freshness::Reason::linkLost:
-        return FreshnessText::tr("Link lost");
-    case Freshness::Reason::stopped:
-        return FreshnessText::tr("Bus stopped");
-    case Freshness::Reason::notOnBus:
-        return FreshnessText::tr("Not on the bus");
-    case Freshness::Reason::unsettled:
+    if (reason == Reason::unsettled)
         return FreshnessText::tr("Unsettled", "its word");
-    case Freshness::Reason::silent:
-        return FreshnessText::tr("No answer");
-    case Freshness::Reason::notAsked:
-        return FreshnessText::tr("Not asked");
-    case Freshness::Reason::slept:
-        return FreshnessText::tr("Computer slept");
-    case Freshness::Reason::recorded:
-        return FreshnessText::tr("Recording");
-    case Freshness::Reason::notRecorded:
-        return FreshnessText::tr("Not recorded");
-    }
-    return {};
+    const char *text = rowOf(freshnessRows, reason).brief;
+    return *text == '\0' ? QString() : FreshnessText::tr(text);
 }
 
 QString lastSeenText(Freshness::Reason reason, const QString &when)

@@ -85,6 +85,22 @@ constexpr auto wrongAnswerRows = std::to_array<KeyedText<WrongAnswer>>({
          "something on the line does not stop sending. Look for another master, or a faulty device.")},
 });
 
+constexpr auto exceptionRows = std::to_array<TextOf<int>>({
+    {0, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "0 is no exception code: its answer is faulty.")},
+    {1, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "it does not have this function.")},
+    {2, QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                          "it does not have these registers. Its image is shorter, or begins elsewhere.")},
+    {3, QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                          "it does not accept this value or this number of registers.")},
+    {4, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "it failed while carrying this out.")},
+    {5, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "it has accepted the request and needs longer for it.")},
+    {6, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "it is busy.")},
+    {8, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "its memory is damaged.")},
+    {10, QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
+                           "the gateway has no path to the unit. Check the unit number.")},
+    {11, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "the unit behind the gateway does not answer.")},
+});
+
 // A limit of the gateway shows nowhere else: the test of the connection writes nothing.
 QString whyRefused(int code, const std::optional<RegistersOfKey> &registers)
 {
@@ -119,31 +135,9 @@ QString registersText(const QString &key)
 
 QString exceptionText(int code)
 {
-    switch (code) {
-    case 0:
-        return GatewayTexts::tr("0 is no exception code: its answer is faulty.");
-    case 1:
-        return GatewayTexts::tr("it does not have this function.");
-    case 2:
-        return GatewayTexts::tr(
-            "it does not have these registers. Its image is shorter, or begins elsewhere.");
-    case 3:
-        return GatewayTexts::tr("it does not accept this value or this number of registers.");
-    case 4:
-        return GatewayTexts::tr("it failed while carrying this out.");
-    case 5:
-        return GatewayTexts::tr("it has accepted the request and needs longer for it.");
-    case 6:
-        return GatewayTexts::tr("it is busy.");
-    case 8:
-        return GatewayTexts::tr("its memory is damaged.");
-    case 10:
-        return GatewayTexts::tr("the gateway has no path to the unit. Check the unit number.");
-    case 11:
-        return GatewayTexts::tr("the unit behind the gateway does not answer.");
-    default:
-        return GatewayTexts::tr("this code is not in the standard.");
-    }
+    return GatewayTexts::tr(
+        textFor(exceptionRows, code,
+                QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "this code is not in the standard.")));
 }
 
 QString wrongAnswerKey(WrongAnswer what, std::initializer_list<int> numbers)
