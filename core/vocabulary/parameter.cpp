@@ -85,6 +85,29 @@ constexpr auto parameterRows = std::to_array<ParameterRow>({
      QT_TRANSLATE_NOOP("Parameter", "device code")},
 });
 
+// The number that begins at `at`, which moves behind it.
+std::uint64_t takeNumber(QStringView text, qsizetype &at)
+{
+    std::uint64_t number = 0;
+    for (; at < text.size() && text[at].isDigit(); ++at)
+        number = number * 10 + static_cast<unsigned>(text[at].digitValue());
+    return number;
+}
+
+// "register-9" before "register-10".
+std::strong_ordering inOrderOfNumbers(QStringView one, QStringView other)
+{
+    for (qsizetype i = 0, k = 0; i < one.size() && k < other.size();) {
+        const bool areNumbers = one[i].isDigit() && other[k].isDigit();
+        const auto order = areNumbers ? takeNumber(one, i) <=> takeNumber(other, k)
+                                      : one[i++].unicode() <=> other[k++].unicode();
+        if (std::is_neq(order))
+            return order;
+    }
+    const int rest = one.compare(other); // "01" and "1", or one begins the other
+    return rest <=> 0;
+}
+
 // What only some encoders have, named by their descriptions. Its ids follow those of the table.
 class NamedParameters
 {
@@ -94,8 +117,10 @@ public:
         const std::unique_lock lock(m_mutex);
         const auto found = std::ranges::find(m_rows, key, &Row::key);
         if (found == m_rows.end()) {
+            const std::size_t id = m_rows.size();
             m_rows.push_back({key.toString(), name, false});
-            return m_rows.size() - 1;
+            putInOrder(id);
+            return id;
         }
         found->hasSeveralNames |= !name.isEmpty() && !found->name.isEmpty() && found->name != name;
         if (found->name.isEmpty())
@@ -119,10 +144,11 @@ public:
         const Row &row = m_rows.at(id);
         return row.name.isEmpty() || row.hasSeveralNames ? row.key : row.name.toString();
     }
-    std::size_t count() const
+    // By their keys.
+    std::vector<std::size_t> inOrder() const
     {
         const std::shared_lock lock(m_mutex);
-        return m_rows.size();
+        return m_inOrder;
     }
 
 private:
@@ -133,37 +159,24 @@ private:
         bool hasSeveralNames = false;
     };
 
+    void putInOrder(std::size_t id)
+    {
+        const auto isBefore = [](QStringView one, QStringView other) {
+            return std::is_lt(inOrderOfNumbers(one, other));
+        };
+        const auto keyOf = [this](std::size_t row) { return QStringView(m_rows[row].key); };
+        m_inOrder.insert(std::ranges::upper_bound(m_inOrder, keyOf(id), isBefore, keyOf), id);
+    }
+
     mutable std::shared_mutex m_mutex;
     std::deque<Row> m_rows;
+    std::vector<std::size_t> m_inOrder;
 };
 
 NamedParameters &named()
 {
     static NamedParameters all;
     return all;
-}
-
-// The number that begins at `at`, which moves behind it.
-std::uint64_t takeNumber(QStringView text, qsizetype &at)
-{
-    std::uint64_t number = 0;
-    for (; at < text.size() && text[at].isDigit(); ++at)
-        number = number * 10 + static_cast<unsigned>(text[at].digitValue());
-    return number;
-}
-
-// "register-9" before "register-10".
-std::strong_ordering inOrderOfNumbers(QStringView one, QStringView other)
-{
-    for (qsizetype i = 0, k = 0; i < one.size() && k < other.size();) {
-        const bool areNumbers = one[i].isDigit() && other[k].isDigit();
-        const auto order = areNumbers ? takeNumber(one, i) <=> takeNumber(other, k)
-                                      : one[i++].unicode() <=> other[k++].unicode();
-        if (std::is_neq(order))
-            return order;
-    }
-    const int rest = one.compare(other); // "01" and "1", or one begins the other
-    return rest <=> 0;
 }
 
 } // namespace
@@ -233,9 +246,8 @@ std::vector<Parameter> commonParameters()
 std::vector<Parameter> allParameters()
 {
     std::vector<Parameter> all = commonParameters();
-    for (std::size_t id = 0, count = named().count(); id < count; ++id)
+    for (const std::size_t id : named().inOrder())
         all.push_back(ParameterRows::named(id));
-    std::ranges::sort(all);
     return all;
 }
 

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/bus_names.h"
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
-
-// The text up to the next "." or ":", which is removed with it.
-std::string_view takePart(std::string_view &text)
-{
-    const std::size_t end = text.find_first_of(".:");
-    const std::string_view part = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    return part;
-}
 
 struct BusNames
 {
@@ -32,20 +25,17 @@ QString NodeId::toString() const
     return QString::fromLatin1(text().data(), static_cast<qsizetype>(text().size()));
 }
 
-// Without leading zeros, the number with more digits is the greater.
+// Number by number, from where they differ. Without leading zeros, the number with more digits is the
+// greater.
 std::strong_ordering operator<=>(const NodeId &one, const NodeId &other)
 {
-    std::string_view left = one.text();
-    std::string_view right = other.text();
-    while (!left.empty() && !right.empty()) {
-        const std::string_view a = takePart(left);
-        const std::string_view b = takePart(right);
-        if (const auto order = a.size() <=> b.size(); order != 0) // NOLINT(modernize-use-nullptr)
-            return order;
-        if (const auto order = a <=> b; order != 0) // NOLINT(modernize-use-nullptr)
-            return order;
-    }
-    return left.size() <=> right.size();
+    const auto [left, right] = std::ranges::mismatch(one.m_text, other.m_text);
+    if (left == one.m_text.end())
+        return std::strong_ordering::equal;
+    const auto ends = [](char c) { return c == '.' || c == ':' || c == '\0'; };
+    const auto digitsLeft = std::find_if(left, one.m_text.end(), ends) - left;
+    const auto digitsRight = std::find_if(right, other.m_text.end(), ends) - right;
+    return digitsLeft == digitsRight ? *left <=> *right : digitsLeft <=> digitsRight;
 }
 
 QString Place::key() const
