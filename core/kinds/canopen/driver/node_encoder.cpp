@@ -52,20 +52,6 @@ bool isOfCams(SdoObject object)
     return object.index >= 0x6301 && object.index < 0x6338;
 }
 
-ObjectType typeOf(const DeviceDescription &device, SdoObject object)
-{
-    for (const ParameterDescription &its : device.parameters)
-        if (const CanopenReach *reach = canopenReach(its); reach != nullptr && reach->object == object)
-            return reach->type;
-    if (const auto row = std::ranges::find(typeRows, object, &TypeRow::object); row != typeRows.end())
-        return row->type;
-    if (isCamHysteresis(object))
-        return ObjectType::u16;
-    const bool isSigned = isCamLimit(object) || ((object == object::position || object == object::preset) &&
-                                                 canopenDevice(device).isLinear);
-    return isSigned ? ObjectType::i32 : ObjectType::u32;
-}
-
 } // namespace
 
 NodeEncoder::NodeEncoder(const DeviceDescription &description, int its, const NodeTimes &how)
@@ -75,6 +61,22 @@ NodeEncoder::NodeEncoder(const DeviceDescription &description, int its, const No
     , watch(its)
 {
     reading.coding = PositionCoding::binary;
+    for (const ParameterDescription &parameter : device.parameters)
+        if (const CanopenReach *reach = canopenReach(parameter))
+            m_describedTypes.emplace(keyOf(reach->object), reach->type);
+}
+
+ObjectType NodeEncoder::typeOf(SdoObject object) const
+{
+    if (const auto described = m_describedTypes.find(keyOf(object)); described != m_describedTypes.end())
+        return described->second;
+    if (const auto row = std::ranges::find(typeRows, object, &TypeRow::object); row != typeRows.end())
+        return row->type;
+    if (isCamHysteresis(object))
+        return ObjectType::u16;
+    const bool isSigned = isCamLimit(object) || ((object == object::position || object == object::preset) &&
+                                                 canopenDevice(device).isLinear);
+    return isSigned ? ObjectType::i32 : ObjectType::u32;
 }
 
 std::optional<NmtState> NodeEncoder::state() const
@@ -161,13 +163,13 @@ void NodeEncoder::fallSilent()
 
 Value NodeEncoder::valueOf(SdoObject object, Octets octets, bool isSizeTold) const
 {
-    return objectValue(typeOf(device, object), octets, isSizeTold);
+    return objectValue(typeOf(object), octets, isSizeTold);
 }
 
 std::size_t NodeEncoder::widthOf(SdoObject object) const
 {
     const auto told = m_widths.find(keyOf(object));
-    return told != m_widths.end() ? told->second : canopen::widthOf(typeOf(device, object));
+    return told != m_widths.end() ? told->second : canopen::widthOf(typeOf(object));
 }
 
 void NodeEncoder::take(SdoObject object, const SdoOutcome &answer, Instant now)
@@ -196,9 +198,9 @@ PdoType NodeEncoder::pdoType(SdoObject object) const
 {
     constexpr int bitsOfOctet = 8;
     const auto told = m_widths.find(keyOf(object));
-    return {isSigned(typeOf(device, object)),
-            told != m_widths.end() ? std::optional(static_cast<int>(told->second) * bitsOfOctet)
-                                   : std::nullopt};
+    return {isSigned(typeOf(object)), told != m_widths.end()
+                                          ? std::optional(static_cast<int>(told->second) * bitsOfOctet)
+                                          : std::nullopt};
 }
 
 void NodeEncoder::showBits(SdoObject object, std::int64_t bits)

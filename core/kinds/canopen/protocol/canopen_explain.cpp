@@ -14,6 +14,9 @@
 #include <QCoreApplication>
 #include <QDateTime>
 
+#include <array>
+#include <type_traits>
+
 namespace codewheel::canopen {
 namespace {
 
@@ -26,12 +29,37 @@ struct Context
     Mapped pdo{}; // null: its mapping is not known
 };
 
+// What is to be told of a frame with a short identifier: so little that a FrameText needs no memory beside
+// it. There are thousands of them in a second.
+class ToldFrame
+{
+public:
+    explicit ToldFrame(const CanFrame &frame)
+        : m_identifier(static_cast<std::uint16_t>(frame.id))
+        , m_isRemote(frame.isRemote)
+        , m_length(frame.length)
+        , m_bytes(frame.bytes)
+    {}
+
+    CanFrame frame() const
+    {
+        return {.id = m_identifier, .isRemote = m_isRemote, .length = m_length, .bytes = m_bytes};
+    }
+
+private:
+    std::uint16_t m_identifier;
+    bool m_isRemote;
+    std::uint8_t m_length;
+    std::array<std::uint8_t, CanFrame::mostBytes> m_bytes;
+};
+static_assert(sizeof(ToldFrame) <= 2 * sizeof(void *) && std::is_trivially_copyable_v<ToldFrame>);
+
 class FrameTexts
 {
     Q_DECLARE_TR_FUNCTIONS(CanopenFrame)
 
 public:
-    static QString of(const CobId &cob, const CanFrame &frame, const Context &context);
+    static QString of(const CanFrame &frame, const Context &context);
     static QString mapped(const PdoMappingsHeard::Pdo &pdo, const CanFrame &frame);
 
 private:
@@ -168,8 +196,9 @@ QString FrameTexts::ofAll(const CobId &cob, const CanFrame &frame)
     }
 }
 
-QString FrameTexts::of(const CobId &cob, const CanFrame &frame, const Context &context)
+QString FrameTexts::of(const CanFrame &frame, const Context &context)
 {
+    const CobId cob = CobId::of(frame.id).value_or(CobId());
     return cob.node == 0
                ? ofAll(cob, frame)
                : sentence(tr("Node %1: %2"), {QString::number(cob.node), ofNode(cob, frame, context)});
@@ -223,7 +252,10 @@ FrameMeaning frameMeaning()
             return [frame, pdo = std::move(context.pdo)] { return FrameTexts::mapped(*pdo, frame); };
         if (!cob)
             return nullptr;
-        return [cob = *cob, frame, context] { return FrameTexts::of(cob, frame, context); };
+        const ToldFrame told(frame);
+        if (context.segment)
+            return [told, context] { return FrameTexts::of(told.frame(), context); };
+        return [told] { return FrameTexts::of(told.frame(), {}); };
     };
 }
 

@@ -47,7 +47,9 @@ bool fits(const PdoEntry &entry, const PdoType &type)
 
 PdoMapping::PdoMapping(int number)
     : m_number(number)
-{}
+{
+    lookForMissing();
+}
 
 SdoObject PdoMapping::settingsObject(int sub) const
 {
@@ -59,18 +61,17 @@ SdoObject PdoMapping::mappingObject(int sub) const
     return {static_cast<std::uint16_t>(0x1A00 + m_number - 1), static_cast<std::uint8_t>(sub)};
 }
 
-std::vector<SdoObject> PdoMapping::missing() const
+void PdoMapping::lookForMissing()
 {
-    std::vector<SdoObject> wanted;
+    m_missing.clear();
     const auto want = [&](const SdoObject &object) {
         if (told(object) == nullptr)
-            wanted.push_back(object);
+            m_missing.push_back(object);
     };
     for (const int sub : {identifierSub, typeSub, inhibitSub, eventTimerSub})
         want(settingsObject(sub));
     for (int sub = 0; sub <= count(); ++sub)
         want(mappingObject(sub));
-    return wanted;
 }
 
 bool PdoMapping::take(const SdoObject &object, Octets value)
@@ -82,6 +83,7 @@ bool PdoMapping::take(const SdoObject &object, Octets value)
     m_told.push_back({object, octets.empty() ? std::nullopt : std::optional(numberOf(octets))});
     m_identifier = number(settingsObject(identifierSub));
     place();
+    lookForMissing();
     return true;
 }
 

@@ -49,10 +49,10 @@ public:
     bool holds(const SdoObject &object) const; // as far as it was read
 
     // What has not been told yet, to be read in this order; which entries there are follows from their count.
-    std::vector<SdoObject> missing() const;
+    const std::vector<SdoObject> &missing() const { return m_missing; }
     // Whether the object belongs to this PDO. One that the node does not have has no octets.
     bool take(const SdoObject &object, Octets value);
-    bool isRead() const { return missing().empty(); }
+    bool isRead() const { return m_missing.empty(); }
 
     // Without identifier and count there is no such PDO.
     bool isThere() const;
@@ -83,12 +83,14 @@ private:
     std::optional<std::uint32_t> number(const SdoObject &object) const;
     int count() const;
     void place();
+    void lookForMissing();
 
     int m_number;
     std::vector<Told> m_told{};
     std::optional<std::uint32_t> m_identifier{}; // with its bits
     std::vector<PdoEntry> m_entries{};
     bool m_hasAllEntries = false;
+    std::vector<SdoObject> m_missing{};
 };
 
 // When the PDO with an object comes, as its node told it.

@@ -43,18 +43,27 @@ void PdoMappingsHeard::take(int node, const SdoObject &object, Octets value)
     auto after = std::make_shared<Pdo>(**known); // what passed before keeps what was mapped then
     after->mapping.take(object, value);
     *known = std::move(after);
+    sortByIdentifier();
 }
 
 void PdoMappingsHeard::restarted(int node)
 {
     std::erase_if(m_pdos, [node](const auto &pdo) { return pdo->node == node; });
+    sortByIdentifier();
+}
+
+void PdoMappingsHeard::sortByIdentifier()
+{
+    m_byIdentifier.clear();
+    for (const auto &pdo : m_pdos)
+        if (!pdo->mapping.isOff())
+            m_byIdentifier.try_emplace(pdo->mapping.identifier(), pdo);
 }
 
 std::shared_ptr<const PdoMappingsHeard::Pdo> PdoMappingsHeard::of(const CanFrame &frame) const
 {
-    const auto found =
-        std::ranges::find_if(m_pdos, [&](const auto &pdo) { return pdo->mapping.isOf(frame); });
-    return found == m_pdos.end() ? nullptr : *found;
+    const auto found = m_byIdentifier.find(frame.id);
+    return found != m_byIdentifier.end() && found->second->mapping.isOf(frame) ? found->second : nullptr;
 }
 
 } // namespace codewheel::canopen

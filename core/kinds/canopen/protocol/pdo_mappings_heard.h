@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace codewheel::canopen {
@@ -30,9 +31,11 @@ public:
 
 private:
     void take(int node, const SdoObject &object, Octets value);
+    void sortByIdentifier();
 
     std::array<SdoFrame, lastNode + 1> m_asked{}; // last, of each node
     std::vector<std::shared_ptr<const Pdo>> m_pdos{};
+    std::unordered_map<std::uint32_t, std::shared_ptr<const Pdo>> m_byIdentifier{}; // that are sent
 };
 
 } // namespace codewheel::canopen
