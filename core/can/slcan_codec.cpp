@@ -21,9 +21,13 @@ bool isPrintableAscii(char character)
     return character >= ' ' && character <= '~';
 }
 
+// All of them are hexadecimal digits.
 std::uint32_t hexAt(const QByteArray &line, qsizetype at, qsizetype digits)
 {
-    return line.mid(at, digits).toUInt(nullptr, 16);
+    std::uint32_t number = 0;
+    for (const char digit : QByteArrayView(line).sliced(at, digits))
+        number = number << 4 | static_cast<std::uint32_t>((digit & 0xF) + (digit > '9' ? 9 : 0));
+    return number;
 }
 
 // "t1232AABB", "T0000012300", "r1232", with four digits of time behind it or not.
@@ -87,19 +91,23 @@ std::vector<SlcanItem> SlcanReader::read(const QByteArray &bytes)
 
 void SlcanReader::endLine(std::vector<SlcanItem> &items)
 {
-    const QByteArray line = std::exchange(m_line, {});
-    if (std::exchange(m_isTooLong, false))
-        return;
-    if (line.isEmpty())
+    if (!std::exchange(m_isTooLong, false))
+        takeLine(items);
+    m_line.resize(0); // keeps its memory
+}
+
+void SlcanReader::takeLine(std::vector<SlcanItem> &items)
+{
+    if (m_line.isEmpty())
         items.push_back({.kind = SlcanItem::Kind::done});
-    else if (line == "z" || line == "Z")
+    else if (m_line == "z" || m_line == "Z")
         items.push_back({.kind = SlcanItem::Kind::sent});
-    else if (const auto frame = slcanFrameOf(line))
-        items.push_back(*frame);
-    else if (std::ranges::all_of(line, isPrintableAscii))
-        items.push_back({.kind = SlcanItem::Kind::text, .text = line});
+    else if (auto frame = slcanFrameOf(m_line))
+        items.push_back(*std::move(frame));
+    else if (std::ranges::all_of(m_line, isPrintableAscii))
+        items.push_back({.kind = SlcanItem::Kind::text, .text = m_line});
     else
-        m_skipped += static_cast<std::uint64_t>(line.size());
+        m_skipped += static_cast<std::uint64_t>(m_line.size());
 }
 
 QByteArray slcanCommand(const CanFrame &frame)

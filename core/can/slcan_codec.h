@@ -45,6 +45,7 @@ public:
 
 private:
     void endLine(std::vector<SlcanItem> &items);
+    void takeLine(std::vector<SlcanItem> &items);
 
     QByteArray m_line;
     bool m_isTooLong = false;
