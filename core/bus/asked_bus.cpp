@@ -99,6 +99,27 @@ Result<void> AskedBus::remove(Place place)
     return {};
 }
 
+Result<void> AskedBus::renumber(Place from, NodeId to)
+{
+    AskedEncoder *before = encoderAt(from.node);
+    if (before == nullptr)
+        return nobodyAt(from);
+    if (before->runningJob())
+        return refuse(RefusalKind::busy, RefusalId::jobRunning, {from.shown()});
+    if (const EncoderSession *there = encoderAt(to))
+        return refuse(RefusalKind::badInput, RefusalId::lineAddressTaken,
+                      {m_traits.words.address(to), there->device().fullName()});
+    if (auto may = mayAdd(to); !may)
+        return may;
+    const DeviceDescription device = before->device();
+    const auto ended = leave(*before);
+    take(to, device).countEepromWrites(ended->eepromWrites());
+    carryOver(*ended);
+    Q_EMIT moved(from, placeOf(to));
+    Q_EMIT nodesChanged();
+    return {};
+}
+
 std::unique_ptr<AskedEncoder> AskedBus::leave(AskedEncoder &encoder)
 {
     stopAsking(encoder.index());

@@ -51,6 +51,9 @@ public:
     // for a device of another kind of bus.
     Result<void> add(NodeId node, const QString &deviceKey);
     Result<void> remove(Place place);
+    // The encoder has another address now. What was known of it has to be read again. Refused like add() and
+    // remove().
+    Result<void> renumber(Place from, NodeId to);
     std::vector<Place> places() const override;
 
     const Catalog &catalog() const override { return m_catalog; }

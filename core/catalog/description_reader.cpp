@@ -114,7 +114,7 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     rules.readDialect(json, device);
     device.vendor = json.textOr("vendor", {});
     rules.readPlaceOnBus(json, device);
-    for (const char *key : {"vendorNumber", "productNumber", "revisionNumber"})
+    for (const char *key : {"vendorNumber", "productNumber", "revisionNumber", "nodeNumberObject"})
         if (json.has(key) && !rules.hasObjects())
             json.report(key, tr("Only an encoder on CANopen has one. Leave it out."));
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
@@ -336,14 +336,15 @@ void completeCapabilities(DeviceDescription &device)
 
 DeviceDescription readDescription(const Json::Value &root, const Catalog &catalog, FaultKeeper &faults)
 {
-    const JsonObject json(
-        root, QString(),
-        {"key",           "vendor",        "name",          "manual",  "notes",        "profile",
-         "dialect",       "idCode",        "deviceCode",    "inWords", "outWords",     "physicalStepsPerTurn",
-         "physicalTurns", "coding",        "parameters",    "errors",  "capabilities", "quirks",
-         "tablesOf",      "connectors",    "leds",          "supply",  "limits",       "orderingKey",
-         "vendorNumber",  "productNumber", "revisionNumber"},
-        faults);
+    const JsonObject json(root, QString(),
+                          {"key",           "vendor",        "name",           "manual",
+                           "notes",         "profile",       "dialect",        "idCode",
+                           "deviceCode",    "inWords",       "outWords",       "physicalStepsPerTurn",
+                           "physicalTurns", "coding",        "parameters",     "errors",
+                           "capabilities",  "quirks",        "tablesOf",       "connectors",
+                           "leds",          "supply",        "limits",         "orderingKey",
+                           "vendorNumber",  "productNumber", "revisionNumber", "nodeNumberObject"},
+                          faults);
     DeviceDescription device;
     DescriptionReader::readIdentity(json, device);
     DescriptionReader::readParameters(json, device);

@@ -76,10 +76,11 @@ private:
 
 TEST_P(NothingIsCutOff, OnAnyPage)
 {
-    for (QAction *action : {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
-                            actions().structureEditor, actions().compare, actions().transfer,
-                            actions().replaceEncoder, lineActions().settings, lineActions().search,
-                            canActions().settings, canActions().search, actions().projectPage}) {
+    for (QAction *action :
+         {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
+          actions().structureEditor, actions().compare, actions().transfer, actions().replaceEncoder,
+          lineActions().settings, lineActions().search, canActions().settings, canActions().search,
+          canActions().unnumbered, actions().projectPage}) {
         action->trigger();
         look(*window().centralWidget(), action->text());
     }

@@ -73,7 +73,7 @@ TEST_P(Mnemonics, AreUniqueOnEveryPage)
          {actions().monitors, actions().showInTrend, actions().wizard, actions().cams,
           actions().structureEditor, actions().compare, actions().transfer, actions().replaceEncoder,
           lineActions().settings, lineActions().search, canActions().settings, canActions().search,
-          actions().projectPage, ringActions().offer}) {
+          canActions().unnumbered, actions().projectPage, ringActions().offer}) {
         action->trigger();
         EXPECT_TRUE(seen.insert(page()).second) << action->text().toStdString() << " opens its page";
         // There may be many monitors; each uses its own keys only while it has the focus.

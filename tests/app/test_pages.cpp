@@ -90,7 +90,8 @@ TEST_F(PagesTest, EachHasAHeadAndIsClosedByMouseAndByKeys)
 {
     choose(fraba);
     QList<QAction *> all = opening();
-    all << lineActions().settings << lineActions().search << canActions().settings << canActions().search;
+    all << lineActions().settings << lineActions().search << canActions().settings << canActions().search
+        << canActions().unnumbered;
     QStringList titles;
     for (QAction *open : all) {
         const std::string name = open->text().toStdString();

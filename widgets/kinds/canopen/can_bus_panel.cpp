@@ -79,6 +79,18 @@ QWidget *CanBusPanel::makeButtons()
                 Q_EMIT commandWanted(*node, command);
         });
     }
+    m_setup = describe(new QPushButton(tr("Number and rate…"), buttons), "canSetup", {});
+    m_find = describe(new QPushButton(tr("Without a number…"), buttons), "canFind", {});
+    for (QPushButton *button : {m_setup, m_find})
+        button->setAutoDefault(false);
+    const int row = static_cast<int>(m_commands.size() + 1) / 2;
+    rows->addWidget(m_setup, row, 0);
+    rows->addWidget(m_find, row, 1);
+    connect(m_setup, &QPushButton::clicked, this, [this] {
+        if (const auto node = chosenNode())
+            Q_EMIT setupWanted(*node);
+    });
+    connect(m_find, &QPushButton::clicked, this, &CanBusPanel::searchWanted);
     return buttons;
 }
 
@@ -159,6 +171,11 @@ void CanBusPanel::showWhatIsPossible()
         m_commands[i]->setEnabled(whyNot.isEmpty());
         m_commands[i]->setToolTip(whyNot.isEmpty() ? nmtActions()[i].toolTip() : whyNot);
     }
+    m_setup->setEnabled(chosenNode().has_value());
+    m_setup->setToolTip(chosenNode() ? tr("Gives the chosen node another number or rate; nothing is written "
+                                          "before a question")
+                                     : tr("Choose a node of the table first"));
+    m_find->setToolTip(tr("Looks for a device without a number by LSS, to give it one"));
 }
 
 } // namespace codewheel

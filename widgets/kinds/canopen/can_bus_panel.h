@@ -21,7 +21,8 @@ struct CanopenFact;
 class RoleLabel;
 
 // The CAN bus at a glance: its nodes with what they tell of themselves, load, the state of the controller,
-// counters. The chosen node can be sent to another NMT state, which whoever shows the panel carries out.
+// counters. The chosen node can be sent to another NMT state, and be given another number, which whoever
+// shows the panel carries out.
 class CanBusPanel : public ScrolledPanel
 {
     Q_OBJECT
@@ -36,6 +37,8 @@ public:
 
 Q_SIGNALS:
     void commandWanted(int node, codewheel::canopen::NmtCommand command);
+    void setupWanted(int node); // its number and rate
+    void searchWanted();        // for a device without a number
 
 private:
     QWidget *makeButtons();
@@ -51,6 +54,8 @@ private:
     CanNodeModel *m_nodes;
     QTableView *m_table;
     std::vector<QPushButton *> m_commands; // as in the list of commands
+    QPushButton *m_setup = nullptr;
+    QPushButton *m_find = nullptr;
     std::vector<std::pair<const CanopenFact *, QLabel *>> m_facts;
 };
 

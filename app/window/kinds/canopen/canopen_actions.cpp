@@ -22,6 +22,11 @@ CanopenActions::CanopenActions(WindowActions &window)
     nodes = foundBy(add(Icon::information, tr("&Nodes and figures"), Qt::CTRL | Qt::SHIFT | Qt::Key_F9,
                         tr("Nodes with state, heartbeat and errors; load and counters of the bus")),
                     tr("NMT, start, stop, reset, EMCY, heartbeat, load"));
+    unnumbered = foundBy(add(Icon::search, tr("Devices &without a number…"), {},
+                             tr("Finds a device without a node number by LSS, to give it one; nothing is "
+                                "written before a question")),
+                         tr("LSS, fast scan, node number"));
+    unnumbered->setObjectName(QStringLiteral("canUnnumbered"));
     search->setObjectName(QStringLiteral("canSearch"));
     nodes->setObjectName(QStringLiteral("canNodes"));
     menu->addSeparator();
@@ -33,14 +38,22 @@ CanopenActions::CanopenActions(WindowActions &window)
     addAfresh();
     disconnectBus = add(Icon::cancel, tr("&Disconnect the CAN bus"), Qt::CTRL | Qt::SHIFT | Qt::Key_F10,
                         tr("Leaves the CAN bus"));
+    setup = foundBy(new QAction(lineIcon(Icon::parameters), tr("N&umber and rate…")),
+                    tr("LSS, node number, bit rate, baud rate, address, 2000h"));
+    setup->setObjectName(QStringLiteral("canSetup"));
     remove = new QAction(lineIcon(Icon::remove), tr("Remove from the CAN b&us"));
     window.insert(WindowActions::Section::kinds, {menu->menuAction()});
-    window.insert(WindowActions::Section::device, {remove});
+    window.insert(WindowActions::Section::device, {setup, remove});
     showChosen(false);
 }
 
 void CanopenActions::showChosen(bool isConnected)
 {
+    described(setup, Qt::CTRL | Qt::SHIFT | Qt::Key_F12,
+              isConnected ? tr("Gives the encoder another node number or rate; nothing is written before a "
+                               "question")
+                          : tr("For encoders on the CAN bus"));
+    setup->setEnabled(isConnected);
     described(remove, {},
               isConnected ? tr("The encoder is not asked any more; what it has stays as it is")
                           : tr("For encoders on the CAN bus"));

@@ -16,6 +16,8 @@ public:
     void showChosen(bool isConnected); // the chosen device: an encoder of a connected CAN bus
 
     QAction *nodes;
+    QAction *unnumbered; // finds a device without a number
+    QAction *setup;      // number and rate of the chosen encoder
 };
 
 } // namespace codewheel

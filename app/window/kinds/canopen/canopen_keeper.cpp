@@ -31,4 +31,12 @@ void CanopenKeeper::keepFile(int node, const QString &path)
         });
 }
 
+// What is planned for a training encoder is in no file, but still moves along.
+void CanopenKeeper::moveEncoder(Place from, Place to)
+{
+    if (m_bus.training() != nullptr && findDevice(m_bus.project().project(), from) != nullptr)
+        return;
+    m_bus.project().renumber(from, to, tr("Number of %1 to %2").arg(from.shown(), to.shown()));
+}
+
 } // namespace codewheel

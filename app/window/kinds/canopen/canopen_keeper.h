@@ -19,6 +19,8 @@ public:
     void keepLink(const CanopenSettings &settings);
     // Of an encoder of the project: that its objects are taken from this EDS or DCF.
     void keepFile(int node, const QString &path);
+    // Everything planned and known of the encoder moves along.
+    void moveEncoder(Place from, Place to);
 
 private:
     KindData asOpened() const override;

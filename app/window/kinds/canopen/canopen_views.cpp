@@ -30,6 +30,8 @@
 #include "widgets/kinds/canopen/can_settings_form.h"
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/nmt_texts.h"
+#include "widgets/kinds/canopen/setup/node_setup_page.h"
+#include "widgets/kinds/canopen/setup/node_setup_view.h"
 #include "widgets/kinds/canopen/traffic/can_traffic_view.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
@@ -71,6 +73,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     , m_panel(own(new CanBusPanel(&windowParts.pages)))
     , m_objects(own(new DictionaryView(&windowParts.pages)))
     , m_search(own(new CanSearchPage(&windowParts.pages)))
+    , m_setup(own(new NodeSetupPage(&windowParts.pages)))
     , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, &connection()))
     , m_adapter(new CanSettingsForm(CanSettingsForm::Adapter::serial, &connection()))
 {
@@ -85,14 +88,26 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
             return planned != nullptr && planned->settings.isSimulated();
         }));
     m_search->setObjectName(QStringLiteral("canSearch"));
+    m_setup->setObjectName(QStringLiteral("canSetup"));
+    windowParts.pages.addWidget(m_setup);
     setHelpTopic(*m_search, "canopen.md#searching-for-nodes");
+    setHelpTopic(*m_setup, "canopen.md#number-and-rate");
     connect(m_traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
     connect(m_objects, &DictionaryView::fileChosen, m_keeper, &CanopenKeeper::keepFile);
     connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
+    connect(m_panel, &CanBusPanel::setupWanted, this, &CanopenViews::showSetup);
+    connect(m_panel, &CanBusPanel::searchWanted, this, [this] { showSetup({}); });
+    connect(&m_setup->view(), &NodeSetupView::numbered, this, &CanopenViews::takeNumbered);
+    connect(&m_setup->view(), &NodeSetupView::messaged, this, &CanopenViews::told);
     connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
     connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showPlannedObjects);
     connect(m_recognition, &NodeRecognition::recognised, this, &CanopenViews::tellRecognised);
     onAction(m_actions.nodes, [this] { open(); });
+    onAction(m_actions.unnumbered, [this] { showSetup({}); });
+    onAction(m_actions.setup, [this] {
+        if (chosen())
+            showSetup(CanopenAddress::of(chosen()->node).node);
+    });
     begin(*m_keeper, *m_search);
 }
 
@@ -161,6 +176,31 @@ bool CanopenViews::open(Place place)
     return true;
 }
 
+// Nothing is sent before a button of the page is pressed.
+void CanopenViews::showSetup(std::optional<int> node)
+{
+    m_setup->setAbout(nameAmongOthers(m_bus.id()));
+    m_setup->showNode(node);
+    parts().pages.setCurrentWidget(m_setup);
+    m_setup->setFocus();
+}
+
+// Of one that was in no project, Search for nodes tells what it is.
+void CanopenViews::takeNumbered(int before, int after)
+{
+    CanopenSession *bus = session();
+    if (bus == nullptr || before == 0 || before == after)
+        return;
+    const Place from = bus->placeOf(CanopenAddress{before}.place());
+    if (bus->encoder(from) == nullptr)
+        return;
+    const NodeId to = CanopenAddress{after}.place();
+    if (const auto moved = bus->renumber(from, to))
+        m_keeper->moveEncoder(from, bus->placeOf(to));
+    else
+        parts().notice.showMessage(Role::attention, refusalText(moved.error()));
+}
+
 void CanopenViews::setBus(AskedBus *)
 {
     CanopenSession *bus = session();
@@ -181,6 +221,7 @@ void CanopenViews::setBus(AskedBus *)
     m_objects->setBus(bus);
     showPlannedObjects();
     m_search->setBus(bus);
+    m_setup->setBus(bus);
     m_recognition->setBus(bus);
 }
 

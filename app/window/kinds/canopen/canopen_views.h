@@ -25,6 +25,7 @@ class CanopenKeeper;
 class CanopenSession;
 class DictionaryView;
 class NodeRecognition;
+class NodeSetupPage;
 struct CanFoundRow;
 struct FrameSent;
 struct Outcome;
@@ -67,6 +68,8 @@ public:
     void useSettings(const ProgramSettings &settings) override;
     void showFrame() override;
 
+    void showSetup(std::optional<int> node); // empty: of a device without a number, to be found
+
 private:
     // What the bar above the pages asks the user to agree to.
     enum class Asked : std::uint8_t {
@@ -103,6 +106,7 @@ private:
     void takeOver(const std::vector<CanFoundRow> &found);
     void showPlannedObjects();
     void tellRecognised(Place place, const QString &device);
+    void takeNumbered(int before, int after);
 
     CanopenAtWork &m_bus;
     CanopenActions &m_actions;
@@ -115,6 +119,7 @@ private:
     CanBusPanel *m_panel;
     DictionaryView *m_objects;
     CanSearchPage *m_search;
+    NodeSetupPage *m_setup;
     CanSettingsForm *m_interface;
     CanSettingsForm *m_adapter; // at a serial port
     CanopenSettings m_wanted;   // when an adapter was last to be opened

@@ -41,9 +41,16 @@ constexpr auto canopenBusMessageRows = std::to_array<SentenceRow>({
     {CanopenBusMessageId::stopsNotSent, "canopenStopsNotSent",
      QT_TRANSLATE_NOOP("Message", "The command that stops the nodes could not be sent. It is sent once the "
                                   "bus is there again. Stop the machine by its own means.")},
+    {CanopenBusMessageId::nodeNumbered, "canopenNodeNumbered",
+     QT_TRANSLATE_NOOP("Message", "Node %1 has stored a new number: it is node %2 now.")},
+    {CanopenBusMessageId::deviceNumbered, "canopenDeviceNumbered",
+     QT_TRANSLATE_NOOP("Message", "A device without a number has stored one: it is node %1 now.")},
+    {CanopenBusMessageId::nodeRateStored, "canopenNodeRateStored",
+     QT_TRANSLATE_NOOP("Message", "It says that it has stored the rate %1 kBit/s, in force once its supply "
+                                  "was off and on.")},
 });
 
-static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::stopsNotSent));
+static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::nodeRateStored));
 
 QString canopenBusMessageText(const Message &message)
 {

@@ -19,6 +19,9 @@ enum class CanopenBusMessageId : std::uint8_t {
     nodesStopped,     // their numbers
     allNodesStopped,  //
     stopsNotSent,     //
+    nodeNumbered,     // number before, number now
+    deviceNumbered,   // number
+    nodeRateStored,   // kBit/s
 };
 extern const MessageFamily canopenBusMessages;
 constexpr const MessageFamily &familyOf(CanopenBusMessageId)

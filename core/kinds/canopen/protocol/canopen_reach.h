@@ -35,6 +35,8 @@ struct CanopenDevice
     std::optional<std::uint32_t> vendor{};   // as 1018h:1 tells it; empty: of any make
     std::optional<std::uint32_t> product{};  // 1018h:2
     std::optional<std::uint32_t> revision{}; // 1018h:3
+    std::optional<canopen::SdoObject>
+        nodeNumber{}; // a maker's object, an u8, in force after storing and reset
 
     friend bool operator==(const CanopenDevice &, const CanopenDevice &) = default;
 };

@@ -112,6 +112,12 @@ void CanopenRules::readDialect(const JsonObject &json, DeviceDescription &device
     its.vendor = numberOf("vendorNumber");
     its.product = numberOf("productNumber");
     its.revision = numberOf("revisionNumber");
+    if (json.has("nodeNumberObject")) {
+        its.nodeNumber = objectOf(json.text("nodeNumberObject"));
+        if (!its.vendor || !its.nodeNumber || !isMakers(*its.nodeNumber))
+            json.report("nodeNumberObject", tr("The object of the node number is one of the maker (2000h to "
+                                               "5FFFh), and the vendorNumber says whose."));
+    }
     device.ofKind = KindData(its);
 }
 

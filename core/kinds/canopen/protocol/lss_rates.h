@@ -10,6 +10,8 @@ struct LssRate
 {
     int rate = 0; // Bd
     int place = 0;
+
+    friend bool operator==(const LssRate &, const LssRate &) = default;
 };
 inline constexpr std::array<LssRate, 8> lssRates{{{1'000'000, 0},
                                                   {800'000, 1},

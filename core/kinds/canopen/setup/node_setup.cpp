@@ -56,6 +56,18 @@ NodeSetup::NodeSetup(const NodeSetupWish &wish)
         m_steps.push_back(Step::reset);
 }
 
+NodeSetup::StepState NodeSetup::stateOf(std::size_t step) const
+{
+    if (m_failedAt == step)
+        return StepState::failed;
+    if (m_failedAt && step > *m_failedAt) {
+        if (m_steps[step] == Step::leave && m_hasLeft)
+            return m_mayStay ? StepState::failed : StepState::done;
+        return step == m_at ? StepState::now : StepState::leftOut;
+    }
+    return step < m_at ? StepState::done : step == m_at ? StepState::now : StepState::planned;
+}
+
 std::optional<NodeTask::Request> NodeSetup::next(const CanopenSnapshot &bus)
 {
     if (m_isAsked || isEnded())
@@ -137,6 +149,7 @@ void NodeSetup::answered(const LssOutcome &outcome)
         takeSelection(outcome);
     } else if (step() == Step::leave) {
         m_mayStay = outcome.kind != LssOutcome::Kind::done;
+        m_hasLeft = true;
         if (m_trouble)
             m_at = m_steps.size();
         else if (m_mayStay && m_wish.isResetAfterwards()) // which would end that, too

@@ -26,6 +26,8 @@ struct NodeSetupWish
     int nodeAfter() const { return node.value_or(nodeBefore.value_or(0)); }
     // Whether it is seen at once, after a reset: with another rate it is not at this one any more.
     bool isResetAfterwards() const { return nodeBefore && !rate; }
+
+    friend bool operator==(const NodeSetupWish &, const NodeSetupWish &) = default;
 };
 
 // Gives a device its number and rate, stores both, and resets it. Before anything is written nobody may
@@ -55,6 +57,7 @@ public:
         notSent,
         cancelled,
     };
+    enum class StepState : std::uint8_t { planned, now, done, failed, leftOut };
     // What became of one of the things that are written.
     enum class Fate : std::uint8_t { notTried, notDone, done, notKnown };
 
@@ -69,12 +72,11 @@ public:
 
     const NodeSetupWish &wish() const { return m_wish; }
     const std::vector<Step> &steps() const { return m_steps; }
-    std::size_t at() const { return m_at; } // the step under way; all: it has ended
+    StepState stateOf(std::size_t step) const;
     const std::optional<Trouble> &trouble() const { return m_trouble; }
-    std::optional<std::size_t> failedAt() const { return m_failedAt; } // the step
-    std::uint8_t code() const { return m_code; }                       // refused by LSS
-    std::uint8_t codeOfMaker() const { return m_codeOfMaker; }         // likewise
-    std::uint32_t abortCode() const { return m_abortCode; }            // refused by SDO; 0: it was LSS
+    std::uint8_t code() const { return m_code; }               // refused by LSS
+    std::uint8_t codeOfMaker() const { return m_codeOfMaker; } // likewise
+    std::uint32_t abortCode() const { return m_abortCode; }    // refused by SDO; 0: it was LSS
     Fate node() const { return m_node; }
     Fate rate() const { return m_rate; }
     Fate store() const { return m_store; }
@@ -113,6 +115,7 @@ private:
     IdentityReading m_identity;
     std::optional<Trouble> m_trouble{};
     std::optional<std::size_t> m_failedAt{};
+    bool m_hasLeft = false; // the configuration of LSS, or has tried to
     std::uint8_t m_code = 0;
     std::uint8_t m_codeOfMaker = 0;
     std::uint32_t m_abortCode = 0;

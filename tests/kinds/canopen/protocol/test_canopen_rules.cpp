@@ -74,6 +74,17 @@ TEST(CanopenRules, WhatIsWrongIsRefused)
               QString());
 }
 
+TEST(CanopenRules, TheObjectOfTheNodeNumberIsOneOfTheMaker)
+{
+    const QByteArray row =
+        R"({"parameter": "steps", "object": "6001", "type": "u32", "minimum": 1, "maximum": 2})";
+    EXPECT_EQ(faultOf(withRow(row, R"("vendorNumber": "10Dh", "nodeNumberObject": "2000",)")), QString());
+    for (const char *key :
+         {R"("nodeNumberObject": "2000",)", R"("vendorNumber": "10Dh", "nodeNumberObject": "6001",)",
+          R"("vendorNumber": "10Dh", "nodeNumberObject": "number",)"})
+        EXPECT_EQ(faultOf(withRow(row, key)), QStringLiteral("nodeNumberObject")) << key;
+}
+
 TEST(CanopenRules, ObjectsAreOfCanopenOnly)
 {
     QByteArray json =
