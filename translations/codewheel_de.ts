@@ -3162,6 +3162,18 @@
         <source>The command that stops the nodes could not be sent. It is sent once the bus is there again. Stop the machine by its own means.</source>
         <translation>Der Befehl, der die Knoten stoppt, konnte nicht gesendet werden. Er wird gesendet, sobald der Bus wieder da ist. Halten Sie die Maschine mit ihren eigenen Mitteln an.</translation>
     </message>
+    <message>
+        <source>Node %1 has stored a new number: it is node %2 now.</source>
+        <translation>Knoten %1 hat eine neue Nummer gespeichert: Er ist jetzt Knoten %2.</translation>
+    </message>
+    <message>
+        <source>A device without a number has stored one: it is node %1 now.</source>
+        <translation>Ein Gerät ohne Nummer hat eine gespeichert: Es ist jetzt Knoten %1.</translation>
+    </message>
+    <message>
+        <source>It says that it has stored the rate %1 kBit/s, in force once its supply was off and on.</source>
+        <translation>Er sagt, er habe die Rate %1 kBit/s gespeichert; sie gilt, sobald seine Versorgung aus und wieder ein war.</translation>
+    </message>
 </context>
 <context>
     <name>Mode</name>
@@ -6366,6 +6378,22 @@
         <source>Choose a node of the table first</source>
         <translation>Wählen Sie zuerst einen Knoten der Tabelle</translation>
     </message>
+    <message>
+        <source>Number and rate…</source>
+        <translation>Nummer und Rate…</translation>
+    </message>
+    <message>
+        <source>Without a number…</source>
+        <translation>Ohne Nummer…</translation>
+    </message>
+    <message>
+        <source>Gives the chosen node another number or rate; nothing is written before a question</source>
+        <translation>Gibt dem gewählten Knoten eine andere Nummer oder Rate; vor einer Rückfrage wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Looks for a device without a number by LSS, to give it one</source>
+        <translation>Sucht mit LSS ein Gerät ohne Nummer, um ihm eine zu geben</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanFoundModel</name>
@@ -6922,6 +6950,30 @@
         <source>For encoders on the CAN bus</source>
         <translation>Für Geber am CAN-Bus</translation>
     </message>
+    <message>
+        <source>Devices &amp;without a number…</source>
+        <translation>Geräte &amp;ohne Nummer…</translation>
+    </message>
+    <message>
+        <source>Finds a device without a node number by LSS, to give it one; nothing is written before a question</source>
+        <translation>Findet mit LSS ein Gerät ohne Knotennummer, um ihm eine zu geben; vor einer Rückfrage wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>LSS, fast scan, node number</source>
+        <translation>LSS, Fastscan, Knotennummer</translation>
+    </message>
+    <message>
+        <source>N&amp;umber and rate…</source>
+        <translation>N&amp;ummer und Rate…</translation>
+    </message>
+    <message>
+        <source>LSS, node number, bit rate, baud rate, address, 2000h</source>
+        <translation>LSS, Knotennummer, Bitrate, Baudrate, Adresse, 2000h</translation>
+    </message>
+    <message>
+        <source>Gives the encoder another node number or rate; nothing is written before a question</source>
+        <translation>Gibt dem Geber eine andere Knotennummer oder Rate; vor einer Rückfrage wird nichts geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenChecks</name>
@@ -7391,6 +7443,14 @@
         <source>Encoders of the CAN bus</source>
         <translation>Geber des CAN-Busses</translation>
     </message>
+    <message>
+        <source>Objects of %1</source>
+        <translation>Objekte von %1</translation>
+    </message>
+    <message>
+        <source>Number of %1 to %2</source>
+        <translation>Nummer von %1 zu %2</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenKind</name>
@@ -7606,6 +7666,10 @@ Telegramme: %5, Fehler: %6</translation>
         <source>The cams of CiA 406 are one program, without a mode and without a shift: write {&quot;programs&quot;: 1, &quot;mode&quot;: false, &quot;shift&quot;: false}.</source>
         <translation>Die Nocken von CiA 406 sind ein Programm, ohne Modus und ohne Verschiebung: schreiben: {&quot;programs&quot;: 1, &quot;mode&quot;: false, &quot;shift&quot;: false}.</translation>
     </message>
+    <message>
+        <source>The object of the node number is one of the maker (2000h to 5FFFh), and the vendorNumber says whose.</source>
+        <translation>Das Objekt der Knotennummer ist eines des Herstellers (2000h bis 5FFFh), und die vendorNumber sagt, wessen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenStatus</name>
@@ -7669,6 +7733,10 @@ Telegramme: %5, Fehler: %6</translation>
     <message>
         <source>&amp;Send all the same</source>
         <translation>Trotzdem &amp;senden</translation>
+    </message>
+    <message>
+        <source>By its identity, %1 is described as %2.</source>
+        <translation>Nach seiner Identität wird %1 als %2 beschrieben.</translation>
     </message>
 </context>
 <context>
@@ -12811,10 +12879,6 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
         <translation>Unterschiede</translation>
     </message>
     <message>
-        <source>Shows only what differs from the file</source>
-        <translation>Zeigt nur, was anders ist als in der Datei</translation>
-    </message>
-    <message>
         <source>Export…</source>
         <translation>Exportieren…</translation>
     </message>
@@ -12893,6 +12957,23 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     <message>
         <source>Asks the node for each object that is listed, one after the other; for none that can only be written</source>
         <translation>Fragt den Knoten nach jedem Objekt in der Liste, einem nach dem anderen; nach keinem, das nur zu schreiben ist</translation>
+    </message>
+    <message>
+        <source>The objects are not those of the file that the project has for this encoder. %1 It stays in the project; put it back, or open another one.</source>
+        <comment>why</comment>
+        <translation>Die Objekte sind nicht die der Datei, die das Projekt für diesen Geber hat. %1 Sie bleibt im Projekt; legen Sie sie zurück, oder öffnen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Of %1 objects that the project wants, %2 differ, and %3 have not been read.</source>
+        <translation>Von %1 Objekten, die das Projekt will, weichen %2 ab, und %3 wurden nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Shows only what the node has otherwise than its file, the project or the file compared with</source>
+        <translation>Zeigt nur, was beim Knoten anders ist als in seiner Datei, im Projekt oder in der Datei, mit der verglichen wird</translation>
+    </message>
+    <message>
+        <source>%1, and what the description has: %2</source>
+        <translation>%1, und was die Beschreibung hat: %2</translation>
     </message>
 </context>
 <context>
@@ -18152,6 +18233,446 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::NodeNumberField</name>
+    <message>
+        <source>&quot;%1&quot; is not a node number. Give one from 1 to 127.</source>
+        <translation>„%1“ ist keine Knotennummer. Geben Sie eine von 1 bis 127 an.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::NodeSetupPage</name>
+    <message>
+        <source>Sends on the bus.</source>
+        <translation>Sendet auf dem Bus.</translation>
+    </message>
+    <message>
+        <source>Nothing is written before a question.</source>
+        <translation>Vor einer Rückfrage wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Whether the device keeps its number and rate without supply has not been checked.</source>
+        <translation>Ob das Gerät Nummer und Rate ohne Versorgung behält, ist nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Number and rate</source>
+        <translation>Nummer und Rate</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::NodeSetupTexts</name>
+    <message>
+        <source>The device refused it (%1).</source>
+        <translation>Das Gerät hat es abgelehnt (%1).</translation>
+    </message>
+    <message>
+        <source>The device refused it: %1</source>
+        <translation>Das Gerät hat es abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>The device refused it (code %1, of the maker %2).</source>
+        <translation>Das Gerät hat es abgelehnt (Code %1, des Herstellers %2).</translation>
+    </message>
+    <message>
+        <source>Another device has the number %1 already. Choose another number, or take that device off the bus first.</source>
+        <translation>Ein anderes Gerät hat die Nummer %1 schon. Wählen Sie eine andere Nummer, oder nehmen Sie jenes Gerät zuerst vom Bus.</translation>
+    </message>
+    <message>
+        <source>The device does not tell its whole identity, without which nothing is written. Two devices with the same identity may have answered at once.</source>
+        <translation>Das Gerät nennt nicht seine ganze Identität, ohne die nichts geschrieben wird. Es können zwei Geräte mit derselben Identität zugleich geantwortet haben.</translation>
+    </message>
+    <message>
+        <source>The device that answers is not the one that was read. Read it again.</source>
+        <translation>Das Gerät, das antwortet, ist nicht das gelesene. Lesen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The device does not take part in LSS. Some makes do so only while they are stopped (Stop, in the panel CAN bus), others not at all.</source>
+        <translation>Das Gerät nimmt an LSS nicht teil. Manche Fabrikate tun das nur, solange sie angehalten sind (Anhalten, im Bereich CAN-Bus), andere gar nicht.</translation>
+    </message>
+    <message>
+        <source>More than one device answers. Have one device alone on the bus.</source>
+        <translation>Mehr als ein Gerät antwortet. Lassen Sie ein Gerät allein am Bus.</translation>
+    </message>
+    <message>
+        <source>The device took the number and shows another one when it is read back.</source>
+        <translation>Das Gerät hat die Nummer angenommen und zeigt beim Zurücklesen eine andere.</translation>
+    </message>
+    <message>
+        <source>The device did not answer.</source>
+        <translation>Das Gerät hat nicht geantwortet.</translation>
+    </message>
+    <message>
+        <source>Not all could be sent.</source>
+        <translation>Nicht alles ließ sich senden.</translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>Es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Switch its supply off and on, then look for it at both rates.</source>
+        <translation>Schalten Sie seine Versorgung aus und ein, dann suchen Sie es mit beiden Raten.</translation>
+    </message>
+    <message>
+        <source>Switch its supply off and on: then it is node %1 or still node %2.</source>
+        <translation>Schalten Sie seine Versorgung aus und ein: Dann ist es Knoten %1 oder noch Knoten %2.</translation>
+    </message>
+    <message>
+        <source>Switch its supply off and on: then it is node %1 or still without a number.</source>
+        <translation>Schalten Sie seine Versorgung aus und ein: Dann ist es Knoten %1 oder noch ohne Nummer.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>It says that it has stored number and rate, which are in force once its supply was off and on.</source>
+        <translation>Es sagt, es habe Nummer und Rate gespeichert; sie gelten, sobald seine Versorgung aus und wieder ein war.</translation>
+    </message>
+    <message>
+        <source>Whether it has stored is not known.</source>
+        <translation>Ob es gespeichert hat, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Whether it has taken it is not known; it was not stored. Switch its supply off and on: then it is as before.</source>
+        <translation>Ob es das angenommen hat, ist nicht bekannt; gespeichert wurde es nicht. Schalten Sie seine Versorgung aus und ein: Dann ist es wie zuvor.</translation>
+    </message>
+    <message>
+        <source>What it has taken is not stored. Switch its supply off and on: then it is as before.</source>
+        <translation>Was es angenommen hat, ist nicht gespeichert. Schalten Sie seine Versorgung aus und ein: Dann ist es wie zuvor.</translation>
+    </message>
+    <message>
+        <source>vendor %1, product %2, revision %3, serial number %4</source>
+        <translation>Hersteller %1, Produkt %2, Revision %3, Seriennummer %4</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>A device without a number</source>
+        <translation>Ein Gerät ohne Nummer</translation>
+    </message>
+    <message>
+        <source>Nobody has the number %1</source>
+        <translation>Niemand hat die Nummer %1</translation>
+    </message>
+    <message>
+        <source>Its identity is read back (1018h)</source>
+        <translation>Seine Identität wird zurückgelesen (1018h)</translation>
+    </message>
+    <message>
+        <source>It is selected by LSS, and its identity read back</source>
+        <translation>Es wird mit LSS gewählt und seine Identität zurückgelesen</translation>
+    </message>
+    <message>
+        <source>It takes the number %1</source>
+        <translation>Es nimmt die Nummer %1 an</translation>
+    </message>
+    <message>
+        <source>The number %1 is written to %2, and read back</source>
+        <translation>Die Nummer %1 wird nach %2 geschrieben und zurückgelesen</translation>
+    </message>
+    <message>
+        <source>It takes the rate %1 kBit/s</source>
+        <translation>Es nimmt die Rate %1 kBit/s an</translation>
+    </message>
+    <message>
+        <source>It stores number and rate</source>
+        <translation>Es speichert Nummer und Rate</translation>
+    </message>
+    <message>
+        <source>It stores (1010h:1)</source>
+        <translation>Es speichert (1010h:1)</translation>
+    </message>
+    <message>
+        <source>It leaves the configuration of LSS</source>
+        <translation>Es verlässt die LSS-Konfiguration</translation>
+    </message>
+    <message>
+        <source>It is reset</source>
+        <translation>Es wird zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>%1 becomes node %2: a controller that knows it by its number has to know the new one.</source>
+        <translation>%1 wird Knoten %2: Eine Steuerung, die es unter seiner Nummer kennt, muss die neue kennen.</translation>
+    </message>
+    <message>
+        <source>What it gets is stored: one write to its EEPROM.</source>
+        <translation>Was es bekommt, wird gespeichert: ein Schreibvorgang in sein EEPROM.</translation>
+    </message>
+    <message>
+        <source>%1 kBit/s is in force once its supply was off and on. From then on it is heard at that rate only, so every device of the bus and the adapter have to get it.</source>
+        <translation>%1 kBit/s gilt, sobald seine Versorgung aus und wieder ein war. Von da an ist es nur mit dieser Rate zu hören: Jedes Gerät des Busses und der Adapter müssen sie bekommen.</translation>
+    </message>
+    <message>
+        <source>Then it is reset: it sends no position for a moment, loses values that are not stored, and has to be started again.</source>
+        <translation>Dann wird es zurückgesetzt: Es sendet kurz keine Position, verliert Werte, die nicht gespeichert sind, und muss wieder gestartet werden.</translation>
+    </message>
+    <message>
+        <source>Storing by 1010h keeps all its other values as they are now, too.</source>
+        <translation>Speichern mit 1010h behält auch alle seine anderen Werte, wie sie jetzt sind.</translation>
+    </message>
+    <message>
+        <source>It may still be in the configuration of LSS: switch its supply off and on.</source>
+        <translation>Es kann noch in der LSS-Konfiguration sein: Schalten Sie seine Versorgung aus und ein.</translation>
+    </message>
+    <message>
+        <source>The device says that it has stored %1 kBit/s. Give it to the other devices too, switch the supply of all off and on, and connect the bus at this rate; then check it here.</source>
+        <translation>Das Gerät sagt, es habe %1 kBit/s gespeichert. Geben Sie die Rate auch den anderen Geräten, schalten Sie die Versorgung aller aus und ein, und verbinden Sie den Bus mit dieser Rate; dann prüfen Sie es hier.</translation>
+    </message>
+    <message>
+        <source>The device says that it has stored its number.</source>
+        <translation>Das Gerät sagt, es habe seine Nummer gespeichert.</translation>
+    </message>
+    <message>
+        <source>The device is there as node %1. Whether it keeps that without supply is sure only once it was without: some makes say that they have stored, and do not. Switch its supply off and on, then check it.</source>
+        <translation>Das Gerät ist als Knoten %1 da. Ob es das ohne Versorgung behält, ist erst sicher, wenn es ohne war: Manche Fabrikate sagen, sie hätten gespeichert, und tun es nicht. Schalten Sie seine Versorgung aus und ein, dann prüfen Sie es.</translation>
+    </message>
+    <message>
+        <source>Proven: it has begun anew, and is still node %1.</source>
+        <translation>Bewiesen: Es hat neu begonnen und ist immer noch Knoten %1.</translation>
+    </message>
+    <message>
+        <source>The device is there as node %1, but has not reported since: it was not switched off. Switch its supply off and on, then check it again.</source>
+        <translation>Das Gerät ist als Knoten %1 da, hat sich seither aber nicht neu gemeldet: Es war nicht ausgeschaltet. Schalten Sie seine Versorgung aus und ein, dann prüfen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Another device answers as node %1: its identity is not that of the one that was given the number. Look for both with Search for nodes.</source>
+        <translation>Als Knoten %1 antwortet ein anderes Gerät: Seine Identität ist nicht die des Geräts, das die Nummer bekommen hat. Suchen Sie beide mit Knoten suchen.</translation>
+    </message>
+    <message>
+        <source>A device answers as node %1, but does not tell its whole identity: whether it is this one is not known.</source>
+        <translation>Als Knoten %1 antwortet ein Gerät, nennt aber nicht seine ganze Identität: Ob es dieses ist, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Two devices answer as node %1. Take one of them off the bus, and give it another number.</source>
+        <translation>Als Knoten %1 antworten zwei Geräte. Nehmen Sie eines davon vom Bus, und geben Sie ihm eine andere Nummer.</translation>
+    </message>
+    <message>
+        <source>It is node %1 again: it said that it had stored, and has not. Some makes store their number by 1010h:1 only, or have switches for it.</source>
+        <translation>Es ist wieder Knoten %1: Es sagte, es habe gespeichert, und hat nicht. Manche Fabrikate speichern ihre Nummer nur mit 1010h:1, oder haben Schalter dafür.</translation>
+    </message>
+    <message>
+        <source>Nobody answers as node %1. Check its supply and the rate of the bus, then check it again, or look for it with Search for nodes.</source>
+        <translation>Als Knoten %1 antwortet niemand. Prüfen Sie seine Versorgung und die Rate des Busses, dann prüfen Sie es noch einmal, oder suchen Sie es mit Knoten suchen.</translation>
+    </message>
+    <message>
+        <source>It could not be looked for: nothing is sent now. Check the CAN bus, switch to Operate, then check it again.</source>
+        <translation>Es ließ sich nicht suchen: Jetzt wird nichts gesendet. Prüfen Sie den CAN-Bus, schalten Sie auf Bedienen, dann prüfen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>A device may still be in the configuration of LSS: switch its supply off and on.</source>
+        <translation>Ein Gerät kann noch in der LSS-Konfiguration sein: Schalten Sie seine Versorgung aus und ein.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled.</source>
+        <translation>Die Suche wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The search could not be sent. Check the CAN bus, and switch to Operate.</source>
+        <translation>Die Suche ließ sich nicht senden. Prüfen Sie den CAN-Bus, und schalten Sie auf Bedienen.</translation>
+    </message>
+    <message>
+        <source>A device was found, and then does not tell its identity. Search again, with that device alone on the bus.</source>
+        <translation>Ein Gerät wurde gefunden und nennt dann seine Identität nicht. Suchen Sie noch einmal, mit diesem Gerät allein am Bus.</translation>
+    </message>
+    <message>
+        <source>No device without a number answers. One that has a number is chosen among the nodes; some makes take no part in LSS.</source>
+        <translation>Kein Gerät ohne Nummer antwortet. Eines mit Nummer wird unter den Knoten gewählt; manche Fabrikate nehmen an LSS nicht teil.</translation>
+    </message>
+    <message>
+        <source>Node %1 does not answer. Check its supply and the rate of the bus; a node that was stopped answers nothing.</source>
+        <translation>Knoten %1 antwortet nicht. Prüfen Sie seine Versorgung und die Rate des Busses; ein angehaltener Knoten antwortet nichts.</translation>
+    </message>
+    <message>
+        <source>Node %1 does not tell its whole identity (1018h), without which nothing is written.</source>
+        <translation>Knoten %1 nennt nicht seine ganze Identität (1018h), ohne die nichts geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>It could not be read: nothing is sent now. Check the CAN bus, and switch to Operate.</source>
+        <translation>Es ließ sich nicht lesen: Jetzt wird nichts gesendet. Prüfen Sie den CAN-Bus, und schalten Sie auf Bedienen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::NodeSetupView</name>
+    <message>
+        <source>&amp;Read</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>Find &amp;one without a number</source>
+        <translation>Eins &amp;ohne Nummer suchen</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How number and rate reach the device</source>
+        <translation>Wie Nummer und Rate zum Gerät kommen</translation>
+    </message>
+    <message>
+        <source>New number</source>
+        <translation>Neue Nummer</translation>
+    </message>
+    <message>
+        <source>The node number that the device gets: 1 to 127</source>
+        <translation>Die Knotennummer, die das Gerät bekommt: 1 bis 127</translation>
+    </message>
+    <message>
+        <source>New rate</source>
+        <translation>Neue Rate</translation>
+    </message>
+    <message>
+        <source>The rate that the device gets. All devices of a bus have the same</source>
+        <translation>Die Rate, die das Gerät bekommt. Alle Geräte eines Busses haben dieselbe</translation>
+    </message>
+    <message>
+        <source>&amp;Write…</source>
+        <translation>&amp;Schreiben…</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>What was not sent yet is not sent</source>
+        <translation>Was noch nicht gesendet ist, wird nicht gesendet</translation>
+    </message>
+    <message>
+        <source>Check &amp;it</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie sie ist</translation>
+    </message>
+    <message>
+        <source>%1 kBit/s</source>
+        <translation>%1 kBit/s</translation>
+    </message>
+    <message>
+        <source>Wa&amp;y</source>
+        <translation>Ver&amp;fahren</translation>
+    </message>
+    <message>
+        <source>New n&amp;umber</source>
+        <translation>Neue N&amp;ummer</translation>
+    </message>
+    <message>
+        <source>New ra&amp;te</source>
+        <translation>Neue Ra&amp;te</translation>
+    </message>
+    <message>
+        <source>The device may still be in the configuration of LSS: switch its supply off and on, then search again.</source>
+        <translation>Das Gerät kann noch in der LSS-Konfiguration sein: Schalten Sie seine Versorgung aus und ein, dann suchen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The CAN bus is not connected. Connect it first.</source>
+        <translation>Der CAN-Bus ist nicht verbunden. Verbinden Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>In Watch nothing is sent. Switch to Operate first.</source>
+        <translation>Auf Beobachten wird nichts gesendet. Schalten Sie zuerst auf Bedienen.</translation>
+    </message>
+    <message>
+        <source>Choose another number or a rate.</source>
+        <translation>Wählen Sie eine andere Nummer oder eine Rate.</translation>
+    </message>
+    <message>
+        <source>A job of this encoder runs. Wait for its end, or cancel it.</source>
+        <translation>Ein Auftrag dieses Gebers läuft. Warten Sie sein Ende ab, oder brechen Sie ihn ab.</translation>
+    </message>
+    <message>
+        <source>The device has the rate of this bus, or it would not answer. Choose another one.</source>
+        <translation>Das Gerät hat die Rate dieses Busses, sonst würde es nicht antworten. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>This bus has an encoder with the number %1 already, whether it answers or not. Choose another number, or remove that encoder from the bus.</source>
+        <translation>Dieser Bus hat schon einen Geber mit der Nummer %1, ob er antwortet oder nicht. Wählen Sie eine andere Nummer, oder nehmen Sie jenen Geber aus dem Bus.</translation>
+    </message>
+    <message>
+        <source>Shall it be written?</source>
+        <translation>Soll geschrieben werden?</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>Se&amp;nden</translation>
+    </message>
+    <message>
+        <source>This bus is connected at %1 kBit/s. Connect it at %2 kBit/s first.</source>
+        <translation>Dieser Bus ist mit %1 kBit/s verbunden. Verbinden Sie ihn zuerst mit %2 kBit/s.</translation>
+    </message>
+    <message>
+        <source>Proven: it is node %1 at the rate of this bus.</source>
+        <translation>Bewiesen: Es ist Knoten %1 mit der Rate dieses Busses.</translation>
+    </message>
+    <message>
+        <source>Looking for a device without a number, bit by bit of its identity: some seconds.</source>
+        <translation>Ein Gerät ohne Nummer wird gesucht, Bit für Bit seiner Identität: einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: who it is has to be read first.</source>
+        <translation>%1: Wer es ist, muss zuerst gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Choose a node of the CAN bus, or find a device without a number.</source>
+        <translation>Wählen Sie einen Knoten des CAN-Busses, oder suchen Sie ein Gerät ohne Nummer.</translation>
+    </message>
+    <message>
+        <source>LSS: selected by its identity</source>
+        <translation>LSS: nach seiner Identität gewählt</translation>
+    </message>
+    <message>
+        <source>Object %1, which its description names</source>
+        <translation>Objekt %1, das seine Beschreibung nennt</translation>
+    </message>
+    <message>
+        <source>It is there as node %1</source>
+        <translation>Es ist als Knoten %1 da</translation>
+    </message>
+    <message>
+        <source>It is there as node %1 after its supply was off</source>
+        <translation>Es ist als Knoten %1 da, nachdem seine Versorgung aus war</translation>
+    </message>
+    <message>
+        <source>Reads who the node is (1018h). Nothing is written (Alt+R)</source>
+        <translation>Liest, wer der Knoten ist (1018h). Nichts wird geschrieben (Alt+L)</translation>
+    </message>
+    <message>
+        <source>Choose a node of the CAN bus first</source>
+        <translation>Wählen Sie zuerst einen Knoten des CAN-Busses</translation>
+    </message>
+    <message>
+        <source>Looks for a device without a number by LSS (Alt+O)</source>
+        <translation>Sucht mit LSS ein Gerät ohne Nummer (Alt+O)</translation>
+    </message>
+    <message>
+        <source>Writes number and rate, after a question (Alt+W)</source>
+        <translation>Schreibt Nummer und Rate nach einer Rückfrage (Alt+S)</translation>
+    </message>
+    <message>
+        <source>Choose another number or a rate first</source>
+        <translation>Wählen Sie zuerst eine andere Nummer oder eine Rate</translation>
+    </message>
+    <message>
+        <source>Read who the device is first</source>
+        <translation>Lesen Sie zuerst, wer das Gerät ist</translation>
+    </message>
+    <message>
+        <source>Looks for the device, once its supply was switched off and on (Alt+I)</source>
+        <translation>Sucht das Gerät, sobald seine Versorgung aus- und eingeschaltet war (Alt+P)</translation>
+    </message>
+    <message>
+        <source>For a device that was given a number or rate</source>
+        <translation>Für ein Gerät, das Nummer oder Rate bekommen hat</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::NoteBar</name>
     <message>
         <source>&amp;Set note</source>
@@ -18370,6 +18891,38 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>%1, not the default: %2</source>
         <translation>%1, nicht die Vorgabe: %2</translation>
     </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>The value that the file gives this device (ParameterValue). A mark: the node has another</source>
+        <translation>Der Wert, den die Datei diesem Gerät gibt (ParameterValue). Ein Zeichen: Der Knoten hat einen anderen</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>What the project wants the node to have. A mark: the node has another value</source>
+        <translation>Was das Projekt vom Knoten will. Ein Zeichen: Der Knoten hat einen anderen Wert</translation>
+    </message>
+    <message>
+        <source>Only in the file that is compared with.</source>
+        <translation>Nur in der Datei, mit der verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Not in the file; the project wants it.</source>
+        <translation>Nicht in der Datei; das Projekt will es.</translation>
+    </message>
+    <message>
+        <source>there, no value</source>
+        <translation>vorhanden, ohne Wert</translation>
+    </message>
+    <message>
+        <source>%1, but the node has %2</source>
+        <translation>%1, aber der Knoten hat %2</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ObjectTexts</name>
@@ -18396,6 +18949,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>constant</source>
         <translation>konstant</translation>
+    </message>
+    <message>
+        <source>bit %1 = %2</source>
+        <translation>Bit %1 = %2</translation>
     </message>
 </context>
 <context>
@@ -24349,6 +24906,37 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Wizard for %1 cancelled</source>
         <translation>Assistent für %1 abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::SetupSteps</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>What is done, one after the other</source>
+        <translation>Was getan wird, eines nach dem anderen</translation>
+    </message>
+    <message>
+        <source>done: %1</source>
+        <translation>getan: %1</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>misslungen: %1</translation>
+    </message>
+    <message>
+        <source>now: %1</source>
+        <translation>jetzt: %1</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>planned: %1</source>
+        <translation>geplant: %1</translation>
     </message>
 </context>
 <context>
