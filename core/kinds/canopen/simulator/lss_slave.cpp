@@ -14,7 +14,7 @@ constexpr std::uint8_t lssDone = 0;
 constexpr std::uint8_t lssRefused = 1; // out of range, or not supported
 
 // The standard table of rates, in Bd; 0: there is none.
-constexpr std::array lssRates{1'000'000, 800'000, 500'000, 250'000, 125'000, 0, 50'000, 20'000, 10'000};
+constexpr std::array rateAtPlace{1'000'000, 800'000, 500'000, 250'000, 125'000, 0, 50'000, 20'000, 10'000};
 
 LssSlave::Frame lssAnswer(LssCommand command, std::uint32_t number = 0)
 {
@@ -124,9 +124,9 @@ LssSlave::Outcome LssSlave::setNumber(const Frame &frame)
 LssSlave::Outcome LssSlave::setRate(const Frame &frame)
 {
     const std::size_t place = frame[2];
-    if (frame[1] != 0 || place >= lssRates.size() || lssRates[place] == 0)
+    if (frame[1] != 0 || place >= rateAtPlace.size() || rateAtPlace[place] == 0)
         return {.answer = lssAnswer(LssCommand::configureRate, lssRefused)};
-    m_settings.rate = lssRates[place];
+    m_settings.rate = rateAtPlace[place];
     return {.answer = lssAnswer(LssCommand::configureRate, lssDone)};
 }
 
