@@ -4,8 +4,6 @@
 #include <QSvgRenderer>
 #include <QTextDocument>
 
-#include <cmath>
-
 namespace codewheel {
 namespace {
 

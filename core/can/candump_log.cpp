@@ -3,8 +3,6 @@
 
 #include "can/can_log_words.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 

@@ -2,7 +2,6 @@
 #include "doctor/hindrance_of_refusal.h"
 
 #include "doctor/can_hindrances.h"
-#include "doctor/doctor_texts.h"
 #include "doctor/network_hindrances.h"
 #include "doctor/port_hindrances.h"
 #include "doctor/usb_hindrances.h"

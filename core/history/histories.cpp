@@ -106,7 +106,6 @@ void Histories::addMessage(const Message &message)
 void Histories::addDropped(std::uint64_t count)
 {
     m_dropped += count;
-    Q_EMIT droppedChanged();
 }
 
 void Histories::note(Instant at, const QString &text)

@@ -62,7 +62,6 @@ Q_SIGNALS:
     void moved(codewheel::Place from, codewheel::Place to); // an encoder, with its history
     void marksChanged();                                    // soon; marks() are there at once
     void noted(codewheel::Instant at, const QString &text); // by note()
-    void droppedChanged();
 
 private:
     struct Watched

@@ -5,7 +5,6 @@
 #include "jobs/protocol.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
-#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>

@@ -4,7 +4,6 @@
 #include "catalog/device_description.h"
 #include "jobs/job_check.h"
 #include "jobs/protocol.h"
-#include "vocabulary/hex.h"
 
 #include <QCoreApplication>
 

@@ -7,7 +7,6 @@
 #include <QFileInfo>
 
 #include <filesystem>
-#include <numeric>
 #include <sys/stat.h>
 
 namespace codewheel {

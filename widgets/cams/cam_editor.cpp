@@ -25,7 +25,6 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
-#include <algorithm>
 #include <numeric>
 
 namespace codewheel {

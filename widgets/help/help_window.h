@@ -13,7 +13,6 @@ namespace codewheel {
 class FindBar;
 class HelpBrowser;
 class HelpSidebar;
-struct Tool;
 
 // The manual in a modeless window of its own: contents, search of all pages, find in the page, back and
 // forward.

@@ -7,8 +7,6 @@
 
 #include <vector>
 
-class QTextDocument;
-
 namespace codewheel {
 
 // A heading of the manual, with the text below it up to the next one.

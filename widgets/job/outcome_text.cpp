@@ -4,7 +4,6 @@
 #include "catalog/device_description.h"
 #include "jobs/job_report.h"
 #include "jobs/value_notes.h"
-#include "jobs/values_to_write.h"
 #include "journal/eeprom_cost.h"
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"

@@ -2,7 +2,6 @@
 #include "widgets/monitor/bit_cell.h"
 
 #include "widgets/look/fonts.h"
-#include "widgets/look/grid.h"
 #include "widgets/look/roles.h"
 
 #include <QPainter>

@@ -3,7 +3,6 @@
 
 #include "catalog/explain_word.h"
 #include "vocabulary/freshness_text.h"
-#include "vocabulary/hex.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"

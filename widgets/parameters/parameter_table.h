@@ -10,7 +10,6 @@
 
 namespace codewheel {
 
-class ParameterDelegate;
 class ParameterModel;
 
 // The view of a ParameterModel: one click or Enter edits a wanted value, and from there Tab goes on to the

@@ -8,8 +8,6 @@
 #include <QLineEdit>
 #include <QVariant>
 
-class QComboBox;
-
 namespace codewheel {
 
 // A field for one value of an encoder that is typed: a number, decimal or hexadecimal, a length in mm, or a

@@ -10,9 +10,7 @@
 
 class QCheckBox;
 class QComboBox;
-class QFormLayout;
 class QLabel;
-class QPushButton;
 class QSpinBox;
 
 namespace codewheel {

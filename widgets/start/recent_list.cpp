@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/recent_list.h"
 
-#include "widgets/look/grid.h"
-
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QDir>

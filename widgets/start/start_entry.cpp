@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/start_entry.h"
 
-#include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/wrapped_label.h"
 

@@ -8,7 +8,6 @@
 #include "widgets/look/heading_width.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
-#include "widgets/look/may_elide.h"
 #include "widgets/look/tool.h"
 #include "widgets/look/wrapped_label.h"
 #include "widgets/structure_editor/insert_panel.h"

@@ -6,7 +6,6 @@
 #include "widgets/trend/lane_layout.h"
 #include "widgets/trend/mark_text.h"
 #include "widgets/trend/ticks.h"
-#include "widgets/trend/track_text.h"
 #include "widgets/trend/trend_item.h"
 
 #include <QApplication>

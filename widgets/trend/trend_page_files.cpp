@@ -3,7 +3,6 @@
 #include "project/file_access.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/save_file.h"
-#include "widgets/trend/trend_chart.h"
 #include "widgets/trend/trend_export.h"
 #include "widgets/trend/trend_page.h"
 #include "widgets/trend/trend_values_model.h"

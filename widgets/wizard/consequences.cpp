@@ -6,7 +6,6 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/wrapped_label.h"
-#include "widgets/models/device_traits.h"
 #include "widgets/wizard/rod_consequences.h"
 #include "widgets/wizard/shaft_consequences.h"
 

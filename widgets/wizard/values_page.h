@@ -6,7 +6,6 @@
 #include <map>
 
 class QCheckBox;
-class QGridLayout;
 class QHBoxLayout;
 class QLabel;
 class QVBoxLayout;

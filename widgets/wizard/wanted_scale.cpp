@@ -5,8 +5,6 @@
 #include "jobs/protocol.h"
 #include "jobs/value_notes.h"
 
-#include <algorithm>
-
 namespace codewheel {
 
 std::optional<PositionScale> scaleNow(const Setup &setup)

@@ -12,8 +12,6 @@
 #include "journal/ledger_keeper.h"
 #include "journal_files.h"
 #include "project/bus_kind.h"
-#include "project/bus_plans.h"
-#include "vocabulary/sentence.h"
 
 #include <QJsonArray>
 

@@ -21,7 +21,6 @@ namespace codewheel {
 class EncoderBus;
 class LedgerKeeper;
 struct Call;
-struct DeviceDescription;
 struct FinishedJob;
 struct Participant;
 struct Project;

@@ -10,7 +10,6 @@
 #include "cli/encoder/parameter_arguments.h"
 #include "cli/kinds/link_kind.h"
 #include "project/bus_kind.h"
-#include "vocabulary/sentence.h"
 
 #include <algorithm>
 

@@ -13,7 +13,6 @@
 #include "cli/kinds/link_kind.h"
 #include "cli/project/project_of_call.h"
 #include "journal/ledger_keeper.h"
-#include "journal_files.h"
 #include "user_devices.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"

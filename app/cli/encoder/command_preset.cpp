@@ -9,7 +9,6 @@
 #include "cli/encoder/parameter_arguments.h"
 #include "cli/encoder/position_text.h"
 #include "cli/encoder/told_mode.h"
-#include "cli/encoder/trace.h"
 #include "cli/encoder/value_lines.h"
 #include "vocabulary/sentence.h"
 

@@ -10,7 +10,6 @@
 #include "cli/encoder/parameter_text.h"
 #include "cli/encoder/value_lines.h"
 #include "vocabulary/known_words.h"
-#include "vocabulary/sentence.h"
 
 #include <array>
 

@@ -9,7 +9,6 @@
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
 #include "cli/encoder/position_text.h"
-#include "cli/encoder/trace.h"
 #include "cli/encoder/value_lines.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"

@@ -7,8 +7,6 @@
 #include "cli/encoder/jobs.h"
 #include "cli/encoder/position_text.h"
 #include "cli/encoder/told_mode.h"
-#include "cli/encoder/trace.h"
-#include "jobs/job_report.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 

@@ -6,8 +6,6 @@
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
 #include "cli/encoder/parameter_arguments.h"
-#include "cli/encoder/trace.h"
-#include "vocabulary/sentence.h"
 
 #include <array>
 

@@ -3,7 +3,6 @@
 
 #include "bus/buses.h"
 #include "cli/bus/bus_access.h"
-#include "cli/call/json.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/subcommand.h"
 #include "cli/call/texts.h"

@@ -8,7 +8,6 @@
 #include "cli/encoder/parameter_text.h"
 #include "jobs/protocol.h"
 #include "jobs/step_text.h"
-#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <algorithm>

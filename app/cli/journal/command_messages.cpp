@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "cli/encoder/consent.h"
 #include "cli/project/project_of_call.h"
-#include "journal/argument_json.h"
 #include "journal/message_fields.h"
 #include "journal/message_search.h"
 #include "journal/message_writer.h"

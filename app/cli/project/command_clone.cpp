@@ -6,7 +6,6 @@
 #include "cli/encoder/jobs.h"
 #include "cli/project/transfer_call.h"
 #include "transfer/value_store.h"
-#include "vocabulary/sentence.h"
 
 #include <array>
 

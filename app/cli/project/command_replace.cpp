@@ -20,7 +20,6 @@
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {

@@ -15,7 +15,6 @@
 #include "transfer/project_places.h"
 #include "transfer/values_before.h"
 #include "vocabulary/local_time.h"
-#include "vocabulary/sentence.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,6 @@
 #include "cli/recording/export_wish.h"
 #include "recording/recording_archive.h"
 #include "trend/trend_files.h"
-#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QFileInfo>

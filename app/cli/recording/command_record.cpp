@@ -2,7 +2,6 @@
 #include "bus/buses.h"
 #include "cli/bus/bus_access.h"
 #include "cli/bus/places.h"
-#include "cli/call/json.h"
 #include "cli/call/texts.h"
 #include "cli/commands.h"
 #include "cli/project/transfer_call.h"

@@ -4,7 +4,6 @@
 #include "app/journal_files.h"
 #include "journal/ledger_keeper.h"
 #include "project/bus_kind.h"
-#include "project/bus_plans.h"
 #include "widgets/project/project_document.h"
 
 #include <chrono>

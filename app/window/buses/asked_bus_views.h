@@ -7,7 +7,7 @@
 #include "bus/check_outcome.h"
 #include "project/project.h"
 #include "vocabulary/refusal.h"
-#include "widgets/look/roles.h"
+#include "vocabulary/role.h"
 
 #include <QPointer>
 

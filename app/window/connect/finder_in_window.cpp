@@ -7,7 +7,6 @@
 #include "links/port_search.h"
 #include "widgets/find/find_page.h"
 
-#include <mutex>
 #include <utility>
 
 namespace codewheel {

@@ -7,7 +7,6 @@
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "project/bus_kind.h"
-#include "project/bus_plans.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"

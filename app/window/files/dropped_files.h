@@ -3,7 +3,6 @@
 
 #include <QObject>
 
-class QMimeData;
 class QWidget;
 
 namespace codewheel {

@@ -2,7 +2,6 @@
 #include "widgets/kinds/canopen/can_bus_panel.h"
 
 #include "kinds/canopen/bus/canopen_session.h"
-#include "vocabulary/refusal_text.h"
 #include "widgets/kinds/canopen/can_node_model.h"
 #include "widgets/kinds/canopen/nmt_texts.h"
 #include "widgets/look/describe.h"

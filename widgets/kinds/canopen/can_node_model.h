@@ -2,7 +2,6 @@
 #pragma once
 
 #include "kinds/canopen/bus/canopen_facts.h"
-#include "vocabulary/instant.h"
 #include "widgets/models/table_model_base.h"
 
 #include <QDateTime>

@@ -20,8 +20,6 @@
 #include <QStackedWidget>
 #include <QTableView>
 
-#include <utility>
-
 namespace codewheel {
 namespace {
 

@@ -17,7 +17,6 @@
 #include "links/can_link_to.h"
 #include "links/port_access.h"
 #include "links/slcan_link.h"
-#include "project/bus_plans.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 

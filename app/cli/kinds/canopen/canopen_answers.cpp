@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only a CAN bus with CANopen tells of its encoders, and how what was found on it is kept.
-#include "cli/call/json.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/canopen/canopen_access.h"
 #include "cli/kinds/canopen/canopen_scan.h"
@@ -8,7 +7,6 @@
 #include "cli/kinds/canopen/device_on_node.h"
 #include "kinds/canopen/protocol/encoder_bits.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
-#include "project/bus_plans.h"
 #include "vocabulary/sentence.h"
 
 #include <QLocale>

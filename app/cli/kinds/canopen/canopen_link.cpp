@@ -2,10 +2,8 @@
 #include "cli/kinds/canopen/canopen_link.h"
 
 #include "cli/call/texts.h"
-#include "project/bus_plans.h"
 #include "vocabulary/sentence.h"
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {

@@ -2,7 +2,6 @@
 #include "cli/kinds/canopen/canopen_trace.h"
 
 #include "can/frame_meaning.h"
-#include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/recording/frame_rows.h"

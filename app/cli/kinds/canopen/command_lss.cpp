@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus/places.h"
-#include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/consent.h"

@@ -11,7 +11,6 @@
 #include "project/file_access.h"
 #include "user_devices.h"
 #include "vocabulary/hex.h"
-#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QDir>

@@ -6,8 +6,6 @@
 #include "cli/encoder/parameter_arguments.h"
 #include "kinds/canopen/protocol/canopen_profile.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 

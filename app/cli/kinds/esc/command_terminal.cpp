@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/bus/places.h"
-#include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/call/typed_lines.h"
@@ -15,7 +14,6 @@
 #include "cli/kinds/esc/esc_line_trace.h"
 #include "kinds/esc/line/typed_request.h"
 #include "kinds/esc/line/write_question.h"
-#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QJsonDocument>

@@ -4,7 +4,6 @@
 #include "cli/call/json.h"
 #include "cli/call/keys.h"
 #include "cli/call/texts.h"
-#include "cli/encoder/parameter_text.h"
 #include "kinds/esc/driver/esc_fate.h"
 #include "kinds/esc/protocol/esc_line_address.h"
 #include "kinds/esc/protocol/esc_refusals.h"

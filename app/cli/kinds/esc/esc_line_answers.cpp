@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What only a serial line tells of its encoders, and how what was found on it is kept.
-#include "cli/call/json.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/esc/device_on_line.h"
 #include "cli/kinds/esc/esc_line_access.h"

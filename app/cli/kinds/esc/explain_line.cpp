@@ -11,8 +11,6 @@
 #include "kinds/esc/protocol/esc_scaling.h"
 #include "vocabulary/sentence.h"
 
-#include <array>
-
 namespace codewheel {
 namespace {
 

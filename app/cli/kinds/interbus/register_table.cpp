@@ -2,7 +2,6 @@
 #include "cli/kinds/interbus/register_table.h"
 
 #include "catalog/catalog.h"
-#include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "kinds/interbus/gateway/served_table.h"

@@ -6,7 +6,6 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "cli/bus/places.h"
-#include "cli/call/json.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/trace.h"

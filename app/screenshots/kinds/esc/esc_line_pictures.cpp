@@ -5,7 +5,6 @@
 #include "catalog/device_description.h"
 #include "kinds/esc/protocol/esc_request.h"
 #include "widgets/connect/connect_page.h"
-#include "widgets/kinds/esc/line/esc_line_panel.h"
 #include "widgets/kinds/esc/line/esc_line_search.h"
 #include "widgets/kinds/esc/line/esc_line_settings_form.h"
 #include "widgets/kinds/esc/line/esc_line_terminal.h"

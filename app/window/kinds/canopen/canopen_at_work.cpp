@@ -6,7 +6,6 @@
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 #include "links/can_link_to.h"
 #include "links/port_access.h"
-#include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
 
 #include <utility>

@@ -5,7 +5,6 @@
 #include "kinds/esc/links/project_adapter.h"
 #include "kinds/esc/simulator/simulated_esc_line_link.h"
 #include "links/port_access.h"
-#include "project/bus_kind.h"
 #include "widgets/project/project_document.h"
 
 #include <utility>

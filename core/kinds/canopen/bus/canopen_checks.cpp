@@ -6,14 +6,12 @@
 #include "kinds/canopen/bus/canopen_faults.h"
 #include "kinds/canopen/bus/canopen_pdo_check.h"
 #include "kinds/canopen/bus/canopen_session.h"
-#include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
 #include <cmath>
 
 namespace codewheel {

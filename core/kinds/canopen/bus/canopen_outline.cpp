@@ -8,8 +8,6 @@
 
 #include <QLocale>
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 

@@ -6,8 +6,6 @@
 #include "kinds/canopen/protocol/encoder_objects.h"
 #include "vocabulary/port_text.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 

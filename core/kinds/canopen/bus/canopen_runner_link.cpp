@@ -4,8 +4,6 @@
 #include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_runner_private.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 

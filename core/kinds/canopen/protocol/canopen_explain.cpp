@@ -8,7 +8,6 @@
 #include "kinds/canopen/protocol/pdo_mappings_heard.h"
 #include "kinds/canopen/protocol/sdo_blocks.h"
 #include "kinds/canopen/protocol/sdo_explain.h"
-#include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A write of a job and what became of it.
 #include "kinds/esc/driver/esc_job.h"
-#include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/protocol/esc_refusals.h"
 
 #include <algorithm>

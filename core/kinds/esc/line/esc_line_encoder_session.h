@@ -5,7 +5,6 @@
 #include "jobs/values_to_write.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_forms.h"
-#include "kinds/esc/protocol/esc_request.h"
 
 namespace codewheel {
 

@@ -4,8 +4,6 @@
 #include "kinds/esc/line/port_argument.h"
 #include "kinds/esc/protocol/esc_messages.h"
 
-#include <algorithm>
-
 namespace codewheel {
 
 void EscLineWork::carryOutNext(EscLineCommand &command)

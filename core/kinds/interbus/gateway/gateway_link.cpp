@@ -4,7 +4,6 @@
 #include "kinds/interbus/gateway/gateway_device_state.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/gateway_texts.h"
-#include "kinds/interbus/gateway/register_refusal.h"
 #include "vocabulary/sentence.h"
 
 #include <QScopedValueRollback>

@@ -2,11 +2,8 @@
 // OUT on a gateway: reading it back, and writing it.
 #include "kinds/interbus/gateway/gateway_device_state.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
-#include "kinds/interbus/gateway/gateway_texts.h"
 #include "kinds/interbus/gateway/register_refusal.h"
 #include "kinds/interbus/words/device_number.h"
-#include "vocabulary/hex.h"
-#include "vocabulary/sentence.h"
 
 #include <algorithm>
 #include <utility>

@@ -7,8 +7,6 @@
 #include "kinds/interbus/gateway/register_refusal.h"
 #include "vocabulary/encoder_session.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "kinds/interbus/k3/k3_plan.h"
-#include "kinds/interbus/words/k3_cam_fields.h"
 
 namespace codewheel {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/links/tcp_requests.h"
 
-#include <algorithm>
 #include <array>
 #include <poll.h>
 #include <sys/socket.h>

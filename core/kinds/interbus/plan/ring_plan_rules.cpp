@@ -11,8 +11,6 @@
 #include "kinds/interbus/ring/ring_tree.h"
 #include "kinds/interbus/ring/take_over.h"
 
-#include <algorithm>
-
 namespace codewheel {
 namespace {
 

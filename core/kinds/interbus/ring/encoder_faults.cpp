@@ -7,7 +7,6 @@
 #include "kinds/interbus/ring/word_doubts.h"
 #include "kinds/interbus/words/k3_word.h"
 #include "kinds/interbus/words/profiles.h"
-#include "vocabulary/device_error_name.h"
 #include "vocabulary/encoder_session.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/mode_text.h"

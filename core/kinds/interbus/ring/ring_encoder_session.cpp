@@ -4,7 +4,6 @@
 #include "bus/word_channel.h"
 #include "jobs/values_to_write.h"
 #include "kinds/interbus/ring/ring_refusals.h"
-#include "kinds/interbus/ring/ring_runner.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/send_permission.h"
 #include "kinds/interbus/words/k3_word.h"

@@ -3,7 +3,6 @@
 #include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_runner_private.h"
 #include "kinds/interbus/ring/send_permission.h"
-#include "vocabulary/hex.h"
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/simulator/planned_ring.h"
 
-#include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/simulator/fraba_k3.h"
 #include "kinds/interbus/simulator/simulated_bus_terminal.h"
 #include "kinds/interbus/simulator/simulated_ring_link.h"

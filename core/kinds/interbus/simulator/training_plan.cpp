@@ -4,7 +4,6 @@
 #include "catalog/protocol_rules.h"
 #include "catalog/strict_json.h"
 #include "catalog/total_range.h"
-#include "kinds/interbus/simulator/parameter_set.h"
 #include "kinds/interbus/simulator/training_controls.h"
 #include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_word.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "kinds/canopen/eds/eds_fault.h"
-#include "vocabulary/refusal.h"
 #include "widgets/kinds/canopen/dictionary/object_model.h"
 
 #include <QPointer>
@@ -13,7 +12,6 @@
 class QAction;
 class QComboBox;
 class QLabel;
-class QLineEdit;
 class QStackedWidget;
 class QToolBar;
 

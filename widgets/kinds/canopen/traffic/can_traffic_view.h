@@ -51,7 +51,6 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    QWidget *makeContent();
     void makeTools(QToolBar &bar);
     void add(const TrafficRow &row);
     void takeOverdue();

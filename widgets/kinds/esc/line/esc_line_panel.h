@@ -5,7 +5,6 @@
 
 #include <QPointer>
 
-class QFormLayout;
 class QLabel;
 class QTableView;
 

@@ -3,7 +3,6 @@
 
 #include "catalog/hex_code.h"
 #include "kinds/interbus/ring/ring_session.h"
-#include "vocabulary/refusal_text.h"
 #include "widgets/kinds/interbus/gateway/link_figures_model.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/fonts.h"

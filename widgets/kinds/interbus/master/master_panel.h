@@ -4,7 +4,6 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/scrolled_panel.h"
 
-class QFormLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;

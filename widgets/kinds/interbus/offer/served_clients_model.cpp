@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/interbus/offer/served_clients_model.h"
 
-#include "vocabulary/sentence.h"
 #include "widgets/kinds/interbus/offer/served_text.h"
 #include "widgets/look/fonts.h"
 

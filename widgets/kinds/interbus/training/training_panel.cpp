@@ -5,7 +5,6 @@
 #include "widgets/kinds/interbus/training/ring_faults.h"
 #include "widgets/kinds/interbus/training/rod_controls.h"
 #include "widgets/kinds/interbus/training/shaft_controls.h"
-#include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/training/training_fields.h"
 
