@@ -29,32 +29,28 @@ struct FreshnessRow
     const char *text;
     const char *brief; // empty also where it has a comment for translators
 };
-constexpr auto freshnessRows = std::to_array<FreshnessRow>({
-    {Reason::none, "", ""},
-    {Reason::notSeen, QT_TRANSLATE_NOOP("Freshness", "Nothing has come from the encoder yet."),
-     QT_TRANSLATE_NOOP("Freshness", "Nothing yet")},
-    {Reason::disconnected, QT_TRANSLATE_NOOP("Freshness", "Not connected."),
-     QT_TRANSLATE_NOOP("Freshness", "Not connected")},
-    {Reason::linkLost, QT_TRANSLATE_NOOP("Freshness", "The link is lost."),
-     QT_TRANSLATE_NOOP("Freshness", "Link lost")},
-    {Reason::stopped, QT_TRANSLATE_NOOP("Freshness", "The bus does not run."),
-     QT_TRANSLATE_NOOP("Freshness", "Bus stopped")},
-    {Reason::notOnBus, QT_TRANSLATE_NOOP("Freshness", "The device is not on the bus."),
-     QT_TRANSLATE_NOOP("Freshness", "Not on the bus")},
-    {Reason::unsettled, QT_TRANSLATE_NOOP("Freshness", "No two reads of its word agree."), ""},
-    {Reason::silent, QT_TRANSLATE_NOOP("Freshness", "The encoder does not answer."),
-     QT_TRANSLATE_NOOP("Freshness", "No answer")},
-    {Reason::notAsked,
-     QT_TRANSLATE_NOOP("Freshness", "The encoder is not being asked: something else keeps the line busy."),
-     QT_TRANSLATE_NOOP("Freshness", "Not asked")},
-    {Reason::slept, QT_TRANSLATE_NOOP("Freshness", "The computer has slept since."),
-     QT_TRANSLATE_NOOP("Freshness", "Computer slept")},
-    {Reason::recorded, QT_TRANSLATE_NOOP("Freshness", "This is a recording."),
-     QT_TRANSLATE_NOOP("Freshness", "Recording")},
-    {Reason::notRecorded, QT_TRANSLATE_NOOP("Freshness", "Of this time nothing is recorded."),
-     QT_TRANSLATE_NOOP("Freshness", "Not recorded")},
-});
-static_assert(areInOrder(freshnessRows, &FreshnessRow::reason, Reason::notRecorded));
+struct FreshnessRows
+{
+    Q_DECLARE_TR_FUNCTIONS(Freshness)
+
+public:
+    static constexpr auto all = std::to_array<FreshnessRow>({
+        {Reason::none, "", ""},
+        {Reason::notSeen, QT_TR_NOOP("Nothing has come from the encoder yet."), QT_TR_NOOP("Nothing yet")},
+        {Reason::disconnected, QT_TR_NOOP("Not connected."), QT_TR_NOOP("Not connected")},
+        {Reason::linkLost, QT_TR_NOOP("The link is lost."), QT_TR_NOOP("Link lost")},
+        {Reason::stopped, QT_TR_NOOP("The bus does not run."), QT_TR_NOOP("Bus stopped")},
+        {Reason::notOnBus, QT_TR_NOOP("The device is not on the bus."), QT_TR_NOOP("Not on the bus")},
+        {Reason::unsettled, QT_TR_NOOP("No two reads of its word agree."), ""},
+        {Reason::silent, QT_TR_NOOP("The encoder does not answer."), QT_TR_NOOP("No answer")},
+        {Reason::notAsked, QT_TR_NOOP("The encoder is not being asked: something else keeps the line busy."),
+         QT_TR_NOOP("Not asked")},
+        {Reason::slept, QT_TR_NOOP("The computer has slept since."), QT_TR_NOOP("Computer slept")},
+        {Reason::recorded, QT_TR_NOOP("This is a recording."), QT_TR_NOOP("Recording")},
+        {Reason::notRecorded, QT_TR_NOOP("Of this time nothing is recorded."), QT_TR_NOOP("Not recorded")},
+    });
+};
+static_assert(areInOrder(FreshnessRows::all, &FreshnessRow::reason, Reason::notRecorded));
 
 constexpr qint64 minute = 60;
 constexpr qint64 hour = 60 * minute;
@@ -97,7 +93,7 @@ QString unchangedText(const QDateTime &since, const QDateTime &now)
 
 QString freshnessText(Freshness::Reason reason)
 {
-    const char *text = rowOf(freshnessRows, reason).text;
+    const char *text = rowOf(FreshnessRows::all, reason).text;
     return *text == '\0' ? QString() : FreshnessText::tr(text);
 }
 
@@ -105,7 +101,7 @@ QString freshnessBrief(Freshness::Reason reason)
 {
     if (reason == Reason::unsettled)
         return FreshnessText::tr("Unsettled", "its word");
-    const char *text = rowOf(freshnessRows, reason).brief;
+    const char *text = rowOf(FreshnessRows::all, reason).brief;
     return *text == '\0' ? QString() : FreshnessText::tr(text);
 }
 

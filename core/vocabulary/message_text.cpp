@@ -18,149 +18,137 @@
 namespace codewheel {
 namespace {
 
-constexpr auto messageRows = std::to_array<SentenceRow>({
-    {MessageId::refused, "refused", QT_TRANSLATE_NOOP("Message", "Refused.")},
-    {MessageId::busStarted, "busStarted", QT_TRANSLATE_NOOP("Message", "The bus runs.")},
-    {MessageId::busStopped, "busStopped", QT_TRANSLATE_NOOP("Message", "The bus is stopped.")},
-    {MessageId::operateOn, "operateOn", QT_TRANSLATE_NOOP("Message", "Operate: writing is allowed.")},
-    {MessageId::watchOn, "watchOn", QT_TRANSLATE_NOOP("Message", "Watch: nothing is sent any more.")},
-    {MessageId::computerSlept, "computerSlept",
-     QT_TRANSLATE_NOOP(
-         "Message", "The computer slept for %1 s: the bus is in Watch, and what was shown before is old.")},
-    {MessageId::wordWritten, "wordWritten", QT_TRANSLATE_NOOP("Message", "OUT %1 written.")},
-    {MessageId::parametersWritten, "parametersWritten",
-     QT_TRANSLATE_NOOP("Message", "Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
-    {MessageId::parametersStored, "parametersStored",
-     QT_TRANSLATE_NOOP("Message", "Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).")},
-    {MessageId::writtenUnscaled, "writtenUnscaled",
-     QT_TRANSLATE_NOOP("Message", "Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position "
-                                  "acts only while scaling is on.")},
-    {MessageId::restoredReadBack, "restoredReadBack",
-     QT_TRANSLATE_NOOP("Message",
-                       "The earlier values were written again and read back: %1 (EEPROM writes: %2).")},
-    {MessageId::restoredConfirmed, "restoredConfirmed",
-     QT_TRANSLATE_NOOP("Message", "The earlier values were written again, confirmed and activated, but "
-                                  "cannot be read: %1 (EEPROM writes: %2).")},
-    {MessageId::parametersRead, "parametersRead", QT_TRANSLATE_NOOP("Message", "Values read: %1.")},
-    {MessageId::presetDone, "presetDone",
-     QT_TRANSLATE_NOOP("Message", "Preset initialised: position %1 before, %2 after.")},
-    {MessageId::wordsSent, "wordsSent", QT_TRANSLATE_NOOP("Message", "Words sent: %1.")},
-    {MessageId::broughtBack, "broughtBack",
-     QT_TRANSLATE_NOOP("Message", "The encoder is in operation again.")},
-    {MessageId::inDoubt, "inDoubt",
-     QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. Read it to know.")},
-    {MessageId::inDoubtForGood, "inDoubtForGood",
-     QT_TRANSLATE_NOOP("Message", "It is not known whether the encoder has this: %1. It cannot be read: "
-                                  "compare the position with the machine, or write it again.")},
-    {MessageId::writesInDoubt, "writesInDoubt",
-     QT_TRANSLATE_NOOP("Message", "EEPROM writes that this perhaps cost: %1.")},
-    {MessageId::outLeft, "outLeft",
-     QT_TRANSLATE_NOOP(
-         "Message",
-         "OUT may still hold %1: the encoder may give no position. Bring it back once the bus runs again.")},
-    {MessageId::leftInParameterization, "leftInParameterization",
-     QT_TRANSLATE_NOOP("Message",
-                       "The encoder was left in parameterization. Send run to bring it back to operation.")},
-    {MessageId::stillInParameterization, "stillInParameterization",
-     QT_TRANSLATE_NOOP("Message", "The encoder is still in parameterization, as it was before: it gives no "
-                                  "position until run is sent.")},
-    {MessageId::leftInService, "leftInService",
-     QT_TRANSLATE_NOOP("Message", "The encoder was left in service mode: it shows no position. Set OUT to 0 "
-                                  "to bring it back to normal mode.")},
-    {MessageId::leftInMode, "leftInMode",
-     QT_TRANSLATE_NOOP(
-         "Message",
-         "The encoder was left in %1: the controller gets no position. Switch it back to position mode.")},
-    {MessageId::leftInUnknownMode, "leftInUnknownMode",
-     QT_TRANSLATE_NOOP("Message", "It is not known in which mode the encoder was left: the controller may "
-                                  "get no position. Switch it to position mode.")},
-    {MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
-     QT_TRANSLATE_NOOP("Message", "IN has been 00000000 since run: position 0, or an encoder without power. "
-                                  "Turn the shaft to be sure.")},
-    {MessageId::deviceFault, "deviceFault",
-     QT_TRANSLATE_NOOP("Message", "The encoder reports error %1 (IN %2).")},
-    {MessageId::deviceFaultGone, "deviceFaultGone",
-     QT_TRANSLATE_NOOP("Message", "The encoder reports no error any more.")},
-    {MessageId::valuesForgotten, "valuesForgotten",
-     QT_TRANSLATE_NOOP("Message", "What was known of the encoder may not hold any more: read it again.")},
-    {MessageId::lateCycles, "lateCycles", QT_TRANSLATE_NOOP("Message", "Bus cycles that came late: %1.")},
-    {MessageId::modeSwitched, "modeSwitched", QT_TRANSLATE_NOOP("Message", "The encoder was switched: %1.")},
-    {MessageId::modeSentToZero, "modeSentToZero",
-     QT_TRANSLATE_NOOP(
-         "Message",
-         "The word for %1 was sent, and IN is 00000000: the encoder has no supply, or is at position 0.")},
-    {MessageId::resetWaitsForRun, "resetWaitsForRun",
-     QT_TRANSLATE_NOOP("Message", "The reset to factory settings waits for run. Run carries it out; "
-                                  "switching the encoder off drops it.")},
-    {MessageId::resetDone, "resetDone",
-     QT_TRANSLATE_NOOP("Message", "The encoder was reset to factory settings (EEPROM writes: %1).")},
-    {MessageId::camsRead, "camsRead", QT_TRANSLATE_NOOP("Message", "Cam programs read: %1.")},
-    {MessageId::camsWritten, "camsWritten",
-     QT_TRANSLATE_NOOP("Message", "Cam programs written: %1 (EEPROM writes so far: %2).")},
-    {MessageId::deviceNamed, "deviceNamed",
-     QT_TRANSLATE_NOOP("Message", "This encoder is now treated as: %1. What was known of it is forgotten.")},
-    {MessageId::serialNumberDiffers, "serialNumberDiffers",
-     QT_TRANSLATE_NOOP("Message", "The project has the serial number %1, and the encoder reports %2: check "
-                                  "which encoder it is, and correct the project.")},
-    {MessageId::connected, "connected", QT_TRANSLATE_NOOP("Message", "Connected: %1.")},
-    {MessageId::disconnected, "disconnected", QT_TRANSLATE_NOOP("Message", "Disconnected.")},
-    {MessageId::crcErrors, "crcErrors",
-     QT_TRANSLATE_NOOP("Message",
-                       "CRC errors in segment %1: %2 since the last message, %3 since the start.")},
-    {MessageId::projectOpened, "projectOpened", QT_TRANSLATE_NOOP("Message", "Project opened: %1.")},
-    {MessageId::projectSaved, "projectSaved", QT_TRANSLATE_NOOP("Message", "Project saved: %1.")},
-    {MessageId::projectRecovered, "projectRecovered",
-     QT_TRANSLATE_NOOP("Message", "Unsaved changes of %1 were recovered.")},
-    {MessageId::eepromThreeQuarters, "eepromThreeQuarters",
-     QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM; its manual states about "
-                                  "%2 writes. Each further write is asked about.")},
-    {MessageId::eepromBudgetUsed, "eepromBudgetUsed",
-     QT_TRANSLATE_NOOP("Message", "This program has written %1 times to the EEPROM, as often as its manual "
-                                  "states (%2). It may lose its values.")},
-    {MessageId::valuesStored, "valuesStored",
-     QT_TRANSLATE_NOOP("Message", "Stored in the project: %2 values of %1 encoders.")},
-    {MessageId::transferDone, "transferDone",
-     QT_TRANSLATE_NOOP("Message",
-                       "Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.")},
-    {MessageId::transferCancelled, "transferCancelled",
-     QT_TRANSLATE_NOOP("Message", "The transfer was cancelled (encoders that have all of it: %1, values "
-                                  "written: %2, already there: %3, EEPROM writes: %4).")},
-    {MessageId::transferCancelledSet, "transferCancelledSet",
-     QT_TRANSLATE_NOOP("Message",
-                       "The transfer was cancelled, but the position was set to %5 (encoders that have all "
-                       "of it: %1, values written: %2, already there: %3, EEPROM writes: %4).")},
-    {MessageId::encoderReplaced, "encoderReplaced",
-     QT_TRANSLATE_NOOP("Message", "The encoder was replaced (serial number before: %1, now: %2).")},
-    {MessageId::valuesRestored, "valuesRestored",
-     QT_TRANSLATE_NOOP("Message", "Values of %1 were restored: %2.")},
-    {MessageId::reportSaved, "reportSaved", QT_TRANSLATE_NOOP("Message", "Report saved: %1.")},
-    {MessageId::oldMessagesDropped, "oldMessagesDropped",
-     QT_TRANSLATE_NOOP("Message",
-                       "The message file had reached its size limit: the oldest %1 messages were dropped.")},
-    {MessageId::notKept, "notKept",
-     QT_TRANSLATE_NOOP("Message",
-                       "%1 cannot be used: %2 What belongs there is kept only until the program ends.")},
-    {MessageId::keptBeside, "keptBeside",
-     QT_TRANSLATE_NOOP("Message", "EEPROM writes cannot be entered in %1: %2 They are kept in %3, and "
-                                  "entered when the program can open it again.")},
-    {MessageId::databasePutAside, "databasePutAside",
-     QT_TRANSLATE_NOOP("Message", "%1 was damaged. It was put aside as %2, and a new one was begun.")},
-    {MessageId::encoderSilent, "encoderSilent",
-     QT_TRANSLATE_NOOP("Message", "The encoder does not answer any more (%1 tries).")},
-    {MessageId::encoderAnswers, "encoderAnswers", QT_TRANSLATE_NOOP("Message", "The encoder answers again.")},
-    {MessageId::recordingBegun, "recordingBegun", QT_TRANSLATE_NOOP("Message", "Recording to %1.")},
-    {MessageId::recordingWaits, "recordingWaits",
-     QT_TRANSLATE_NOOP("Message", "The recording %1 waits for its trigger.")},
-    {MessageId::recordingTriggered, "recordingTriggered",
-     QT_TRANSLATE_NOOP("Message", "The trigger fired: recording to %1.")},
-    {MessageId::recordingGoesOn, "recordingGoesOn",
-     QT_TRANSLATE_NOOP("Message", "The recording %1 goes on (values lost so far: %2).")},
-    {MessageId::recordingEnded, "recordingEnded",
-     QT_TRANSLATE_NOOP("Message", "The recording has ended: %1, %2.")},
-    {MessageId::training, "training", "%1"},
-});
+struct CommonMessageRows
+{
+    Q_DECLARE_TR_FUNCTIONS(Message)
 
-static_assert(areInOrder(messageRows, &SentenceRow::id, MessageId::training));
+public:
+    static constexpr auto all = std::to_array<SentenceRow>({
+        {MessageId::refused, "refused", QT_TR_NOOP("Refused.")},
+        {MessageId::busStarted, "busStarted", QT_TR_NOOP("The bus runs.")},
+        {MessageId::busStopped, "busStopped", QT_TR_NOOP("The bus is stopped.")},
+        {MessageId::operateOn, "operateOn", QT_TR_NOOP("Operate: writing is allowed.")},
+        {MessageId::watchOn, "watchOn", QT_TR_NOOP("Watch: nothing is sent any more.")},
+        {MessageId::computerSlept, "computerSlept",
+         QT_TR_NOOP("The computer slept for %1 s: the bus is in Watch, and what was shown before is old.")},
+        {MessageId::wordWritten, "wordWritten", QT_TR_NOOP("OUT %1 written.")},
+        {MessageId::parametersWritten, "parametersWritten",
+         QT_TR_NOOP("Written and activated: %3 (parameters: %1, EEPROM writes: %2).")},
+        {MessageId::parametersStored, "parametersStored",
+         QT_TR_NOOP("Stored, in force before: %3 (parameters: %1, EEPROM writes: %2).")},
+        {MessageId::writtenUnscaled, "writtenUnscaled",
+         QT_TR_NOOP("Written: %3 (parameters: %1, EEPROM writes: %2). What scales the position acts only "
+                    "while scaling is on.")},
+        {MessageId::restoredReadBack, "restoredReadBack",
+         QT_TR_NOOP("The earlier values were written again and read back: %1 (EEPROM writes: %2).")},
+        {MessageId::restoredConfirmed, "restoredConfirmed",
+         QT_TR_NOOP("The earlier values were written again, confirmed and activated, but cannot be read: %1 "
+                    "(EEPROM writes: %2).")},
+        {MessageId::parametersRead, "parametersRead", QT_TR_NOOP("Values read: %1.")},
+        {MessageId::presetDone, "presetDone",
+         QT_TR_NOOP("Preset initialised: position %1 before, %2 after.")},
+        {MessageId::wordsSent, "wordsSent", QT_TR_NOOP("Words sent: %1.")},
+        {MessageId::broughtBack, "broughtBack", QT_TR_NOOP("The encoder is in operation again.")},
+        {MessageId::inDoubt, "inDoubt",
+         QT_TR_NOOP("It is not known whether the encoder has this: %1. Read it to know.")},
+        {MessageId::inDoubtForGood, "inDoubtForGood",
+         QT_TR_NOOP("It is not known whether the encoder has this: %1. It cannot be read: compare the "
+                    "position with the machine, or write it again.")},
+        {MessageId::writesInDoubt, "writesInDoubt", QT_TR_NOOP("EEPROM writes that this perhaps cost: %1.")},
+        {MessageId::outLeft, "outLeft",
+         QT_TR_NOOP("OUT may still hold %1: the encoder may give no position. Bring it back once the bus "
+                    "runs again.")},
+        {MessageId::leftInParameterization, "leftInParameterization",
+         QT_TR_NOOP("The encoder was left in parameterization. Send run to bring it back to operation.")},
+        {MessageId::stillInParameterization, "stillInParameterization",
+         QT_TR_NOOP("The encoder is still in parameterization, as it was before: it gives no position until "
+                    "run is sent.")},
+        {MessageId::leftInService, "leftInService",
+         QT_TR_NOOP("The encoder was left in service mode: it shows no position. Set OUT to 0 to bring it "
+                    "back to normal mode.")},
+        {MessageId::leftInMode, "leftInMode",
+         QT_TR_NOOP("The encoder was left in %1: the controller gets no position. Switch it back to position "
+                    "mode.")},
+        {MessageId::leftInUnknownMode, "leftInUnknownMode",
+         QT_TR_NOOP("It is not known in which mode the encoder was left: the controller may get no position. "
+                    "Switch it to position mode.")},
+        {MessageId::onlyZeroSinceRun, "onlyZeroSinceRun",
+         QT_TR_NOOP("IN has been 00000000 since run: position 0, or an encoder without power. Turn the shaft "
+                    "to be sure.")},
+        {MessageId::deviceFault, "deviceFault", QT_TR_NOOP("The encoder reports error %1 (IN %2).")},
+        {MessageId::deviceFaultGone, "deviceFaultGone", QT_TR_NOOP("The encoder reports no error any more.")},
+        {MessageId::valuesForgotten, "valuesForgotten",
+         QT_TR_NOOP("What was known of the encoder may not hold any more: read it again.")},
+        {MessageId::lateCycles, "lateCycles", QT_TR_NOOP("Bus cycles that came late: %1.")},
+        {MessageId::modeSwitched, "modeSwitched", QT_TR_NOOP("The encoder was switched: %1.")},
+        {MessageId::modeSentToZero, "modeSentToZero",
+         QT_TR_NOOP("The word for %1 was sent, and IN is 00000000: the encoder has no supply, or is at "
+                    "position 0.")},
+        {MessageId::resetWaitsForRun, "resetWaitsForRun",
+         QT_TR_NOOP("The reset to factory settings waits for run. Run carries it out; switching the encoder "
+                    "off drops it.")},
+        {MessageId::resetDone, "resetDone",
+         QT_TR_NOOP("The encoder was reset to factory settings (EEPROM writes: %1).")},
+        {MessageId::camsRead, "camsRead", QT_TR_NOOP("Cam programs read: %1.")},
+        {MessageId::camsWritten, "camsWritten",
+         QT_TR_NOOP("Cam programs written: %1 (EEPROM writes so far: %2).")},
+        {MessageId::deviceNamed, "deviceNamed",
+         QT_TR_NOOP("This encoder is now treated as: %1. What was known of it is forgotten.")},
+        {MessageId::serialNumberDiffers, "serialNumberDiffers",
+         QT_TR_NOOP("The project has the serial number %1, and the encoder reports %2: check which encoder "
+                    "it is, and correct the project.")},
+        {MessageId::connected, "connected", QT_TR_NOOP("Connected: %1.")},
+        {MessageId::disconnected, "disconnected", QT_TR_NOOP("Disconnected.")},
+        {MessageId::crcErrors, "crcErrors",
+         QT_TR_NOOP("CRC errors in segment %1: %2 since the last message, %3 since the start.")},
+        {MessageId::projectOpened, "projectOpened", QT_TR_NOOP("Project opened: %1.")},
+        {MessageId::projectSaved, "projectSaved", QT_TR_NOOP("Project saved: %1.")},
+        {MessageId::projectRecovered, "projectRecovered",
+         QT_TR_NOOP("Unsaved changes of %1 were recovered.")},
+        {MessageId::eepromThreeQuarters, "eepromThreeQuarters",
+         QT_TR_NOOP("This program has written %1 times to the EEPROM; its manual states about %2 writes. "
+                    "Each further write is asked about.")},
+        {MessageId::eepromBudgetUsed, "eepromBudgetUsed",
+         QT_TR_NOOP("This program has written %1 times to the EEPROM, as often as its manual states (%2). It "
+                    "may lose its values.")},
+        {MessageId::valuesStored, "valuesStored",
+         QT_TR_NOOP("Stored in the project: %2 values of %1 encoders.")},
+        {MessageId::transferDone, "transferDone",
+         QT_TR_NOOP("Transferred to %1 encoders: %2 values written, %3 already there, %4 EEPROM writes.")},
+        {MessageId::transferCancelled, "transferCancelled",
+         QT_TR_NOOP("The transfer was cancelled (encoders that have all of it: %1, values written: %2, "
+                    "already there: %3, EEPROM writes: %4).")},
+        {MessageId::transferCancelledSet, "transferCancelledSet",
+         QT_TR_NOOP("The transfer was cancelled, but the position was set to %5 (encoders that have all of "
+                    "it: %1, values written: %2, already there: %3, EEPROM writes: %4).")},
+        {MessageId::encoderReplaced, "encoderReplaced",
+         QT_TR_NOOP("The encoder was replaced (serial number before: %1, now: %2).")},
+        {MessageId::valuesRestored, "valuesRestored", QT_TR_NOOP("Values of %1 were restored: %2.")},
+        {MessageId::reportSaved, "reportSaved", QT_TR_NOOP("Report saved: %1.")},
+        {MessageId::oldMessagesDropped, "oldMessagesDropped",
+         QT_TR_NOOP("The message file had reached its size limit: the oldest %1 messages were dropped.")},
+        {MessageId::notKept, "notKept",
+         QT_TR_NOOP("%1 cannot be used: %2 What belongs there is kept only until the program ends.")},
+        {MessageId::keptBeside, "keptBeside",
+         QT_TR_NOOP("EEPROM writes cannot be entered in %1: %2 They are kept in %3, and entered when the "
+                    "program can open it again.")},
+        {MessageId::databasePutAside, "databasePutAside",
+         QT_TR_NOOP("%1 was damaged. It was put aside as %2, and a new one was begun.")},
+        {MessageId::encoderSilent, "encoderSilent",
+         QT_TR_NOOP("The encoder does not answer any more (%1 tries).")},
+        {MessageId::encoderAnswers, "encoderAnswers", QT_TR_NOOP("The encoder answers again.")},
+        {MessageId::recordingBegun, "recordingBegun", QT_TR_NOOP("Recording to %1.")},
+        {MessageId::recordingWaits, "recordingWaits", QT_TR_NOOP("The recording %1 waits for its trigger.")},
+        {MessageId::recordingTriggered, "recordingTriggered",
+         QT_TR_NOOP("The trigger fired: recording to %1.")},
+        {MessageId::recordingGoesOn, "recordingGoesOn",
+         QT_TR_NOOP("The recording %1 goes on (values lost so far: %2).")},
+        {MessageId::recordingEnded, "recordingEnded", QT_TR_NOOP("The recording has ended: %1, %2.")},
+        {MessageId::training, "training", "%1"},
+    });
+};
+
+static_assert(areInOrder(CommonMessageRows::all, &SentenceRow::id, MessageId::training));
 
 // Either position may be missing.
 QString presetText(const Message &message)
@@ -274,7 +262,7 @@ QString commonMessageText(const Message &message)
 
 } // namespace
 
-constinit const MessageFamily commonMessages{messageRows, commonMessageText};
+constinit const MessageFamily commonMessages{CommonMessageRows::all, commonMessageText};
 
 QString messagePattern(const char *text)
 {

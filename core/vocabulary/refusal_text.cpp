@@ -13,344 +13,304 @@
 namespace codewheel {
 namespace {
 
-constexpr auto refusalRows = std::to_array<SentenceRow>({
-    // badInput
-    {RefusalId::valueOutOfRange, "valueOutOfRange",
-     QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is out of range. Give a value from %3 to %4.")},
-    {RefusalId::inputNotUnderstood, "inputNotUnderstood",
-     QT_TRANSLATE_NOOP("Refusal", "%1: %2 Give a value from %3 to %4.")},
-    {RefusalId::valueNotAllowed, "valueNotAllowed",
-     QT_TRANSLATE_NOOP("Refusal", "%1 cannot be \"%2\". Allowed are: %3.")},
-    {RefusalId::parameterGivenTwice, "parameterGivenTwice",
-     QT_TRANSLATE_NOOP("Refusal", "%1 is given twice. Give it once.")},
-    {RefusalId::parameterReadOnly, "parameterReadOnly",
-     QT_TRANSLATE_NOOP("Refusal", "%1 of the %2 can be read but not written. Leave it out.")},
-    {RefusalId::nothingToDo, "nothingToDo",
-     QT_TRANSLATE_NOOP("Refusal", "There is nothing to do. Name at least one parameter, value or word.")},
-    {RefusalId::unknownDevice, "unknownDevice",
-     QT_TRANSLATE_NOOP("Refusal", "There is no device at %1. There are devices at: %2.")},
-    {RefusalId::totalRangeTooLarge, "totalRangeTooLarge",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The total range would be %1 steps; the largest is %2. Choose fewer steps or more revolutions.")},
-    {RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
-     QT_TRANSLATE_NOOP("Refusal", "The resolution would be finer than the encoder's %3 steps per turn "
-                                  "(steps: %1, revolutions: %2). Choose fewer steps or more revolutions.")},
-    {RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
-     QT_TRANSLATE_NOOP("Refusal", "%1 = %2 is outside the total range. Give a value of at most %3.")},
-    {RefusalId::presetNeedsValue, "presetNeedsValue",
-     QT_TRANSLATE_NOOP("Refusal", "The %1 needs the position it is to be set to. Give a value.")},
-    {RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
-     QT_TRANSLATE_NOOP("Refusal", "There is no cam program %1. Choose a program from 1 to %2.")},
-    {RefusalId::camOutOfRange, "camOutOfRange",
-     QT_TRANSLATE_NOOP("Refusal", "There is no cam %1. Choose a cam from 0 to %2.")},
-    {RefusalId::camPositionTooLarge, "camPositionTooLarge",
-     QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},
-    {RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
-     QT_TRANSLATE_NOOP("Refusal", "The shift cannot be %1. Give a value from 0 to 25.")},
-    {RefusalId::camHasNoShift, "camHasNoShift",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "The shift cannot be %1: this encoder does not shift its position. Set it to 0.")},
-    {RefusalId::camThroughZero, "camThroughZero",
-     QT_TRANSLATE_NOOP("Refusal", "Cam %1 cannot go through zero: the positions of this encoder do not lie "
-                                  "in a circle. Give a stop that is not below the start.")},
-    {RefusalId::camHasMore, "camHasMore",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "Cam %1 has a hysteresis or a polarity that this encoder does not know. Set them to 0 and off.")},
-    {RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
-     QT_TRANSLATE_NOOP("Refusal", "Cam program %1 is given twice. Give it once.")},
-    {RefusalId::camFileBroken, "camFileBroken",
-     QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 Nothing was taken from the file."),
-     QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 Nothing was taken from the file.")},
-    {RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
-     QT_TRANSLATE_NOOP("Refusal", "%1 contains cam program %2, not %3. Choose program %2, or another file.")},
-    {RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
-     QT_TRANSLATE_NOOP("Refusal", "\"%2\" in \"%1\" is not understood. Allowed there: %3.")},
-    {RefusalId::deviceFileBroken, "deviceFileBroken",
-     QT_TRANSLATE_NOOP("Refusal", "%1: %2 This description was left out; all others were taken.")},
-    {RefusalId::deviceOfOtherBus, "deviceOfOtherBus",
-     QT_TRANSLATE_NOOP("Refusal", "The %2 belongs to another kind of bus: it cannot be the device at %1.")},
-    {RefusalId::fileNotReadable, "fileNotReadable", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be read: %2")},
-    {RefusalId::fileNotWritten, "fileNotWritten",
-     QT_TRANSLATE_NOOP("Refusal", "%1 cannot be written: %2 Nothing was changed there.")},
-    {RefusalId::fileChanged, "fileChanged",
-     QT_TRANSLATE_NOOP("Refusal", "Another program has changed %1 since it was read here. It was left "
-                                  "unchanged; nothing was saved. Read it again.")},
-    {RefusalId::fileTooLarge, "fileTooLarge",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?")},
-    {RefusalId::projectFileBroken, "projectFileBroken",
-     QT_TRANSLATE_NOOP("Refusal", "%1, line %2, %3: %4 The project was not opened."),
-     QT_TRANSLATE_NOOP("Refusal", "%1, line %2: %4 The project was not opened.")},
-    {RefusalId::projectFileNewer, "projectFileNewer",
-     QT_TRANSLATE_NOOP("Refusal", "%1 was saved by a newer Codewheel (version %2 of the file; this one reads "
-                                  "up to %3). Open it with that one. Nothing was changed.")},
-    {RefusalId::structureBroken, "structureBroken",
-     QT_TRANSLATE_NOOP("Refusal", "The bus cannot be built like this: %1")},
-    {RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
-     QT_TRANSLATE_NOOP("Refusal", "The project has no device at %1. It has: %2.")},
-    {RefusalId::projectEmpty, "projectEmpty",
-     QT_TRANSLATE_NOOP("Refusal", "The project has no devices. Insert one, or read in the ring.")},
-    {RefusalId::lineSettingWrong, "lineSettingWrong",
-     QT_TRANSLATE_NOOP("Refusal", "The serial line cannot be set to \"%1\". Allowed are: %2.")},
-    {RefusalId::lineAddressTaken, "lineAddressTaken",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.")},
-    {RefusalId::recordingExists, "recordingExists",
-     QT_TRANSLATE_NOOP("Refusal", "There is already a file %1. A recording is never written over another "
-                                  "file: choose another name, or remove that file.")},
-    {RefusalId::serverAddressWrong, "serverAddressWrong",
-     QT_TRANSLATE_NOOP("Refusal", "The address of the server is wrong. %1")},
-    {RefusalId::passwordInAddress, "passwordInAddress",
-     QT_TRANSLATE_NOOP("Refusal", "A password must not be in the address of a server. Put it into ~/.pgpass, "
-                                  "into the file that PGPASSFILE names, or into PGPASSWORD.")},
-    {RefusalId::noSizeOnServer, "noSizeOnServer",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "A recording on a server can be kept to its last hours, but not to a size.")},
-    {RefusalId::recordingEmpty, "recordingEmpty",
-     QT_TRANSLATE_NOOP("Refusal", "Nothing is recorded in %1 as yet.")},
-    // notSupported
-    {RefusalId::parameterNotSupported, "parameterNotSupported",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The %2 does not have the parameter \"%1\". Leave it out, or check which encoder it is.")},
-    {RefusalId::readingNotSupported, "readingNotSupported",
-     QT_TRANSLATE_NOOP("Refusal", "The %1 has no read-out: its values cannot be read.")},
-    {RefusalId::writingNotSupported, "writingNotSupported",
-     QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be parameterized over the bus.")},
-    {RefusalId::presetNotSupported, "presetNotSupported",
-     QT_TRANSLATE_NOOP("Refusal", "The position of the %1 cannot be set over the bus.")},
-    {RefusalId::modeNotKnown, "modeNotKnown",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 %2. "
-                       "Make sure that the encoder is in position mode, and confirm it.")},
-    {RefusalId::inCamMode, "inCamMode",
-     QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the encoder is in cam mode, where the word %1 %2. "
-                                  "Switch it to position mode first.")},
-    {RefusalId::camsNotSupported, "camsNotSupported", QT_TRANSLATE_NOOP("Refusal", "The %1 has no cams.")},
-    {RefusalId::velocityNotSupported, "velocityNotSupported",
-     QT_TRANSLATE_NOOP("Refusal", "The %1 has no velocity mode.")},
-    {RefusalId::manufacturerPresetNotSupported, "manufacturerPresetNotSupported",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The %1 does not know the FRABA preset. Set the position with the preset of the profile.")},
-    {RefusalId::linkDoesNotBoundCycles, "linkDoesNotBoundCycles",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "Nothing was sent: this link cannot make sure that the word %1 stands on the bus for "
-                       "one cycle only. Set the position with the preset of the profile.")},
-    {RefusalId::resetNotSupported, "resetNotSupported",
-     QT_TRANSLATE_NOOP("Refusal", "The %1 cannot be reset to factory settings over the bus.")},
-    {RefusalId::sendingNotSupported, "sendingNotSupported",
-     QT_TRANSLATE_NOOP("Refusal", "%1 has no OUT word: nothing can be sent to it.")},
-    {RefusalId::jobNotSupported, "jobNotSupported", QT_TRANSLATE_NOOP("Refusal", "The %1 cannot do this.")},
-    {RefusalId::onlyRecorded, "onlyRecorded",
-     QT_TRANSLATE_NOOP("Refusal", "This is a recording: nothing is sent.")},
-    {RefusalId::encodersDiffer, "encodersDiffer",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.")},
-    // busy
-    {RefusalId::jobRunning, "jobRunning",
-     QT_TRANSLATE_NOOP("Refusal", "A job is running at %1. Wait for its end, or cancel it."),
-     QT_TRANSLATE_NOOP("Refusal", "A job is running at this encoder. Wait for its end, or cancel it.")},
-    {RefusalId::wordHeldByJob, "wordHeldByJob",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel it."),
-     QT_TRANSLATE_NOOP("Refusal",
-                       "Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.")},
-    {RefusalId::watchOnly, "watchOnly",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "Nothing was sent to %1: the program only watches. Switch to Operate first."),
-     QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the program only watches. Switch to Operate first.")},
-    {RefusalId::notRunning, "notRunning",
-     QT_TRANSLATE_NOOP("Refusal", "Nothing was sent to %1: the bus is stopped. Start it first."),
-     QT_TRANSLATE_NOOP("Refusal", "Nothing was sent: the bus is stopped. Start it first.")},
-    {RefusalId::inParameterization, "inParameterization",
-     QT_TRANSLATE_NOOP("Refusal", "Nothing was written: the encoder is in parameterization already (IN %1). "
-                                  "End that first, with run.")},
-    {RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
-     QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; its manual states "
-                                  "about %3 writes. Confirm that you want to write.")},
-    {RefusalId::eepromLimitPassed, "eepromLimitPassed",
-     QT_TRANSLATE_NOOP("Refusal", "%1: this program has written %2 times to its EEPROM; beyond %3 its manual "
-                                  "guarantees nothing. Type the place to write nevertheless.")},
-    // device
-    {RefusalId::wrongParameterData, "wrongParameterData",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "Error 1: the encoder refused the value of %1 (IN %2). Check the value and write it again."),
-     QT_TRANSLATE_NOOP(
-         "Refusal", "Error 1: the encoder refused a value (IN %2). Check the values and write them again.")},
-    {RefusalId::unknownParameterNumber, "unknownParameterNumber",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "Error 2: the encoder does not know the number of %1 (IN %2). Check which encoder it is."),
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "Error 2: the encoder does not know a parameter number (IN %2). Check which encoder it is.")},
-    {RefusalId::parametersLost, "parametersLost",
-     QT_TRANSLATE_NOOP("Refusal", "Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 "
-                                  "to 4 again, or reset it to factory settings.")},
-    {RefusalId::valuesMissingAfterLoss, "valuesMissingAfterLoss",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "The encoder has lost its parameters, and works again only with all of parameters 1 "
-                       "to 4. Without a value: %1. Give them one; nothing is sent before.")},
-    {RefusalId::eepromStoreError, "eepromStoreError",
-     QT_TRANSLATE_NOOP("Refusal", "Error 13: the encoder could not store its parameters (IN %1). Write them "
-                                  "again; if the error comes back, replace the encoder.")},
-    {RefusalId::batteryLow, "batteryLow",
-     QT_TRANSLATE_NOOP("Refusal", "Error 14: the battery of the encoder is low (IN %1). Have it replaced; "
-                                  "run brings the encoder back to operation.")},
-    {RefusalId::codeDiscFault, "codeDiscFault",
-     QT_TRANSLATE_NOOP("Refusal", "Error 15: the encoder reads a faulty value from its code disc (IN %1). "
-                                  "Send run; if the error comes back, replace the encoder.")},
-    {RefusalId::manufacturerError, "manufacturerError",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
-    {RefusalId::noValidPosition, "noValidPosition",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The encoder gives no valid position (IN %1). Turn the shaft more slowly, and send run.")},
-    {RefusalId::otherDeviceError, "otherDeviceError",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The encoder reports error %1 (IN %2), which its description does not name. See its manual.")},
-    {RefusalId::noAnswer, "noAnswer",
-     QT_TRANSLATE_NOOP("Refusal", "The encoder did not answer within %1 s (OUT %2, IN %3). Check which "
-                                  "encoder it is, and whether it is switched on.")},
-    {RefusalId::noAnswerAtGateway, "noAnswerAtGateway",
-     QT_TRANSLATE_NOOP("Refusal", "The encoder did not answer within %1 s (OUT %2, IN %3). Check the first "
-                                  "register of OUT in the connection: its words may go elsewhere. Then check "
-                                  "which encoder it is, and whether it is switched on.")},
-    {RefusalId::verificationFailed, "verificationFailed",
-     QT_TRANSLATE_NOOP("Refusal", "%1 was written as %2 but read back as %3. Read the encoder before you "
-                                  "rely on it, and write again.")},
-    {RefusalId::takenAsCamWord, "takenAsCamWord",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was changed, and it was "
-         "left in parameterization: the controller gets no position. Switching the encoder off and on drops "
-         "the change. Run, or another mode, keeps it: then the cam program has to be written again.")},
-    {RefusalId::modeNotSwitched, "modeNotSwitched",
-     QT_TRANSLATE_NOOP("Refusal", "The encoder does not show the mode: it is in parameterization (IN %1). "
-                                  "End that first, with run, then try again.")},
-    {RefusalId::magnetOutOfRange, "magnetOutOfRange",
-     QT_TRANSLATE_NOOP("Refusal", "The magnet is outside the measuring range (IN %1): the last position is "
-                                  "shown. Move the magnet back, then read the error status.")},
-    {RefusalId::noValuesFromBefore, "noValuesFromBefore",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "There is nothing to restore at %1: no values from before a write are kept.")},
-    {RefusalId::notSaidWhetherSame, "notSaidWhetherSame",
-     QT_TRANSLATE_NOOP("Refusal", "Say first whether the encoder at %1 is the same as before.")},
-    {RefusalId::escNoAnswer, "escNoAnswer",
-     QT_TRANSLATE_NOOP("Refusal", "No answer to %1 (tries: %2). Check address, baud rate, wiring and supply; "
-                                  "an RS-422 encoder also needs ST (pin 7) at +UB.")},
-    {RefusalId::presetNotTaken, "presetNotTaken",
-     QT_TRANSLATE_NOOP("Refusal", "The position was not set: the encoder shows %2, and would show %1. Make "
-                                  "sure that its OUT word reaches it, then set the position again.")},
-    {RefusalId::presetUsedUp, "presetUsedUp",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "The position was not set: the encoder shows %2, and would show %1. It had used its "
-                       "preset up (preset flag 0): write the preset again, then set the position.")},
-    {RefusalId::presetNotKnownWithout, "presetNotKnownWithout",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "The preset was sent, but it is not known whether the position was set, since it is "
-                       "not known what the encoder has for: %1. It shows %2: compare that with the machine. "
-                       "It can be told where that value was written from here before.")},
-    {RefusalId::presetNotKnown, "presetNotKnown",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "The preset was sent, but it is not known whether the position was set: the encoder "
-                       "shows %1, which does not tell. Compare it with the machine before you go on.")},
-    {RefusalId::encoderSilent, "encoderSilent",
-     QT_TRANSLATE_NOOP("Refusal", "%1 does not answer. Check address, baud rate, wiring and supply.")},
-    // link
-    {RefusalId::linkFailed, "linkFailed", QT_TRANSLATE_NOOP("Refusal", "The link failed: %1")},
-    {RefusalId::ringDiffers, "ringDiffers",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "%1: configured is %2, found was %3. Compare, and take over what is right.")},
-    {RefusalId::databaseFailed, "databaseFailed", QT_TRANSLATE_NOOP("Refusal", "%1 cannot be used: %2")},
-    {RefusalId::recordingGone, "recordingGone",
-     QT_TRANSLATE_NOOP("Refusal", "%1 was moved, replaced or removed while it was being recorded to: the "
-                                  "recording has ended. Begin another one.")},
-    {RefusalId::damagedBlocks, "damagedBlocks",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "Some values of %1 cannot be read: the file is damaged (blocks: %2). There are gaps instead.")},
-    {RefusalId::diskAlmostFull, "diskAlmostFull",
-     QT_TRANSLATE_NOOP("Refusal", "The disk of %1 is almost full: %2 MB are free, and %3 MB are to stay "
-                                  "free. The recording waits. Make room.")},
-    {RefusalId::serverAway, "serverAway",
-     QT_TRANSLATE_NOOP("Refusal", "%1 does not take the recording: %2 What is recorded waits on this "
-                                  "computer, and follows (MB that wait: %3).")},
-    {RefusalId::notAllSent, "notAllSent",
-     QT_TRANSLATE_NOOP("Refusal", "Not all of the recording is in %1: %2 The rest (MB: %3) waits in %4, and "
-                                  "follows with the next recording to this server.")},
-    {RefusalId::portNotFound, "portNotFound",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "There is no serial port %1. Plug the adapter in, and choose a port from the list.")},
-    {RefusalId::portInUse, "portInUse",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The serial port %1 is used by another program. Close that program, then connect again.")},
-    {RefusalId::portNoRights, "portNoRights",
-     QT_TRANSLATE_NOOP("Refusal", "You may not use the serial port %1: it belongs to the group %2. Run "
-                                  "\"%3\". If that adds you to a group, log out and in again.")},
-    {RefusalId::portLost, "portLost",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "The serial port %1 is gone: the adapter was unplugged or has lost its supply. Plug it in again.")},
-    {RefusalId::portOfOther, "portOfOther",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "%1 is another adapter than %2. Choose the port again if you mean this one.")},
-    {RefusalId::lineClosed, "lineClosed",
-     QT_TRANSLATE_NOOP("Refusal", "The serial line is not open. Connect it first.")},
-    {RefusalId::hostNotFound, "hostNotFound",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "There is no host \"%1\" in this network. Check its name, or give its address.")},
-    {RefusalId::connectionRefused, "connectionRefused",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "%1 refuses the connection. Check the port, and whether Modbus/TCP is switched on there.")},
-    {RefusalId::connectionSilent, "connectionSilent",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "%1 cannot be reached: no answer within %2 s. Check address, cable and supply.")},
-    {RefusalId::connectionClosed, "connectionClosed",
-     QT_TRANSLATE_NOOP("Refusal", "%1 has closed the connection.")},
-    {RefusalId::serverPortTaken, "serverPortTaken",
-     QT_TRANSLATE_NOOP("Refusal", "Port %1 is used by another program. End it, or take another port.")},
-    {RefusalId::serverPortPrivileged, "serverPortPrivileged",
-     QT_TRANSLATE_NOOP("Refusal",
-                       "Only an administrator may serve at port %1. Take a higher one, such as 1502.")},
-    {RefusalId::serverAddressNotOurs, "serverAddressNotOurs",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "This computer does not have the address %1. Take one of its own, or 0.0.0.0 for all it has.")},
-    {RefusalId::notConnected, "notConnected",
-     QT_TRANSLATE_NOOP("Refusal", "%1 is not connected. Connect its bus, and look which devices are there.")},
-    {RefusalId::deviceDiffers, "deviceDiffers",
-     QT_TRANSLATE_NOOP(
-         "Refusal",
-         "%1: planned is %2, connected is %3. Connect what is planned, or plan what is connected.")},
-    {RefusalId::serialDiffers, "serialDiffers",
-     QT_TRANSLATE_NOOP("Refusal", "%1: the label in the project has the serial number %2, the encoder "
-                                  "reports %3. Replace the encoder in the project, or correct the label.")},
-    // stopped
-    {RefusalId::cancelled, "cancelled", QT_TRANSLATE_NOOP("Refusal", "The job was cancelled.")},
-    {RefusalId::alarmStop, "alarmStop",
-     QT_TRANSLATE_NOOP("Refusal", "ALARM STOP ended the job. Check in which state it left the encoder.")},
-    {RefusalId::busStopped, "busStopped",
-     QT_TRANSLATE_NOOP("Refusal", "The job ended because the bus was stopped. Start the bus, and check in "
-                                  "which state the encoder is.")},
-    {RefusalId::computerSlept, "computerSlept",
-     QT_TRANSLATE_NOOP("Refusal", "The job ended because the computer slept. Check in which state the "
-                                  "encoder is, and change to Operate before you write again.")},
-    {RefusalId::stoppedInWrite, "stoppedInWrite",
-     QT_TRANSLATE_NOOP("Refusal", "The job ended after %1 was sent and before it was answered: it is not "
-                                  "known whether the encoder has the new value. Read it before you go on.")},
-});
+struct RefusalRows
+{
+    Q_DECLARE_TR_FUNCTIONS(Refusal)
 
-static_assert(areInOrder(refusalRows, &SentenceRow::id, RefusalId::stoppedInWrite));
+public:
+    static constexpr auto all = std::to_array<SentenceRow>({
+        // badInput
+        {RefusalId::valueOutOfRange, "valueOutOfRange",
+         QT_TR_NOOP("%1 = %2 is out of range. Give a value from %3 to %4.")},
+        {RefusalId::inputNotUnderstood, "inputNotUnderstood",
+         QT_TR_NOOP("%1: %2 Give a value from %3 to %4.")},
+        {RefusalId::valueNotAllowed, "valueNotAllowed", QT_TR_NOOP("%1 cannot be \"%2\". Allowed are: %3.")},
+        {RefusalId::parameterGivenTwice, "parameterGivenTwice",
+         QT_TR_NOOP("%1 is given twice. Give it once.")},
+        {RefusalId::parameterReadOnly, "parameterReadOnly",
+         QT_TR_NOOP("%1 of the %2 can be read but not written. Leave it out.")},
+        {RefusalId::nothingToDo, "nothingToDo",
+         QT_TR_NOOP("There is nothing to do. Name at least one parameter, value or word.")},
+        {RefusalId::unknownDevice, "unknownDevice",
+         QT_TR_NOOP("There is no device at %1. There are devices at: %2.")},
+        {RefusalId::totalRangeTooLarge, "totalRangeTooLarge",
+         QT_TR_NOOP("The total range would be %1 steps; the largest is %2. Choose fewer steps or more "
+                    "revolutions.")},
+        {RefusalId::tooManyStepsPerTurn, "tooManyStepsPerTurn",
+         QT_TR_NOOP("The resolution would be finer than the encoder's %3 steps per turn (steps: %1, "
+                    "revolutions: %2). Choose fewer steps or more revolutions.")},
+        {RefusalId::valueAboveTotalRange, "valueAboveTotalRange",
+         QT_TR_NOOP("%1 = %2 is outside the total range. Give a value of at most %3.")},
+        {RefusalId::presetNeedsValue, "presetNeedsValue",
+         QT_TR_NOOP("The %1 needs the position it is to be set to. Give a value.")},
+        {RefusalId::camProgramOutOfRange, "camProgramOutOfRange",
+         QT_TR_NOOP("There is no cam program %1. Choose a program from 1 to %2.")},
+        {RefusalId::camOutOfRange, "camOutOfRange",
+         QT_TR_NOOP("There is no cam %1. Choose a cam from 0 to %2.")},
+        {RefusalId::camPositionTooLarge, "camPositionTooLarge",
+         QT_TR_NOOP("Cam %1 cannot start or stop at %2. Give a position from 0 to %3.")},
+        {RefusalId::camShiftOutOfRange, "camShiftOutOfRange",
+         QT_TR_NOOP("The shift cannot be %1. Give a value from 0 to 25.")},
+        {RefusalId::camHasNoShift, "camHasNoShift",
+         QT_TR_NOOP("The shift cannot be %1: this encoder does not shift its position. Set it to 0.")},
+        {RefusalId::camThroughZero, "camThroughZero",
+         QT_TR_NOOP("Cam %1 cannot go through zero: the positions of this encoder do not lie in a circle. "
+                    "Give a stop that is not below the start.")},
+        {RefusalId::camHasMore, "camHasMore",
+         QT_TR_NOOP("Cam %1 has a hysteresis or a polarity that this encoder does not know. Set them to 0 "
+                    "and off.")},
+        {RefusalId::camProgramGivenTwice, "camProgramGivenTwice",
+         QT_TR_NOOP("Cam program %1 is given twice. Give it once.")},
+        {RefusalId::camFileBroken, "camFileBroken",
+         QT_TR_NOOP("%1, line %2, %3: %4 Nothing was taken from the file."),
+         QT_TR_NOOP("%1, line %2: %4 Nothing was taken from the file.")},
+        {RefusalId::camFileOfOtherProgram, "camFileOfOtherProgram",
+         QT_TR_NOOP("%1 contains cam program %2, not %3. Choose program %2, or another file.")},
+        {RefusalId::labelKeyNotUnderstood, "labelKeyNotUnderstood",
+         QT_TR_NOOP("\"%2\" in \"%1\" is not understood. Allowed there: %3.")},
+        {RefusalId::deviceFileBroken, "deviceFileBroken",
+         QT_TR_NOOP("%1: %2 This description was left out; all others were taken.")},
+        {RefusalId::deviceOfOtherBus, "deviceOfOtherBus",
+         QT_TR_NOOP("The %2 belongs to another kind of bus: it cannot be the device at %1.")},
+        {RefusalId::fileNotReadable, "fileNotReadable", QT_TR_NOOP("%1 cannot be read: %2")},
+        {RefusalId::fileNotWritten, "fileNotWritten",
+         QT_TR_NOOP("%1 cannot be written: %2 Nothing was changed there.")},
+        {RefusalId::fileChanged, "fileChanged",
+         QT_TR_NOOP("Another program has changed %1 since it was read here. It was left unchanged; nothing "
+                    "was saved. Read it again.")},
+        {RefusalId::fileTooLarge, "fileTooLarge",
+         QT_TR_NOOP("%1 has %2 MB; the largest file that is read has %3 MB. Is it the right file?")},
+        {RefusalId::projectFileBroken, "projectFileBroken",
+         QT_TR_NOOP("%1, line %2, %3: %4 The project was not opened."),
+         QT_TR_NOOP("%1, line %2: %4 The project was not opened.")},
+        {RefusalId::projectFileNewer, "projectFileNewer",
+         QT_TR_NOOP("%1 was saved by a newer Codewheel (version %2 of the file; this one reads up to %3). "
+                    "Open it with that one. Nothing was changed.")},
+        {RefusalId::structureBroken, "structureBroken", QT_TR_NOOP("The bus cannot be built like this: %1")},
+        {RefusalId::noSuchProjectDevice, "noSuchProjectDevice",
+         QT_TR_NOOP("The project has no device at %1. It has: %2.")},
+        {RefusalId::projectEmpty, "projectEmpty",
+         QT_TR_NOOP("The project has no devices. Insert one, or read in the ring.")},
+        {RefusalId::lineSettingWrong, "lineSettingWrong",
+         QT_TR_NOOP("The serial line cannot be set to \"%1\". Allowed are: %2.")},
+        {RefusalId::lineAddressTaken, "lineAddressTaken",
+         QT_TR_NOOP(
+             "Address %1 is taken: %2 answers there. Choose another, or two encoders would answer at once.")},
+        {RefusalId::recordingExists, "recordingExists",
+         QT_TR_NOOP("There is already a file %1. A recording is never written over another file: choose "
+                    "another name, or remove that file.")},
+        {RefusalId::serverAddressWrong, "serverAddressWrong",
+         QT_TR_NOOP("The address of the server is wrong. %1")},
+        {RefusalId::passwordInAddress, "passwordInAddress",
+         QT_TR_NOOP("A password must not be in the address of a server. Put it into ~/.pgpass, into the file "
+                    "that PGPASSFILE names, or into PGPASSWORD.")},
+        {RefusalId::noSizeOnServer, "noSizeOnServer",
+         QT_TR_NOOP("A recording on a server can be kept to its last hours, but not to a size.")},
+        {RefusalId::recordingEmpty, "recordingEmpty", QT_TR_NOOP("Nothing is recorded in %1 as yet.")},
+        // notSupported
+        {RefusalId::parameterNotSupported, "parameterNotSupported",
+         QT_TR_NOOP(
+             "The %2 does not have the parameter \"%1\". Leave it out, or check which encoder it is.")},
+        {RefusalId::readingNotSupported, "readingNotSupported",
+         QT_TR_NOOP("The %1 has no read-out: its values cannot be read.")},
+        {RefusalId::writingNotSupported, "writingNotSupported",
+         QT_TR_NOOP("The %1 cannot be parameterized over the bus.")},
+        {RefusalId::presetNotSupported, "presetNotSupported",
+         QT_TR_NOOP("The position of the %1 cannot be set over the bus.")},
+        {RefusalId::modeNotKnown, "modeNotKnown",
+         QT_TR_NOOP("Nothing was sent: the mode of the encoder is not known. In cam mode the word %1 %2. "
+                    "Make sure that the encoder is in position mode, and confirm it.")},
+        {RefusalId::inCamMode, "inCamMode",
+         QT_TR_NOOP("Nothing was sent: the encoder is in cam mode, where the word %1 %2. Switch it to "
+                    "position mode first.")},
+        {RefusalId::camsNotSupported, "camsNotSupported", QT_TR_NOOP("The %1 has no cams.")},
+        {RefusalId::velocityNotSupported, "velocityNotSupported", QT_TR_NOOP("The %1 has no velocity mode.")},
+        {RefusalId::manufacturerPresetNotSupported, "manufacturerPresetNotSupported",
+         QT_TR_NOOP(
+             "The %1 does not know the FRABA preset. Set the position with the preset of the profile.")},
+        {RefusalId::linkDoesNotBoundCycles, "linkDoesNotBoundCycles",
+         QT_TR_NOOP("Nothing was sent: this link cannot make sure that the word %1 stands on the bus for one "
+                    "cycle only. Set the position with the preset of the profile.")},
+        {RefusalId::resetNotSupported, "resetNotSupported",
+         QT_TR_NOOP("The %1 cannot be reset to factory settings over the bus.")},
+        {RefusalId::sendingNotSupported, "sendingNotSupported",
+         QT_TR_NOOP("%1 has no OUT word: nothing can be sent to it.")},
+        {RefusalId::jobNotSupported, "jobNotSupported", QT_TR_NOOP("The %1 cannot do this.")},
+        {RefusalId::onlyRecorded, "onlyRecorded", QT_TR_NOOP("This is a recording: nothing is sent.")},
+        {RefusalId::encodersDiffer, "encodersDiffer",
+         QT_TR_NOOP("%1 (%2) and %3 (%4) are not the same kind of encoder. Choose encoders of one kind.")},
+        // busy
+        {RefusalId::jobRunning, "jobRunning",
+         QT_TR_NOOP("A job is running at %1. Wait for its end, or cancel it."),
+         QT_TR_NOOP("A job is running at this encoder. Wait for its end, or cancel it.")},
+        {RefusalId::wordHeldByJob, "wordHeldByJob",
+         QT_TR_NOOP("Nothing was sent to %1: a job holds its OUT word. Wait for its end, or cancel it."),
+         QT_TR_NOOP("Nothing was sent: a job holds the OUT word. Wait for its end, or cancel it.")},
+        {RefusalId::watchOnly, "watchOnly",
+         QT_TR_NOOP("Nothing was sent to %1: the program only watches. Switch to Operate first."),
+         QT_TR_NOOP("Nothing was sent: the program only watches. Switch to Operate first.")},
+        {RefusalId::notRunning, "notRunning",
+         QT_TR_NOOP("Nothing was sent to %1: the bus is stopped. Start it first."),
+         QT_TR_NOOP("Nothing was sent: the bus is stopped. Start it first.")},
+        {RefusalId::inParameterization, "inParameterization",
+         QT_TR_NOOP("Nothing was written: the encoder is in parameterization already (IN %1). End that "
+                    "first, with run.")},
+        {RefusalId::eepromBudgetUsed, "eepromBudgetUsed",
+         QT_TR_NOOP("%1: this program has written %2 times to its EEPROM; its manual states about %3 writes. "
+                    "Confirm that you want to write.")},
+        {RefusalId::eepromLimitPassed, "eepromLimitPassed",
+         QT_TR_NOOP("%1: this program has written %2 times to its EEPROM; beyond %3 its manual guarantees "
+                    "nothing. Type the place to write nevertheless.")},
+        // device
+        {RefusalId::wrongParameterData, "wrongParameterData",
+         QT_TR_NOOP(
+             "Error 1: the encoder refused the value of %1 (IN %2). Check the value and write it again."),
+         QT_TR_NOOP("Error 1: the encoder refused a value (IN %2). Check the values and write them again.")},
+        {RefusalId::unknownParameterNumber, "unknownParameterNumber",
+         QT_TR_NOOP(
+             "Error 2: the encoder does not know the number of %1 (IN %2). Check which encoder it is."),
+         QT_TR_NOOP(
+             "Error 2: the encoder does not know a parameter number (IN %2). Check which encoder it is.")},
+        {RefusalId::parametersLost, "parametersLost",
+         QT_TR_NOOP("Error 3: the encoder has lost its parameters (IN %1). Write parameters 1 to 4 again, or "
+                    "reset it to factory settings.")},
+        {RefusalId::valuesMissingAfterLoss, "valuesMissingAfterLoss",
+         QT_TR_NOOP("The encoder has lost its parameters, and works again only with all of parameters 1 to "
+                    "4. Without a value: %1. Give them one; nothing is sent before.")},
+        {RefusalId::eepromStoreError, "eepromStoreError",
+         QT_TR_NOOP("Error 13: the encoder could not store its parameters (IN %1). Write them again; if the "
+                    "error comes back, replace the encoder.")},
+        {RefusalId::batteryLow, "batteryLow",
+         QT_TR_NOOP("Error 14: the battery of the encoder is low (IN %1). Have it replaced; run brings the "
+                    "encoder back to operation.")},
+        {RefusalId::codeDiscFault, "codeDiscFault",
+         QT_TR_NOOP("Error 15: the encoder reads a faulty value from its code disc (IN %1). Send run; if the "
+                    "error comes back, replace the encoder.")},
+        {RefusalId::manufacturerError, "manufacturerError",
+         QT_TR_NOOP("The encoder reports the manufacturer's error %1 (IN %2). See its manual.")},
+        {RefusalId::noValidPosition, "noValidPosition",
+         QT_TR_NOOP(
+             "The encoder gives no valid position (IN %1). Turn the shaft more slowly, and send run.")},
+        {RefusalId::otherDeviceError, "otherDeviceError",
+         QT_TR_NOOP(
+             "The encoder reports error %1 (IN %2), which its description does not name. See its manual.")},
+        {RefusalId::noAnswer, "noAnswer",
+         QT_TR_NOOP("The encoder did not answer within %1 s (OUT %2, IN %3). Check which encoder it is, and "
+                    "whether it is switched on.")},
+        {RefusalId::noAnswerAtGateway, "noAnswerAtGateway",
+         QT_TR_NOOP("The encoder did not answer within %1 s (OUT %2, IN %3). Check the first register of OUT "
+                    "in the connection: its words may go elsewhere. Then check which encoder it is, and "
+                    "whether it is switched on.")},
+        {RefusalId::verificationFailed, "verificationFailed",
+         QT_TR_NOOP("%1 was written as %2 but read back as %3. Read the encoder before you rely on it, and "
+                    "write again.")},
+        {RefusalId::takenAsCamWord, "takenAsCamWord",
+         QT_TR_NOOP("The encoder is in cam mode: there the word %1 %2 (IN %3). Its cam program was changed, "
+                    "and it was left in parameterization: the controller gets no position. Switching the "
+                    "encoder off and on drops the change. Run, or another mode, keeps it: then the cam "
+                    "program has to be written again.")},
+        {RefusalId::modeNotSwitched, "modeNotSwitched",
+         QT_TR_NOOP("The encoder does not show the mode: it is in parameterization (IN %1). End that first, "
+                    "with run, then try again.")},
+        {RefusalId::magnetOutOfRange, "magnetOutOfRange",
+         QT_TR_NOOP("The magnet is outside the measuring range (IN %1): the last position is shown. Move the "
+                    "magnet back, then read the error status.")},
+        {RefusalId::noValuesFromBefore, "noValuesFromBefore",
+         QT_TR_NOOP("There is nothing to restore at %1: no values from before a write are kept.")},
+        {RefusalId::notSaidWhetherSame, "notSaidWhetherSame",
+         QT_TR_NOOP("Say first whether the encoder at %1 is the same as before.")},
+        {RefusalId::escNoAnswer, "escNoAnswer",
+         QT_TR_NOOP("No answer to %1 (tries: %2). Check address, baud rate, wiring and supply; an RS-422 "
+                    "encoder also needs ST (pin 7) at +UB.")},
+        {RefusalId::presetNotTaken, "presetNotTaken",
+         QT_TR_NOOP("The position was not set: the encoder shows %2, and would show %1. Make sure that its "
+                    "OUT word reaches it, then set the position again.")},
+        {RefusalId::presetUsedUp, "presetUsedUp",
+         QT_TR_NOOP("The position was not set: the encoder shows %2, and would show %1. It had used its "
+                    "preset up (preset flag 0): write the preset again, then set the position.")},
+        {RefusalId::presetNotKnownWithout, "presetNotKnownWithout",
+         QT_TR_NOOP("The preset was sent, but it is not known whether the position was set, since it is not "
+                    "known what the encoder has for: %1. It shows %2: compare that with the machine. It can "
+                    "be told where that value was written from here before.")},
+        {RefusalId::presetNotKnown, "presetNotKnown",
+         QT_TR_NOOP("The preset was sent, but it is not known whether the position was set: the encoder "
+                    "shows %1, which does not tell. Compare it with the machine before you go on.")},
+        {RefusalId::encoderSilent, "encoderSilent",
+         QT_TR_NOOP("%1 does not answer. Check address, baud rate, wiring and supply.")},
+        // link
+        {RefusalId::linkFailed, "linkFailed", QT_TR_NOOP("The link failed: %1")},
+        {RefusalId::ringDiffers, "ringDiffers",
+         QT_TR_NOOP("%1: configured is %2, found was %3. Compare, and take over what is right.")},
+        {RefusalId::databaseFailed, "databaseFailed", QT_TR_NOOP("%1 cannot be used: %2")},
+        {RefusalId::recordingGone, "recordingGone",
+         QT_TR_NOOP("%1 was moved, replaced or removed while it was being recorded to: the recording has "
+                    "ended. Begin another one.")},
+        {RefusalId::damagedBlocks, "damagedBlocks",
+         QT_TR_NOOP(
+             "Some values of %1 cannot be read: the file is damaged (blocks: %2). There are gaps instead.")},
+        {RefusalId::diskAlmostFull, "diskAlmostFull",
+         QT_TR_NOOP("The disk of %1 is almost full: %2 MB are free, and %3 MB are to stay free. The "
+                    "recording waits. Make room.")},
+        {RefusalId::serverAway, "serverAway",
+         QT_TR_NOOP("%1 does not take the recording: %2 What is recorded waits on this computer, and follows "
+                    "(MB that wait: %3).")},
+        {RefusalId::notAllSent, "notAllSent",
+         QT_TR_NOOP("Not all of the recording is in %1: %2 The rest (MB: %3) waits in %4, and follows with "
+                    "the next recording to this server.")},
+        {RefusalId::portNotFound, "portNotFound",
+         QT_TR_NOOP("There is no serial port %1. Plug the adapter in, and choose a port from the list.")},
+        {RefusalId::portInUse, "portInUse",
+         QT_TR_NOOP(
+             "The serial port %1 is used by another program. Close that program, then connect again.")},
+        {RefusalId::portNoRights, "portNoRights",
+         QT_TR_NOOP("You may not use the serial port %1: it belongs to the group %2. Run \"%3\". If that "
+                    "adds you to a group, log out and in again.")},
+        {RefusalId::portLost, "portLost",
+         QT_TR_NOOP("The serial port %1 is gone: the adapter was unplugged or has lost its supply. Plug it "
+                    "in again.")},
+        {RefusalId::portOfOther, "portOfOther",
+         QT_TR_NOOP("%1 is another adapter than %2. Choose the port again if you mean this one.")},
+        {RefusalId::lineClosed, "lineClosed", QT_TR_NOOP("The serial line is not open. Connect it first.")},
+        {RefusalId::hostNotFound, "hostNotFound",
+         QT_TR_NOOP("There is no host \"%1\" in this network. Check its name, or give its address.")},
+        {RefusalId::connectionRefused, "connectionRefused",
+         QT_TR_NOOP(
+             "%1 refuses the connection. Check the port, and whether Modbus/TCP is switched on there.")},
+        {RefusalId::connectionSilent, "connectionSilent",
+         QT_TR_NOOP("%1 cannot be reached: no answer within %2 s. Check address, cable and supply.")},
+        {RefusalId::connectionClosed, "connectionClosed", QT_TR_NOOP("%1 has closed the connection.")},
+        {RefusalId::serverPortTaken, "serverPortTaken",
+         QT_TR_NOOP("Port %1 is used by another program. End it, or take another port.")},
+        {RefusalId::serverPortPrivileged, "serverPortPrivileged",
+         QT_TR_NOOP("Only an administrator may serve at port %1. Take a higher one, such as 1502.")},
+        {RefusalId::serverAddressNotOurs, "serverAddressNotOurs",
+         QT_TR_NOOP(
+             "This computer does not have the address %1. Take one of its own, or 0.0.0.0 for all it has.")},
+        {RefusalId::notConnected, "notConnected",
+         QT_TR_NOOP("%1 is not connected. Connect its bus, and look which devices are there.")},
+        {RefusalId::deviceDiffers, "deviceDiffers",
+         QT_TR_NOOP(
+             "%1: planned is %2, connected is %3. Connect what is planned, or plan what is connected.")},
+        {RefusalId::serialDiffers, "serialDiffers",
+         QT_TR_NOOP("%1: the label in the project has the serial number %2, the encoder reports %3. Replace "
+                    "the encoder in the project, or correct the label.")},
+        // stopped
+        {RefusalId::cancelled, "cancelled", QT_TR_NOOP("The job was cancelled.")},
+        {RefusalId::alarmStop, "alarmStop",
+         QT_TR_NOOP("ALARM STOP ended the job. Check in which state it left the encoder.")},
+        {RefusalId::busStopped, "busStopped",
+         QT_TR_NOOP("The job ended because the bus was stopped. Start the bus, and check in which state the "
+                    "encoder is.")},
+        {RefusalId::computerSlept, "computerSlept",
+         QT_TR_NOOP("The job ended because the computer slept. Check in which state the encoder is, and "
+                    "change to Operate before you write again.")},
+        {RefusalId::stoppedInWrite, "stoppedInWrite",
+         QT_TR_NOOP("The job ended after %1 was sent and before it was answered: it is not known whether the "
+                    "encoder has the new value. Read it before you go on.")},
+    });
+};
+
+static_assert(areInOrder(RefusalRows::all, &SentenceRow::id, RefusalId::stoppedInWrite));
 
 // The word, what it does, and what to do instead.
 QString wordText(const Refusal &refusal)
@@ -491,7 +451,7 @@ QString commonRefusalText(const Refusal &refusal)
 
 } // namespace
 
-constinit const RefusalFamily commonRefusals{refusalRows, commonRefusalText};
+constinit const RefusalFamily commonRefusals{RefusalRows::all, commonRefusalText};
 
 QString refusalPattern(const char *text)
 {

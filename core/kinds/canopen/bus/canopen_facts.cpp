@@ -109,70 +109,60 @@ QString masterText(const CanopenSession &bus)
     return master.isHeard() ? OtherMaster::textOf(master.argument()) : CanopenFactText::tr("none is heard");
 }
 
-constexpr auto factRows = std::to_array<CanopenFact>({
-    {"link", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Adapter"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The interface or the port of this bus"),
-     [](const CanopenSession &bus) { return bus.linkName(); },
-     [](const CanopenSession &bus) { return QJsonValue(bus.linkName()); }},
-    {"rate", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Rate"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Of the bus, as far as the adapter tells it"), rateText,
-     [](const CanopenSession &bus) { return QJsonValue(bus.rate()); }},
-    {"load", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Load"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "How much of the last second frames were on the bus"),
-     loadText, [](const CanopenSession &bus) { return QJsonValue(figuresOf(bus).load); }},
-    {"controller", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Controller"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "The error state of our adapter: error passive from 128 errors on, bus off at 256"),
-     [](const CanopenSession &bus) { return canStateText(bus.latest().status.state); },
-     [](const CanopenSession &bus) { return QJsonValue(canStateKey(bus.latest().status.state)); }},
-    {"listensOnly", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Acknowledging"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "Whether our adapter acknowledges what others send. One that only listens does not"),
-     listensText,
-     [](const CanopenSession &bus) {
-         const auto &listens = bus.latest().status.listensOnly;
-         return listens ? QJsonValue(*listens) : QJsonValue();
-     }},
-    {"otherMaster", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Another master"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "Who commands or asks nodes and is not this program, such as a PLC"),
-     masterText, [](const CanopenSession &bus) { return QJsonValue(bus.latest().otherMaster.isHeard()); }},
-    {"received", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Received"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames, since the bus was connected"),
-     countText<&CanopenFigures::received>, countJson<&CanopenFigures::received>},
-    {"sent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Sent"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames of this program"), countText<&CanopenFigures::sent>,
-     countJson<&CanopenFigures::sent>},
-    {"notSent", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not sent"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Frames that the adapter has refused"),
-     countText<&CanopenFigures::notSent>, countJson<&CanopenFigures::notSent>},
-    {"errorFrames", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Error frames"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "As far as the adapter reports them. Many: the rate or the wiring is wrong"),
-     countText<&CanopenFigures::errorFrames>, countJson<&CanopenFigures::errorFrames>},
-    {"notAcknowledged", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Not acknowledged"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "Error frames since a frame was last received, because nobody acknowledges: no other "
-                       "node is there, or none at this rate"),
-     countText<&CanopenFigures::notAcknowledged>, countJson<&CanopenFigures::notAcknowledged>},
-    {"transmitErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Transmit errors"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
-     counterText<&CanStatus::transmitErrors>, counterJson<&CanStatus::transmitErrors>},
-    {"receiveErrors", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Receive errors"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "The counter of the controller"),
-     counterText<&CanStatus::receiveErrors>, counterJson<&CanStatus::receiveErrors>},
-    {"extended", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "With 29 bits"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "Frames with extended identifiers, which CANopen does not use: J1939, say"),
-     countText<&CanopenFigures::extended>, countJson<&CanopenFigures::extended>},
-    {"answersOfOthers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Answers to others"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "SDO answers that this program did not ask for. They are never taken"),
-     countText<&CanopenFigures::answersOfOthers>, countJson<&CanopenFigures::answersOfOthers>},
-    {"lateAnswers", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Late answers"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "SDO answers that came after their time-out"),
-     countText<&CanopenFigures::lateAnswers>, countJson<&CanopenFigures::lateAnswers>},
-});
+struct FactRows
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::CanopenFacts)
+
+public:
+    static constexpr auto all = std::to_array<CanopenFact>({
+        {"link", QT_TR_NOOP("Adapter"), QT_TR_NOOP("The interface or the port of this bus"),
+         [](const CanopenSession &bus) { return bus.linkName(); },
+         [](const CanopenSession &bus) { return QJsonValue(bus.linkName()); }},
+        {"rate", QT_TR_NOOP("Rate"), QT_TR_NOOP("Of the bus, as far as the adapter tells it"), rateText,
+         [](const CanopenSession &bus) { return QJsonValue(bus.rate()); }},
+        {"load", QT_TR_NOOP("Load"), QT_TR_NOOP("How much of the last second frames were on the bus"),
+         loadText, [](const CanopenSession &bus) { return QJsonValue(figuresOf(bus).load); }},
+        {"controller", QT_TR_NOOP("Controller"),
+         QT_TR_NOOP("The error state of our adapter: error passive from 128 errors on, bus off at 256"),
+         [](const CanopenSession &bus) { return canStateText(bus.latest().status.state); },
+         [](const CanopenSession &bus) { return QJsonValue(canStateKey(bus.latest().status.state)); }},
+        {"listensOnly", QT_TR_NOOP("Acknowledging"),
+         QT_TR_NOOP("Whether our adapter acknowledges what others send. One that only listens does not"),
+         listensText,
+         [](const CanopenSession &bus) {
+             const auto &listens = bus.latest().status.listensOnly;
+             return listens ? QJsonValue(*listens) : QJsonValue();
+         }},
+        {"otherMaster", QT_TR_NOOP("Another master"),
+         QT_TR_NOOP("Who commands or asks nodes and is not this program, such as a PLC"), masterText,
+         [](const CanopenSession &bus) { return QJsonValue(bus.latest().otherMaster.isHeard()); }},
+        {"received", QT_TR_NOOP("Received"), QT_TR_NOOP("Frames, since the bus was connected"),
+         countText<&CanopenFigures::received>, countJson<&CanopenFigures::received>},
+        {"sent", QT_TR_NOOP("Sent"), QT_TR_NOOP("Frames of this program"), countText<&CanopenFigures::sent>,
+         countJson<&CanopenFigures::sent>},
+        {"notSent", QT_TR_NOOP("Not sent"), QT_TR_NOOP("Frames that the adapter has refused"),
+         countText<&CanopenFigures::notSent>, countJson<&CanopenFigures::notSent>},
+        {"errorFrames", QT_TR_NOOP("Error frames"),
+         QT_TR_NOOP("As far as the adapter reports them. Many: the rate or the wiring is wrong"),
+         countText<&CanopenFigures::errorFrames>, countJson<&CanopenFigures::errorFrames>},
+        {"notAcknowledged", QT_TR_NOOP("Not acknowledged"),
+         QT_TR_NOOP("Error frames since a frame was last received, because nobody acknowledges: no other "
+                    "node is there, or none at this rate"),
+         countText<&CanopenFigures::notAcknowledged>, countJson<&CanopenFigures::notAcknowledged>},
+        {"transmitErrors", QT_TR_NOOP("Transmit errors"), QT_TR_NOOP("The counter of the controller"),
+         counterText<&CanStatus::transmitErrors>, counterJson<&CanStatus::transmitErrors>},
+        {"receiveErrors", QT_TR_NOOP("Receive errors"), QT_TR_NOOP("The counter of the controller"),
+         counterText<&CanStatus::receiveErrors>, counterJson<&CanStatus::receiveErrors>},
+        {"extended", QT_TR_NOOP("With 29 bits"),
+         QT_TR_NOOP("Frames with extended identifiers, which CANopen does not use: J1939, say"),
+         countText<&CanopenFigures::extended>, countJson<&CanopenFigures::extended>},
+        {"answersOfOthers", QT_TR_NOOP("Answers to others"),
+         QT_TR_NOOP("SDO answers that this program did not ask for. They are never taken"),
+         countText<&CanopenFigures::answersOfOthers>, countJson<&CanopenFigures::answersOfOthers>},
+        {"lateAnswers", QT_TR_NOOP("Late answers"), QT_TR_NOOP("SDO answers that came after their time-out"),
+         countText<&CanopenFigures::lateAnswers>, countJson<&CanopenFigures::lateAnswers>},
+    });
+};
 
 QString pdoText(const Node &node)
 {
@@ -238,12 +228,12 @@ QString CanopenNodeFact::toolTip() const
 
 std::span<const CanopenFact> canopenFacts()
 {
-    return factRows;
+    return FactRows::all;
 }
 
 const CanopenFact &canopenFact(QLatin1String key)
 {
-    return *std::ranges::find_if(factRows,
+    return *std::ranges::find_if(FactRows::all,
                                  [key](const CanopenFact &fact) { return key == QLatin1String(fact.key); });
 }
 

@@ -6,6 +6,8 @@
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/sentence.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 
@@ -35,55 +37,47 @@ std::optional<RegistersOfKey> registersOf(const QString &key)
     return isKey ? std::optional(RegistersOfKey{all[0], all[1], all[2]}) : std::nullopt;
 }
 
-constexpr auto wrongAnswerRows = std::to_array<KeyedText<WrongAnswer>>({
-    {WrongAnswer::incomplete, "incomplete",
-     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                       "it is incomplete. Look for newer firmware of the gateway.")},
-    {WrongAnswer::damaged, "damaged",
-     QT_TRANSLATE_NOOP(
-         "codewheel::GatewayTexts",
-         "it is damaged or incomplete. Check cable, shield, terminating resistors, baud rate, and format.")},
-    {WrongAnswer::notModbus, "notModbus",
-     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                       "it is not Modbus. Check the port: something else listens there.")},
-    {WrongAnswer::unit, "unit",
-     QT_TRANSLATE_NOOP(
-         "codewheel::GatewayTexts",
-         "it is of unit %1. Check the unit number, and on a serial line whether two devices have the same.")},
-    {WrongAnswer::transaction, "transaction",
-     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                       "it is for transaction %1, not %2. Look for newer firmware of the gateway.")},
-    {WrongAnswer::oneTransaction, "oneTransaction",
-     QT_TRANSLATE_NOOP(
-         "codewheel::GatewayTexts",
-         "each is for transaction %1: the gateway does not repeat the number of the request, as Modbus/TCP "
-         "wants it. Use Modbus RTU, if it has that, or look for newer firmware.")},
-    {WrongAnswer::function, "function",
-     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                       "it is for function %1. Look for newer firmware of the gateway.")},
-    {WrongAnswer::length, "length",
-     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                       "it has %1 bytes instead of %2. Compare the number of registers with the manual of "
-                       "the gateway, or look for newer firmware.")},
-    {WrongAnswer::otherRegisters, "otherRegisters",
-     QT_TRANSLATE_NOOP(
-         "codewheel::GatewayTexts",
-         "it names other registers than those to be written. Look for newer firmware of the gateway.")},
-    {WrongAnswer::count, "count",
-     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                       "it counts its own bytes wrong. Look for newer firmware of the gateway.")},
-    {WrongAnswer::lengthOfException, "lengthOfException",
-     QT_TRANSLATE_NOOP("codewheel::GatewayTexts",
-                       "it is an exception of the wrong length. Look for newer firmware of the gateway.")},
-    {WrongAnswer::another, "another",
-     QT_TRANSLATE_NOOP(
-         "codewheel::GatewayTexts",
-         "another one follows it. Check whether two devices on the line have the same unit number.")},
-    {WrongAnswer::noPause, "noPause",
-     QT_TRANSLATE_NOOP(
-         "codewheel::GatewayTexts",
-         "something on the line does not stop sending. Look for another master, or a faulty device.")},
-});
+struct WrongAnswerRows
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::GatewayTexts)
+
+public:
+    static constexpr auto all = std::to_array<KeyedText<WrongAnswer>>({
+        {WrongAnswer::incomplete, "incomplete",
+         QT_TR_NOOP("it is incomplete. Look for newer firmware of the gateway.")},
+        {WrongAnswer::damaged, "damaged",
+         QT_TR_NOOP("it is damaged or incomplete. Check cable, shield, terminating resistors, baud rate, and "
+                    "format.")},
+        {WrongAnswer::notModbus, "notModbus",
+         QT_TR_NOOP("it is not Modbus. Check the port: something else listens there.")},
+        {WrongAnswer::unit, "unit",
+         QT_TR_NOOP("it is of unit %1. Check the unit number, and on a serial line whether two devices have "
+                    "the same.")},
+        {WrongAnswer::transaction, "transaction",
+         QT_TR_NOOP("it is for transaction %1, not %2. Look for newer firmware of the gateway.")},
+        {WrongAnswer::oneTransaction, "oneTransaction",
+         QT_TR_NOOP("each is for transaction %1: the gateway does not repeat the number of the request, as "
+                    "Modbus/TCP wants it. Use Modbus RTU, if it has that, or look for newer firmware.")},
+        {WrongAnswer::function, "function",
+         QT_TR_NOOP("it is for function %1. Look for newer firmware of the gateway.")},
+        {WrongAnswer::length, "length",
+         QT_TR_NOOP("it has %1 bytes instead of %2. Compare the number of registers with the manual of the "
+                    "gateway, or look for newer firmware.")},
+        {WrongAnswer::otherRegisters, "otherRegisters",
+         QT_TR_NOOP(
+             "it names other registers than those to be written. Look for newer firmware of the gateway.")},
+        {WrongAnswer::count, "count",
+         QT_TR_NOOP("it counts its own bytes wrong. Look for newer firmware of the gateway.")},
+        {WrongAnswer::lengthOfException, "lengthOfException",
+         QT_TR_NOOP("it is an exception of the wrong length. Look for newer firmware of the gateway.")},
+        {WrongAnswer::another, "another",
+         QT_TR_NOOP(
+             "another one follows it. Check whether two devices on the line have the same unit number.")},
+        {WrongAnswer::noPause, "noPause",
+         QT_TR_NOOP(
+             "something on the line does not stop sending. Look for another master, or a faulty device.")},
+    });
+};
 
 constexpr auto exceptionRows = std::to_array<TextOf<int>>({
     {0, QT_TRANSLATE_NOOP("codewheel::GatewayTexts", "0 is no exception code: its answer is faulty.")},
@@ -143,7 +137,7 @@ QString exceptionText(int code)
 QString wrongAnswerKey(WrongAnswer what, std::initializer_list<int> numbers)
 {
     QStringList parts{
-        QString::fromLatin1(std::ranges::find(wrongAnswerRows, what, &KeyedText<WrongAnswer>::id)->key)};
+        QString::fromLatin1(std::ranges::find(WrongAnswerRows::all, what, &KeyedText<WrongAnswer>::id)->key)};
     for (const int number : numbers)
         parts << QString::number(number);
     return parts.join(betweenNumbers);
@@ -152,10 +146,10 @@ QString wrongAnswerKey(WrongAnswer what, std::initializer_list<int> numbers)
 QString wrongAnswerText(const QString &key)
 {
     const QStringList parts = key.split(betweenNumbers);
-    const auto row = std::ranges::find_if(wrongAnswerRows, [&](const KeyedText<WrongAnswer> &one) {
+    const auto row = std::ranges::find_if(WrongAnswerRows::all, [&](const KeyedText<WrongAnswer> &one) {
         return parts.front() == QLatin1String(one.key);
     });
-    return row == wrongAnswerRows.end() ? key : sentence(GatewayTexts::tr(row->text), parts.sliced(1));
+    return row == WrongAnswerRows::all.end() ? key : sentence(GatewayTexts::tr(row->text), parts.sliced(1));
 }
 
 QStringList registerRefusalTexts(const Refusal &refusal)
