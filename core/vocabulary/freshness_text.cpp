@@ -15,42 +15,39 @@
 namespace codewheel {
 namespace {
 
-// The translation context of these texts.
-struct FreshnessText
-{
-    Q_DECLARE_TR_FUNCTIONS(Freshness)
-};
-
-using Reason = Freshness::Reason;
-
 struct FreshnessRow
 {
-    Reason reason;
+    Freshness::Reason reason;
     const char *text;
     const char *brief; // empty also where it has a comment for translators
 };
-struct FreshnessRows
+
+struct FreshnessText
 {
     Q_DECLARE_TR_FUNCTIONS(Freshness)
 
 public:
-    static constexpr auto all = std::to_array<FreshnessRow>({
-        {Reason::none, "", ""},
-        {Reason::notSeen, QT_TR_NOOP("Nothing has come from the encoder yet."), QT_TR_NOOP("Nothing yet")},
-        {Reason::disconnected, QT_TR_NOOP("Not connected."), QT_TR_NOOP("Not connected")},
-        {Reason::linkLost, QT_TR_NOOP("The link is lost."), QT_TR_NOOP("Link lost")},
-        {Reason::stopped, QT_TR_NOOP("The bus does not run."), QT_TR_NOOP("Bus stopped")},
-        {Reason::notOnBus, QT_TR_NOOP("The device is not on the bus."), QT_TR_NOOP("Not on the bus")},
-        {Reason::unsettled, QT_TR_NOOP("No two reads of its word agree."), ""},
-        {Reason::silent, QT_TR_NOOP("The encoder does not answer."), QT_TR_NOOP("No answer")},
-        {Reason::notAsked, QT_TR_NOOP("The encoder is not being asked: something else keeps the line busy."),
+    static constexpr auto rows = std::to_array<FreshnessRow>({
+        {Freshness::Reason::none, "", ""},
+        {Freshness::Reason::notSeen, QT_TR_NOOP("Nothing has come from the encoder yet."),
+         QT_TR_NOOP("Nothing yet")},
+        {Freshness::Reason::disconnected, QT_TR_NOOP("Not connected."), QT_TR_NOOP("Not connected")},
+        {Freshness::Reason::linkLost, QT_TR_NOOP("The link is lost."), QT_TR_NOOP("Link lost")},
+        {Freshness::Reason::stopped, QT_TR_NOOP("The bus does not run."), QT_TR_NOOP("Bus stopped")},
+        {Freshness::Reason::notOnBus, QT_TR_NOOP("The device is not on the bus."),
+         QT_TR_NOOP("Not on the bus")},
+        {Freshness::Reason::unsettled, QT_TR_NOOP("No two reads of its word agree."), ""},
+        {Freshness::Reason::silent, QT_TR_NOOP("The encoder does not answer."), QT_TR_NOOP("No answer")},
+        {Freshness::Reason::notAsked,
+         QT_TR_NOOP("The encoder is not being asked: something else keeps the line busy."),
          QT_TR_NOOP("Not asked")},
-        {Reason::slept, QT_TR_NOOP("The computer has slept since."), QT_TR_NOOP("Computer slept")},
-        {Reason::recorded, QT_TR_NOOP("This is a recording."), QT_TR_NOOP("Recording")},
-        {Reason::notRecorded, QT_TR_NOOP("Of this time nothing is recorded."), QT_TR_NOOP("Not recorded")},
+        {Freshness::Reason::slept, QT_TR_NOOP("The computer has slept since."), QT_TR_NOOP("Computer slept")},
+        {Freshness::Reason::recorded, QT_TR_NOOP("This is a recording."), QT_TR_NOOP("Recording")},
+        {Freshness::Reason::notRecorded, QT_TR_NOOP("Of this time nothing is recorded."),
+         QT_TR_NOOP("Not recorded")},
     });
 };
-static_assert(areInOrder(FreshnessRows::all, &FreshnessRow::reason, Reason::notRecorded));
+static_assert(areInOrder(FreshnessText::rows, &FreshnessRow::reason, Freshness::Reason::notRecorded));
 
 constexpr qint64 minute = 60;
 constexpr qint64 hour = 60 * minute;
@@ -93,15 +90,15 @@ QString unchangedText(const QDateTime &since, const QDateTime &now)
 
 QString freshnessText(Freshness::Reason reason)
 {
-    const char *text = rowOf(FreshnessRows::all, reason).text;
+    const char *text = rowOf(FreshnessText::rows, reason).text;
     return *text == '\0' ? QString() : FreshnessText::tr(text);
 }
 
 QString freshnessBrief(Freshness::Reason reason)
 {
-    if (reason == Reason::unsettled)
+    if (reason == Freshness::Reason::unsettled)
         return FreshnessText::tr("Unsettled", "its word");
-    const char *text = rowOf(FreshnessRows::all, reason).brief;
+    const char *text = rowOf(FreshnessText::rows, reason).brief;
     return *text == '\0' ? QString() : FreshnessText::tr(text);
 }
 
