@@ -21,69 +21,51 @@ struct ParameterRow
     const char *nameInText;
 };
 
-constexpr auto parameterRows = std::to_array<ParameterRow>({
-    {Parameter::steps, "steps", QT_TRANSLATE_NOOP("Parameter", "Steps"),
-     QT_TRANSLATE_NOOP("Parameter", "steps")},
-    {Parameter::revolutions, "revolutions", QT_TRANSLATE_NOOP("Parameter", "Revolutions"),
-     QT_TRANSLATE_NOOP("Parameter", "revolutions")},
-    {Parameter::direction, "direction", QT_TRANSLATE_NOOP("Parameter", "Direction"),
-     QT_TRANSLATE_NOOP("Parameter", "direction")},
-    {Parameter::coding, "coding", QT_TRANSLATE_NOOP("Parameter", "Coding"),
-     QT_TRANSLATE_NOOP("Parameter", "coding")},
-    {Parameter::preset, "preset", QT_TRANSLATE_NOOP("Parameter", "Preset"),
-     QT_TRANSLATE_NOOP("Parameter", "preset")},
-    {Parameter::zeroOffset, "zero-offset", QT_TRANSLATE_NOOP("Parameter", "Zero offset"),
-     QT_TRANSLATE_NOOP("Parameter", "zero offset")},
-    {Parameter::offset, "offset", QT_TRANSLATE_NOOP("Parameter", "Offset"),
-     QT_TRANSLATE_NOOP("Parameter", "offset")},
-    {Parameter::measuringRange, "measuring-range", QT_TRANSLATE_NOOP("Parameter", "Measuring range"),
-     QT_TRANSLATE_NOOP("Parameter", "measuring range")},
-    {Parameter::measuringLength, "measuring-length",
-     QT_TRANSLATE_NOOP("Parameter", "Measuring length in steps"),
-     QT_TRANSLATE_NOOP("Parameter", "measuring length in steps")},
-    {Parameter::externalPreset, "external-preset", QT_TRANSLATE_NOOP("Parameter", "External preset"),
-     QT_TRANSLATE_NOOP("Parameter", "external preset")},
-    {Parameter::rodLength, "rod-length", QT_TRANSLATE_NOOP("Parameter", "Rod length"),
-     QT_TRANSLATE_NOOP("Parameter", "rod length")},
-    {Parameter::lowerLimit, "lower-limit", QT_TRANSLATE_NOOP("Parameter", "Lower limit"),
-     QT_TRANSLATE_NOOP("Parameter", "lower limit")},
-    {Parameter::upperLimit, "upper-limit", QT_TRANSLATE_NOOP("Parameter", "Upper limit"),
-     QT_TRANSLATE_NOOP("Parameter", "upper limit")},
-    {Parameter::scaling, "scaling", QT_TRANSLATE_NOOP("Parameter", "Scaling"),
-     QT_TRANSLATE_NOOP("Parameter", "scaling")},
-    {Parameter::scalingFactor, "scaling-factor", QT_TRANSLATE_NOOP("Parameter", "Scaling factor"),
-     QT_TRANSLATE_NOOP("Parameter", "scaling factor")},
-    {Parameter::lineAddress, "address", QT_TRANSLATE_NOOP("Parameter", "Address"),
-     QT_TRANSLATE_NOOP("Parameter", "address")},
-    {Parameter::baudRate, "baud-rate", QT_TRANSLATE_NOOP("Parameter", "Baud rate"),
-     QT_TRANSLATE_NOOP("Parameter", "baud rate")},
-    {Parameter::serialNumber, "serial-number", QT_TRANSLATE_NOOP("Parameter", "Serial number"),
-     QT_TRANSLATE_NOOP("Parameter", "serial number")},
-    {Parameter::presetFlag, "preset-flag", QT_TRANSLATE_NOOP("Parameter", "Preset flag"),
-     QT_TRANSLATE_NOOP("Parameter", "preset flag")},
-    {Parameter::softwareVersion, "software-version", QT_TRANSLATE_NOOP("Parameter", "Software version"),
-     QT_TRANSLATE_NOOP("Parameter", "software version")},
-    {Parameter::operatingTime, "operating-time", QT_TRANSLATE_NOOP("Parameter", "Operating time"),
-     QT_TRANSLATE_NOOP("Parameter", "operating time")},
-    {Parameter::startUpMode, "start-up-mode", QT_TRANSLATE_NOOP("Parameter", "Start-up mode"),
-     QT_TRANSLATE_NOOP("Parameter", "start-up mode")},
-    {Parameter::multiTurnAndStepsMinusOne, "multi-turn-steps-minus-1",
-     QT_TRANSLATE_NOOP("Parameter", "Multi-turn and steps minus 1"),
-     QT_TRANSLATE_NOOP("Parameter", "multi-turn and steps minus 1")},
-    {Parameter::temperature, "temperature", QT_TRANSLATE_NOOP("Parameter", "Temperature"),
-     QT_TRANSLATE_NOOP("Parameter", "temperature")},
-    {Parameter::errorStatus, "error-status", QT_TRANSLATE_NOOP("Parameter", "Error status"),
-     QT_TRANSLATE_NOOP("Parameter", "error status")},
-    {Parameter::operatingParameters, "operating-parameters",
-     QT_TRANSLATE_NOOP("Parameter", "Operating parameters"),
-     QT_TRANSLATE_NOOP("Parameter", "operating parameters")},
-    {Parameter::alarms, "alarms", QT_TRANSLATE_NOOP("Parameter", "Alarms"),
-     QT_TRANSLATE_NOOP("Parameter", "alarms")},
-    {Parameter::warnings, "warnings", QT_TRANSLATE_NOOP("Parameter", "Warnings"),
-     QT_TRANSLATE_NOOP("Parameter", "warnings")},
-    {Parameter::deviceCode, "device-code", QT_TRANSLATE_NOOP("Parameter", "Device code"),
-     QT_TRANSLATE_NOOP("Parameter", "device code")},
-});
+struct ParameterTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(Parameter)
+
+public:
+    static constexpr auto all = std::to_array<ParameterRow>({
+        {Parameter::steps, "steps", QT_TR_NOOP("Steps"), QT_TR_NOOP("steps")},
+        {Parameter::revolutions, "revolutions", QT_TR_NOOP("Revolutions"), QT_TR_NOOP("revolutions")},
+        {Parameter::direction, "direction", QT_TR_NOOP("Direction"), QT_TR_NOOP("direction")},
+        {Parameter::coding, "coding", QT_TR_NOOP("Coding"), QT_TR_NOOP("coding")},
+        {Parameter::preset, "preset", QT_TR_NOOP("Preset"), QT_TR_NOOP("preset")},
+        {Parameter::zeroOffset, "zero-offset", QT_TR_NOOP("Zero offset"), QT_TR_NOOP("zero offset")},
+        {Parameter::offset, "offset", QT_TR_NOOP("Offset"), QT_TR_NOOP("offset")},
+        {Parameter::measuringRange, "measuring-range", QT_TR_NOOP("Measuring range"),
+         QT_TR_NOOP("measuring range")},
+        {Parameter::measuringLength, "measuring-length", QT_TR_NOOP("Measuring length in steps"),
+         QT_TR_NOOP("measuring length in steps")},
+        {Parameter::externalPreset, "external-preset", QT_TR_NOOP("External preset"),
+         QT_TR_NOOP("external preset")},
+        {Parameter::rodLength, "rod-length", QT_TR_NOOP("Rod length"), QT_TR_NOOP("rod length")},
+        {Parameter::lowerLimit, "lower-limit", QT_TR_NOOP("Lower limit"), QT_TR_NOOP("lower limit")},
+        {Parameter::upperLimit, "upper-limit", QT_TR_NOOP("Upper limit"), QT_TR_NOOP("upper limit")},
+        {Parameter::scaling, "scaling", QT_TR_NOOP("Scaling"), QT_TR_NOOP("scaling")},
+        {Parameter::scalingFactor, "scaling-factor", QT_TR_NOOP("Scaling factor"),
+         QT_TR_NOOP("scaling factor")},
+        {Parameter::lineAddress, "address", QT_TR_NOOP("Address"), QT_TR_NOOP("address")},
+        {Parameter::baudRate, "baud-rate", QT_TR_NOOP("Baud rate"), QT_TR_NOOP("baud rate")},
+        {Parameter::serialNumber, "serial-number", QT_TR_NOOP("Serial number"), QT_TR_NOOP("serial number")},
+        {Parameter::presetFlag, "preset-flag", QT_TR_NOOP("Preset flag"), QT_TR_NOOP("preset flag")},
+        {Parameter::softwareVersion, "software-version", QT_TR_NOOP("Software version"),
+         QT_TR_NOOP("software version")},
+        {Parameter::operatingTime, "operating-time", QT_TR_NOOP("Operating time"),
+         QT_TR_NOOP("operating time")},
+        {Parameter::startUpMode, "start-up-mode", QT_TR_NOOP("Start-up mode"), QT_TR_NOOP("start-up mode")},
+        {Parameter::multiTurnAndStepsMinusOne, "multi-turn-steps-minus-1",
+         QT_TR_NOOP("Multi-turn and steps minus 1"), QT_TR_NOOP("multi-turn and steps minus 1")},
+        {Parameter::temperature, "temperature", QT_TR_NOOP("Temperature"), QT_TR_NOOP("temperature")},
+        {Parameter::errorStatus, "error-status", QT_TR_NOOP("Error status"), QT_TR_NOOP("error status")},
+        {Parameter::operatingParameters, "operating-parameters", QT_TR_NOOP("Operating parameters"),
+         QT_TR_NOOP("operating parameters")},
+        {Parameter::alarms, "alarms", QT_TR_NOOP("Alarms"), QT_TR_NOOP("alarms")},
+        {Parameter::warnings, "warnings", QT_TR_NOOP("Warnings"), QT_TR_NOOP("warnings")},
+        {Parameter::deviceCode, "device-code", QT_TR_NOOP("Device code"), QT_TR_NOOP("device code")},
+    });
+};
 
 // The number that begins at `at`, which moves behind it.
 std::uint64_t takeNumber(QStringView text, qsizetype &at)
@@ -184,18 +166,18 @@ NamedParameters &named()
 // The table of what everybody knows, and behind it what descriptions name.
 struct ParameterRows
 {
-    static constexpr std::size_t known = parameterRows.size();
+    static constexpr std::size_t known = ParameterTexts::all.size();
     static constexpr bool areInOrder()
     {
         for (std::size_t i = 0; i < known; ++i)
-            if (parameterRows[i].parameter.m_id != i)
+            if (ParameterTexts::all[i].parameter.m_id != i)
                 return false;
         return true;
     }
 
     static const ParameterRow *row(Parameter parameter)
     {
-        return parameter.m_id < known ? &parameterRows[parameter.m_id] : nullptr;
+        return parameter.m_id < known ? &ParameterTexts::all[parameter.m_id] : nullptr;
     }
     static std::size_t idOfNamed(Parameter parameter) { return parameter.m_id - known; }
     static Parameter named(std::size_t id) { return Parameter(static_cast<std::uint16_t>(known + id)); }
@@ -205,7 +187,7 @@ static_assert(ParameterRows::areInOrder());
 
 Parameter Parameter::of(QStringView key, const LocalText &name)
 {
-    for (const ParameterRow &row : parameterRows)
+    for (const ParameterRow &row : ParameterTexts::all)
         if (key == QLatin1String(row.key))
             return row.parameter;
     return ParameterRows::named(named().of(key, name));
@@ -227,7 +209,7 @@ QString parameterKey(Parameter parameter)
 
 std::optional<Parameter> parameterFromKey(QStringView key)
 {
-    for (const ParameterRow &row : parameterRows)
+    for (const ParameterRow &row : ParameterTexts::all)
         if (key == QLatin1String(row.key))
             return row.parameter;
     const auto id = named().find(key);
@@ -237,8 +219,8 @@ std::optional<Parameter> parameterFromKey(QStringView key)
 std::vector<Parameter> commonParameters()
 {
     std::vector<Parameter> common;
-    common.reserve(std::size(parameterRows));
-    for (const ParameterRow &row : parameterRows)
+    common.reserve(std::size(ParameterTexts::all));
+    for (const ParameterRow &row : ParameterTexts::all)
         common.push_back(row.parameter);
     return common;
 }
@@ -254,14 +236,14 @@ std::vector<Parameter> allParameters()
 QString parameterName(Parameter parameter)
 {
     if (const ParameterRow *row = ParameterRows::row(parameter))
-        return QCoreApplication::translate("Parameter", row->name);
+        return ParameterTexts::tr(row->name);
     return named().name(ParameterRows::idOfNamed(parameter));
 }
 
 QString parameterNameInText(Parameter parameter)
 {
     if (const ParameterRow *row = ParameterRows::row(parameter))
-        return QCoreApplication::translate("Parameter", row->nameInText);
+        return ParameterTexts::tr(row->nameInText);
     return parameterName(parameter);
 }
 
