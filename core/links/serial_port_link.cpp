@@ -2,13 +2,13 @@
 #include "links/serial_port_link.h"
 
 #include "links/descriptor.h"
+#include "links/line_rate.h"
 #include "links/low_latency.h"
 #include "links/port_access.h"
+#include "links/wait_for.h"
 
-#include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
-#include <QSerialPort>
 
 #include <algorithm>
 #include <array>
@@ -17,26 +17,25 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
+#include <sys/ioctl.h>
+#include <termios.h>
 
 namespace codewheel {
 namespace {
 
 using std::chrono::steady_clock;
 
-constexpr int longestWrite = 1'000; // ms without a byte taken by the system
+constexpr int longestWrite = 1'000;       // ms without a byte taken by the system
+constexpr std::size_t mostOfLine = 4'096; // bytes; the system keeps as many of a line
 
-// For Qt, a port in use by somebody else and one the user has no rights to are the same error; the rights
-// were checked before.
-int errorNumberOf(QSerialPort::SerialPortError error)
+bool isPassing(int errorNumber)
 {
-    switch (error) {
-    case QSerialPort::DeviceNotFoundError:
-        return ENOENT;
-    case QSerialPort::PermissionError:
-        return EBUSY;
-    default:
-        return EIO;
-    }
+    return errorNumber == EAGAIN || errorNumber == EINTR;
+}
+
+Refusal systemRefusal(RefusalCode id, const QString &path)
+{
+    return portRefusal(id, path, QString::fromLocal8Bit(std::strerror(errno)));
 }
 
 tl::unexpected<Refusal> settingRefused(int setting)
@@ -44,38 +43,73 @@ tl::unexpected<Refusal> settingRefused(int setting)
     return tl::unexpected(lineSettingRefusal(QString::number(setting)));
 }
 
-QSerialPort::Parity parityOf(SerialSettings::Parity parity)
+Result<void> checkSettings(const SerialSettings &settings)
 {
-    switch (parity) {
-    case SerialSettings::Parity::none:
-        return QSerialPort::NoParity;
-    case SerialSettings::Parity::even:
-        return QSerialPort::EvenParity;
-    case SerialSettings::Parity::odd:
-        return QSerialPort::OddParity;
-    }
-    return QSerialPort::NoParity;
+    if (settings.baudRate <= 0)
+        return settingRefused(settings.baudRate);
+    if (settings.dataBits != 7 && settings.dataBits != 8)
+        return settingRefused(settings.dataBits);
+    if (settings.stopBits != 1 && settings.stopBits != 2)
+        return settingRefused(settings.stopBits);
+    return {};
 }
 
-// It has none, and refuses one once it was set.
+// It has none, and refuses every further change once one was set.
 bool isPseudoTerminal(const QString &path)
 {
     return QFileInfo(path).canonicalFilePath().startsWith(QStringLiteral("/dev/pts/"));
 }
 
-bool isFailure(QSerialPort::SerialPortError error)
+tcflag_t flagsOf(const SerialSettings &settings, bool hasParity)
 {
-    return error != QSerialPort::NoError && error != QSerialPort::TimeoutError;
+    using Parity = SerialSettings::Parity;
+    tcflag_t flags = CLOCAL | CREAD;
+    flags |= settings.dataBits == 7 ? CS7 : CS8;
+    flags |= settings.stopBits == 2 ? CSTOPB : 0U;
+    if (hasParity && settings.parity != Parity::none)
+        flags |= settings.parity == Parity::odd ? PARENB | PARODD : PARENB;
+    return flags;
+}
+
+// Bytes as they are, without modem lines.
+termios rawLine(termios line, tcflag_t flags)
+{
+    constexpr tcflag_t ours = CSIZE | CSTOPB | PARENB | PARODD | CRTSCTS | CLOCAL | CREAD;
+    ::cfmakeraw(&line);
+    line.c_cflag = (line.c_cflag & ~ours) | flags;
+    return line;
+}
+
+bool setRate(int port, int baudRate)
+{
+    termios line = {};
+    if (::tcgetattr(port, &line) != 0)
+        return false;
+    ::cfsetspeed(&line, static_cast<speed_t>(baudRate)); // if there is a constant for it
+    return ::tcsetattr(port, TCSANOW, &line) == 0 && setLineRate(port, baudRate);
 }
 
 } // namespace
 
-// Qt's port wants an event dispatcher in its thread, though nobody runs it here; a loop brings one along.
+// Gets back the settings it had.
 struct SerialPortLink::Port
 {
-    QEventLoop dispatcher;
-    Descriptor lock;
-    QSerialPort serial;
+    explicit Port(Descriptor opened)
+        : line(std::move(opened))
+    {
+        ::ioctl(line.get(), TIOCEXCL);
+        ::tcgetattr(line.get(), &before);
+    }
+    ~Port()
+    {
+        ::tcsetattr(line.get(), TCSANOW, &before);
+        ::ioctl(line.get(), TIOCNXCL);
+    }
+    Port(const Port &) = delete;
+    Port &operator=(const Port &) = delete;
+
+    Descriptor line;
+    termios before = {};
 };
 
 SerialPortLink::SerialPortLink(const QString &port)
@@ -123,41 +157,22 @@ Result<void> SerialPortLink::open(const SerialSettings &settings)
         return tl::unexpected(path.error());
     if (const auto hindrance = wasOurs ? portHindrance(*path) : openingHindrance(*path))
         return tl::unexpected(*hindrance);
-    auto port = std::make_unique<Port>();
-    if (auto prepared = prepare(port->serial, *path, settings); !prepared)
-        return prepared;
-    // The system lets root open a port that is in use; a lock does not. By a descriptor of its own: Qt
-    // changes the settings of a port as soon as it opens it, so nobody else may have it then.
-    port->lock =
-        Descriptor(::open(QFile::encodeName(*path).constData(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-    if (!port->lock || ::flock(port->lock.get(), LOCK_EX | LOCK_NB) != 0)
-        return tl::unexpected(
-            portRefusal(portRefusalOf(errno), *path, QString::fromLocal8Bit(std::strerror(errno))));
-    if (!port->serial.open(QIODevice::ReadWrite))
-        return tl::unexpected(portRefusal(portRefusalOf(errorNumberOf(port->serial.error())), *path,
-                                          port->serial.errorString()));
-    if (port->serial.baudRate() != settings.baudRate)
+    if (auto checked = checkSettings(settings); !checked)
+        return checked;
+    Descriptor line(::open(QFile::encodeName(*path).constData(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    // The system lets root open a port that is in use; a lock does not.
+    if (!line || ::flock(line.get(), LOCK_EX | LOCK_NB) != 0)
+        return tl::unexpected(systemRefusal(portRefusalOf(errno), *path));
+    auto port = std::make_unique<Port>(std::move(line));
+    const int its = port->line.get();
+    const termios raw = rawLine(port->before, flagsOf(settings, !isPseudoTerminal(*path)));
+    if (::tcsetattr(its, TCSANOW, &raw) != 0)
+        return tl::unexpected(systemRefusal(RefusalId::linkFailed, *path));
+    if (!setRate(its, settings.baudRate))
         return settingRefused(settings.baudRate);
-    port->serial.clear();
-    m_lowLatency = settings.lowLatency ? askForLowLatency(static_cast<int>(port->serial.handle()))
-                                       : LowLatency::notAsked;
+    ::tcflush(its, TCIOFLUSH);
+    m_lowLatency = settings.lowLatency ? askForLowLatency(its) : LowLatency::notAsked;
     m_port = std::move(port);
-    return {};
-}
-
-// Before it is opened: afterwards a port without modem lines does not accept a parity any more.
-Result<void> SerialPortLink::prepare(QSerialPort &port, const QString &path, const SerialSettings &settings)
-{
-    port.setPortName(path);
-    if (settings.baudRate <= 0 || !port.setBaudRate(settings.baudRate))
-        return settingRefused(settings.baudRate);
-    if ((settings.dataBits != 7 && settings.dataBits != 8) ||
-        !port.setDataBits(static_cast<QSerialPort::DataBits>(settings.dataBits)))
-        return settingRefused(settings.dataBits);
-    if ((settings.stopBits != 1 && settings.stopBits != 2) ||
-        !port.setStopBits(static_cast<QSerialPort::StopBits>(settings.stopBits)))
-        return settingRefused(settings.stopBits);
-    port.setParity(isPseudoTerminal(path) ? QSerialPort::NoParity : parityOf(settings.parity));
     return {};
 }
 
@@ -170,9 +185,7 @@ Result<void> SerialPortLink::setBaudRate(int baudRate)
 {
     if (!m_port)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    if (baudRate <= 0 || !m_port->serial.setBaudRate(baudRate))
-        return settingRefused(baudRate);
-    return {};
+    return baudRate > 0 && setRate(m_port->line.get(), baudRate) ? Result<void>() : settingRefused(baudRate);
 }
 
 Instant SerialPortLink::now() const
@@ -184,15 +197,19 @@ Result<void> SerialPortLink::write(const QByteArray &bytes)
 {
     if (!m_port)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    QSerialPort &serial = m_port->serial;
-    serial.write(bytes);
-    while (serial.bytesToWrite() > 0)
-        if (!serial.waitForBytesWritten(longestWrite)) {
-            if (isFailure(serial.error()))
-                return lost();
-            serial.clear(QSerialPort::Output);
-            return tl::unexpected(portRefusal(RefusalId::linkFailed, name(), serial.errorString()));
-        }
+    QByteArrayView left = bytes;
+    while (!left.isEmpty()) {
+        const auto written = ::write(m_port->line.get(), left.data(), static_cast<std::size_t>(left.size()));
+        if (written < 0 && !isPassing(errno))
+            return lost();
+        left = left.sliced(std::max<qsizetype>(written, 0));
+        pollfd waited{m_port->line.get(), POLLOUT, 0};
+        if (left.isEmpty() || ::poll(&waited, 1, longestWrite) != 0)
+            continue;
+        ::tcflush(m_port->line.get(), TCOFLUSH);
+        errno = ETIME;
+        return tl::unexpected(systemRefusal(RefusalId::linkFailed, name()));
+    }
     return {};
 }
 
@@ -200,18 +217,15 @@ Result<QByteArray> SerialPortLink::read(Instant until)
 {
     if (!m_port)
         return refuse(RefusalKind::link, RefusalId::lineClosed);
-    QSerialPort &serial = m_port->serial;
-    while (true) {
-        const bool hasHungUp = waitUntil(until);
-        if (m_wasInterrupted)
-            return QByteArray();
-        if (serial.waitForReadyRead(0) || serial.bytesAvailable() > 0)
-            return serial.readAll();
-        if (hasHungUp || isFailure(serial.error()))
+    while (waitUntil(until)) {
+        std::array<char, mostOfLine> bytes; // NOLINT(*-member-init): it is filled
+        const auto count = ::read(m_port->line.get(), bytes.data(), bytes.size());
+        if (count > 0)
+            return QByteArray(bytes.data(), count);
+        if (count == 0 || !isPassing(errno))
             return lost();
-        if (now() >= until)
-            return QByteArray();
     }
+    return QByteArray();
 }
 
 void SerialPortLink::wait(Instant until)
@@ -219,18 +233,12 @@ void SerialPortLink::wait(Instant until)
     waitUntil(until);
 }
 
-// For bytes, the flag, or the end of the port. Another thread cannot end Qt's own wait.
+// For bytes or the end of the port.
 bool SerialPortLink::waitUntil(Instant until)
 {
-    using namespace std::chrono;
-    const nanoseconds left = std::max(until - now(), Instant{});
-    const timespec timeOut{duration_cast<seconds>(left).count(), (left % 1s).count()};
-    std::array<pollfd, 2> waited{
-        {{m_port ? static_cast<int>(m_port->serial.handle()) : -1, POLLIN, 0}, // -1 is ignored
-         {m_wake.descriptor(), POLLIN, 0}}};
-    ::ppoll(waited.data(), waited.size(), &timeOut, nullptr);
-    m_wasInterrupted = m_wake.lower();
-    return (waited[0].revents & (POLLERR | POLLHUP | POLLNVAL)) != 0;
+    const Waited waited = waitFor(m_port ? m_port->line.get() : -1, POLLIN, m_wake, m_begin + until);
+    m_wasInterrupted = waited == Waited::woken;
+    return waited == Waited::ready;
 }
 
 tl::unexpected<Refusal> SerialPortLink::lost()

@@ -11,13 +11,11 @@
 #include <memory>
 #include <mutex>
 
-class QSerialPort;
-
 namespace codewheel {
 
 // The link to a serial port of this computer, or to anything that has a path and behaves like one, such as a
-// pseudo terminal. Modem lines are not used and may be missing. The port is held exclusively. It is opened,
-// used and closed by one thread, which needs no event loop.
+// pseudo terminal. Modem lines are not used and may be missing. The port is held exclusively. One thread may
+// open it and another one go on with it; none needs an event loop.
 class SerialPortLink final : public ByteLink
 {
 public:
@@ -52,8 +50,7 @@ public:
 private:
     struct Port;
     Result<QString> findPort();
-    static Result<void> prepare(QSerialPort &port, const QString &path, const SerialSettings &settings);
-    bool waitUntil(Instant until); // whether the port has hung up
+    bool waitUntil(Instant until); // false: the time is over, or it was interrupted
     tl::unexpected<Refusal> lost();
 
     const PortList m_ports;

@@ -28,6 +28,7 @@ Result<void> SlcanLink::open(CanUse use)
         if (auto opened = openLine(); !opened)
             return opened;
         m_talk = SlcanConversation(name(), m_rate); // which may be plugged in elsewhere
+        m_interface = name().section(u'/', -1).toStdString();
     }
     m_use = use;
     m_talk.open(use, m_takesUnsureWatch, isNew, now());
@@ -133,9 +134,8 @@ Result<CanNews> SlcanLink::receive(Instant until)
 CanNews SlcanLink::takeNews()
 {
     CanNews news = m_talk.takeNews();
-    const std::string interface = name().section(u'/', -1).toStdString();
     for (CanFrame &frame : news.frames)
-        frame.interface = interface;
+        frame.interface = m_interface;
     return news;
 }
 

@@ -53,6 +53,7 @@ private:
     bool m_isOpen = false;           // the line
     std::optional<Refusal> m_loss{}; // seen while it waited
     SlcanConversation m_talk;
+    std::string m_interface{}; // as its frames name it
 };
 
 } // namespace codewheel

@@ -7,6 +7,7 @@
 #include "vocabulary/refusal_text.h"
 
 #include <QFile>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 
 #include <fcntl.h>
@@ -143,6 +144,24 @@ TEST_F(SerialLink, InterruptEndsTheReadUnderWayOrTheNext)
     EXPECT_EQ(m_link.read(m_link.now() + 1h).value(), "");
     m_pty.send("x");
     EXPECT_EQ(readCount(1), "x");
+}
+
+// As in a recording at the command line. Qt warns where something of its own is used by another thread.
+TEST_F(SerialLink, AnotherThreadGoesOnWithIt)
+{
+    static int warnings = 0;
+    const auto before =
+        qInstallMessageHandler([](QtMsgType, const QMessageLogContext &, const QString &) { ++warnings; });
+    const auto restore = qScopeGuard([before] { qInstallMessageHandler(before); });
+    open();
+    m_pty.send("x");
+    std::jthread([&] {
+        EXPECT_EQ(readCount(1), "x");
+        EXPECT_TRUE(m_link.write("y"));
+        m_link.close();
+    }).join();
+    EXPECT_EQ(m_pty.receive(1), "y");
+    EXPECT_EQ(warnings, 0);
 }
 
 TEST_F(SerialLink, APseudoTerminalHasNoAdapterToAskForLowLatency)
