@@ -179,9 +179,10 @@ Checked<void> CanopenAccess::listenAgain()
     return advance(listeningBeforeSending) ? whetherHeldBack() : tl::unexpected(linkLost());
 }
 
+// An interface of the system goes on by hand, too: Qt's device belongs to the thread that opened it.
 bool CanopenAccess::startThread()
 {
-    if (m_session->isSimulated())
+    if (m_adapter == nullptr)
         return false;
     m_session->startThread();
     return true;
