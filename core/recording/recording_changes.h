@@ -67,7 +67,7 @@ struct RecordingChanges
     std::vector<std::pair<qint64, RecordedDescription>> descriptions{}; // by device
     std::vector<SummaryRow> summaries{};
     std::map<qint64, std::pair<Instant, StoredMessage>> messages{};
-    std::map<qint64, RecordedTraffic> traffic{};
+    std::vector<std::pair<qint64, RecordedTraffic>> traffic{}; // by id
     std::vector<RecordedNote> notes{};
     std::map<qint64, RecordedLoss> losses{};
     std::vector<RecordedClock> clocks{};

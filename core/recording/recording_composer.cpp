@@ -140,7 +140,7 @@ void RecordingComposer::take(const RecordedMessage &entry)
 
 void RecordingComposer::take(const RecordedTraffic &entry)
 {
-    m_changes.traffic.emplace(m_nextRow++, entry);
+    m_changes.traffic.emplace_back(m_nextRow++, entry);
     reach(entry.at);
 }
 

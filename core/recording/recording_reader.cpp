@@ -18,13 +18,13 @@ Instant timeOf(const QSqlQuery &row, int column)
     return recordedTime(row.value(column).toLongLong());
 }
 
-std::optional<TrafficKind> kindOf(const QString &word)
+std::optional<TrafficKind> kindOf(const QString &key)
 {
-    for (const TrafficKind kind :
-         {TrafficKind::sent, TrafficKind::answer, TrafficKind::echo, TrafficKind::garbage, TrafficKind::late})
-        if (rowKindWord(kind) == word)
-            return kind;
-    return std::nullopt;
+    const auto found =
+        std::ranges::find_if(trafficKindKeys, [&](const char *one) { return key == QLatin1String(one); });
+    return found == trafficKindKeys.end()
+               ? std::nullopt
+               : std::optional(static_cast<TrafficKind>(found - trafficKindKeys.begin()));
 }
 
 RecordingHead headOf(const QSqlQuery &row)

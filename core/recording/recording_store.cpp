@@ -7,6 +7,8 @@
 #include <QSqlQuery>
 #include <QVariant>
 
+#include <map>
+
 namespace codewheel {
 namespace {
 
@@ -36,9 +38,15 @@ QVariant keyOrNull(const std::optional<Place> &place)
     return place ? QVariant(place->key()) : QVariant();
 }
 
-QVariant kindOrNull(const std::optional<TrafficKind> &kind)
+QVariant keyOrNull(const std::optional<TrafficKind> &kind)
 {
-    return kind ? QVariant(rowKindWord(*kind)) : QVariant();
+    return kind ? QVariant(QString::fromLatin1(trafficKindKeys.at(static_cast<std::size_t>(*kind))))
+                : QVariant();
+}
+
+bool isSame(const QVariant &one, const QVariant &other)
+{
+    return one.isNull() == other.isNull() && one == other;
 }
 
 void addPiece(std::vector<QVariant> &values, const RecordedPiece &piece)
@@ -87,10 +95,13 @@ Stored<void> RecordingStore::put(const QString &statement, const Rows &rows, Val
     if (rows.empty())
         return {};
     QSqlQuery query = m_database->query(statement);
+    Values bound;
     for (const auto &row : rows) {
-        int index = 0;
-        for (const QVariant &value : valuesOf(row))
-            query.bindValue(index++, value);
+        const Values values = valuesOf(row);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (bound.empty() || !isSame(bound[i], values[i])) // it takes longer than to compare them
+                query.bindValue(static_cast<int>(i), values[i]);
+        bound = values;
         if (auto done = m_database->run(query); !done)
             return done;
     }
@@ -174,13 +185,17 @@ Stored<void> RecordingStore::writeEvents(const RecordingChanges &changes)
                                  nullIfEmpty(message.refusal)};
                })
         .and_then([&] {
-            return put(into("traffic"), changes.traffic, [](const auto &entry) {
+            std::map<std::optional<Place>, QVariant> keys; // of few places, which are in thousands of rows
+            return put(into("traffic"), changes.traffic, [&keys](const auto &entry) {
                 const TrafficRow &row = entry.second.row;
+                const auto [place, isNew] = keys.try_emplace(row.place);
+                if (isNew)
+                    place->second = keyOrNull(row.place);
                 return Values{number(entry.second.at),
                               entry.first,
                               entry.second.bus.number,
-                              keyOrNull(row.place),
-                              kindOrNull(row.kind),
+                              place->second,
+                              keyOrNull(row.kind),
                               static_cast<qint64>(row.cycle),
                               row.out,
                               row.in,

@@ -3,7 +3,9 @@
 #include "tests/support/no_room.h"
 #include "vocabulary/refusal_text.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QTranslator>
 
 #include <gmock/gmock.h>
 
@@ -13,7 +15,33 @@ namespace {
 using namespace test;
 using testing::ElementsAre;
 
+class AnotherLanguage : public QTranslator
+{
+public:
+    AnotherLanguage() { QCoreApplication::installTranslator(this); }
+    bool isEmpty() const override { return false; }
+    QString translate(const char *, const char *, const char *, int) const override
+    {
+        return QStringLiteral("?");
+    }
+};
+
 const auto counting = [](std::size_t index) { return index; };
+
+TEST(RecordingWriter, TrafficIsReadInWhateverLanguageItWasRecorded)
+{
+    const RecordingFile file;
+    {
+        const AnotherLanguage language;
+        const auto writer = file.begin();
+        for (const auto kind : {TrafficKind::sent, TrafficKind::late})
+            writer->add(RecordedTraffic{noon, firstLine, {.kind = kind}});
+    }
+    const auto rows = file.reader().traffic({noon, noon + 1s}, 10).value();
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0].row.kind, TrafficKind::sent);
+    EXPECT_EQ(rows[1].row.kind, TrafficKind::late);
+}
 
 TEST(RecordingWriter, EverythingThatCameIsThere)
 {
