@@ -64,9 +64,12 @@ public:
     }
     std::vector<Event> takeEvents()
     {
+        std::vector<Event> taken;
         const std::scoped_lock lock(m_mutex);
+        taken.reserve(m_events.size()); // as many may come until the next call
+        std::swap(taken, m_events);
         m_rows = 0;
-        return std::exchange(m_events, {});
+        return taken;
     }
     std::uint64_t droppedRows() const
     {

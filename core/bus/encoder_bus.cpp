@@ -41,9 +41,13 @@ void EncoderBus::tell(Message message)
     Q_EMIT messaged(message);
 }
 
+// Qt asks the system for its time zone each time, and on a full bus many rows are of one millisecond.
 void EncoderBus::tellTraffic(TrafficRow row)
 {
-    row.time = dateTime(row.at);
+    const auto at = std::chrono::floor<std::chrono::milliseconds>(sinceEpoch(row.at));
+    if (m_trafficTime.isNull() || std::exchange(m_trafficAt, at) != at)
+        m_trafficTime = dateTime(row.at);
+    row.time = m_trafficTime;
     Q_EMIT trafficPassed(row);
 }
 

@@ -183,6 +183,8 @@ private:
     BusId m_id;
     std::span<const TrafficColumn> m_trafficColumns;
     State m_told;
+    std::chrono::milliseconds m_trafficAt{}; // since 1970, of the newest row
+    QDateTime m_trafficTime;                 // likewise
     std::optional<Refusal> m_whyRefused;
     WallTime m_wallTime;
 };

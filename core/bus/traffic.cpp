@@ -46,6 +46,11 @@ QChar sign(uchar code)
 
 } // namespace
 
+QString FrameIdentifier::text() const
+{
+    return QStringLiteral("%1").arg(number, isLong ? 8 : 3, 16, QLatin1Char('0')).toUpper();
+}
+
 QString rowKindWord(TrafficKind kind)
 {
     switch (kind) {

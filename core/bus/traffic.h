@@ -14,6 +14,15 @@
 
 namespace codewheel {
 
+// Of a frame on CAN.
+struct FrameIdentifier
+{
+    std::uint32_t number = 0;
+    bool isLong = false; // 29 bits
+
+    QString text() const; // "185", "0CFFE0E0"
+};
+
 // What passed on a bus, one row each, whatever bus it is. Made by the session of the bus; views show the
 // columns that the bus has.
 struct TrafficRow
@@ -25,11 +34,11 @@ struct TrafficRow
     std::uint64_t cycle = 0;           // of the bus, if it has cycles
     Word out = 0;
     Word in = 0;
-    bool isAnswered = true;             // false: its link was lost in this cycle
-    QByteArray bytes{};                 // as on the wire, unless what passes is words
-    qsizetype head = 0;                 // so many of them are no data: the identifier of a frame on CAN
-    QString identifier{};               // which they say: "185", of 29 bits "0CFFE0E0"
-    std::function<QString()> meaning{}; // in the current language
+    bool isAnswered = true; // false: its link was lost in this cycle
+    QByteArray bytes{};     // as on the wire, unless what passes is words
+    qsizetype head = 0;     // so many of them are no data: the identifier of a frame on CAN
+    std::optional<FrameIdentifier> identifier{}; // which they say
+    std::function<QString()> meaning{};          // in the current language
     bool isAutomatic = false;  // asked automatically by the bus, or its answer, and nothing is wrong with it
     bool isTyped = false;      // or its answer
     bool isOfTransfer = false; // another row tells all of it

@@ -68,7 +68,7 @@ double atWork(const std::vector<TimedFrame> &frames, const QString &folder, int 
 {
     const SlcanFeeder feeder(frames, SlcanFeeder::Pace::real);
     const Catalog catalog = Catalog::builtIn();
-    CanopenSession session(linkTo(feeder), catalog, QDateTime::currentDateTimeUtc());
+    CanopenSession session(linkTo(feeder), catalog, QDateTime::currentDateTime());
     session.takeUsualMapping();
     std::vector<TrafficRow> kept;
     kept.reserve(frames.size());

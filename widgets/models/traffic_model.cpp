@@ -282,7 +282,7 @@ QString TrafficModel::cellText(const ShownTraffic &row, TrafficColumn column,
     case TrafficColumn::bytes:
         return byteText(what.bytes.sliced(what.head));
     case TrafficColumn::identifier:
-        return what.identifier;
+        return what.identifier ? what.identifier->text() : QString();
     case TrafficColumn::who:
         return what.place ? what.place->toString() : QString();
     case TrafficColumn::remark:

@@ -9,7 +9,7 @@
 namespace codewheel {
 namespace {
 
-constexpr Instant betweenSnapshots = std::chrono::milliseconds(10); // on a bus that is full
+constexpr Instant betweenSnapshots = std::chrono::milliseconds(30); // as often as a window looks
 
 } // namespace
 

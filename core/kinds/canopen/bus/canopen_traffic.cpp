@@ -6,6 +6,8 @@
 
 #include <QtEndian>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -17,9 +19,7 @@ constexpr std::uint32_t remoteFlag = 0x4000'0000;
 TrafficRow explainedRow(TrafficRow row, const CanFrame &frame, CanFrameMeanings &meanings)
 {
     row.head = std::min(headSize, row.bytes.size());
-    row.identifier = QStringLiteral("%1")
-                         .arg(frame.id, frame.isExtended || frame.isError ? 8 : 3, 16, QLatin1Char('0'))
-                         .toUpper();
+    row.identifier = FrameIdentifier{frame.id, frame.isExtended || frame.isError};
     row.meaning = meanings.next(frame);
     return row;
 }
@@ -47,12 +47,10 @@ QByteArray frameBytes(const CanFrame &frame)
     head |= frame.isExtended ? extendedFlag : 0;
     head |= frame.isRemote ? remoteFlag : 0;
     head |= frame.isError ? errorFrameFlag : 0;
-    QByteArray bytes(headSize, '\0');
+    const auto data = frame.data();
+    QByteArray bytes(headSize + (frame.isRemote ? 1 : std::ssize(data)), static_cast<char>(frame.length));
     qToBigEndian(head, bytes.data());
-    if (frame.isRemote)
-        bytes.append(static_cast<char>(frame.length));
-    for (const std::uint8_t octet : frame.data())
-        bytes.append(static_cast<char>(octet));
+    std::ranges::copy(data, bytes.begin() + headSize);
     return bytes;
 }
 

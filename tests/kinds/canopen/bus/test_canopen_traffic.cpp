@@ -66,7 +66,7 @@ TEST(CanopenRows, OfARecordingAreExplained)
     const auto recorded = makeCanopenRows();
     const TrafficRow row = recorded->explained(
         {.kind = TrafficKind::answer, .bytes = frameBytes(test::canFrame(0x705, {0}))}, {});
-    EXPECT_EQ(row.identifier, QStringLiteral("705"));
+    EXPECT_EQ(row.identifier->text(), QStringLiteral("705"));
     EXPECT_EQ(row.meaning(), QStringLiteral("Node 5: boot-up"));
     EXPECT_FALSE(recorded->explained({.bytes = "?"}, {}).meaning);
 }

@@ -76,7 +76,7 @@ void CanTrafficFilter::apply()
 // A row without a direction tells a whole transfer.
 bool CanTrafficFilter::isWanted(const TrafficRow &row) const
 {
-    const bool isTransfer = !row.kind && !row.identifier.isEmpty();
+    const bool isTransfer = !row.kind && row.identifier;
     if (m_asTransfers ? row.isOfTransfer : isTransfer)
         return false;
     const auto frame = isTransfer ? std::nullopt : canFrameOf(row.bytes);
@@ -90,8 +90,8 @@ bool CanTrafficFilter::hasText(const TrafficRow &row) const
 {
     const QString wanted = m_text->text().trimmed();
     const auto has = [&wanted](const QString &text) { return text.contains(wanted, Qt::CaseInsensitive); };
-    return wanted.isEmpty() || has(row.identifier) || (row.place && has(row.place->node.toString())) ||
-           (row.meaning && has(row.meaning()));
+    return wanted.isEmpty() || (row.identifier && has(row.identifier->text())) ||
+           (row.place && has(row.place->node.toString())) || (row.meaning && has(row.meaning()));
 }
 
 } // namespace codewheel
