@@ -59,6 +59,7 @@ std::vector<HeardObject> ObjectsHeard::takeTransfer(const CobId &cob, const CanF
                              .object = ended.object,
                              .value = ended.end == SdoDialogue::End::answered ? std::move(ended.value)
                                                                               : std::vector<std::uint8_t>(),
+                             .how = ended.isWrite ? HeardObject::How::written : HeardObject::How::answered,
                              .isOurs = isOurs,
                              .at = at});
     if (!isAnswer)
@@ -73,8 +74,11 @@ std::vector<HeardObject> ObjectsHeard::takePdo(const CanFrame &frame, Instant at
     if (!pdo || pdo->node != *m_node)
         return heard;
     for (const PdoValue &value : pdo->mapping.values(frame, [](const SdoObject &) { return PdoType(); }))
-        heard.push_back(
-            {.node = pdo->node, .object = value.object, .value = octetsOfMapped(value), .at = at});
+        heard.push_back({.node = pdo->node,
+                         .object = value.object,
+                         .value = octetsOfMapped(value),
+                         .how = HeardObject::How::sent,
+                         .at = at});
     return heard;
 }
 

@@ -14,10 +14,17 @@ namespace codewheel::canopen {
 // a PDO.
 struct HeardObject
 {
+    enum class How : std::uint8_t {
+        answered,
+        written,
+        sent, // in a PDO
+    };
+
     int node = 0;
     SdoObject object{};
     std::vector<std::uint8_t> value{}; // the lowest octet first; empty: there is none, it was refused
-    bool isOurs = false;               // we have asked, or written
+    How how = How::answered;
+    bool isOurs = false; // we have asked, or written
     Instant at{};
 };
 

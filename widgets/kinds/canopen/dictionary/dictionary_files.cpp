@@ -96,8 +96,8 @@ bool DictionaryView::openFile(const QString &path)
     return true;
 }
 
-// What was read goes before what the file says.
-canopen::DeviceFile DictionaryView::fileNow()
+// What was read, or heard since, goes before what the file says.
+canopen::DeviceFile DictionaryView::fileNow(bool withHeard)
 {
     canopen::DeviceFile file = known().file;
     auto object = file.objects.begin();
@@ -105,8 +105,9 @@ canopen::DeviceFile DictionaryView::fileNow()
         const auto order = canopen::orderOf(row.object.object);
         while (object != file.objects.end() && canopen::orderOf(object->object) < order)
             ++object;
-        if (row.now && object != file.objects.end() && object->object == row.object.object)
-            object->value = row.now;
+        const auto &its = withHeard ? row.shown() : row.now;
+        if (its && object != file.objects.end() && object->object == row.object.object)
+            object->value = its;
     }
     file.commissioning.node = m_node;
     if (m_bus && m_bus->rate() > 0)
@@ -129,12 +130,12 @@ bool DictionaryView::compareWith(const QString &path)
 
 void DictionaryView::compareAgain()
 {
-    m_rows->setDifferences(canopen::compareFiles(fileNow(), *known().comparedWith));
+    m_rows->setDifferences(canopen::compareFiles(fileNow(true), *known().comparedWith));
 }
 
 void DictionaryView::tellDifferences()
 {
-    const auto differences = canopen::compareFiles(fileNow(), *known().comparedWith);
+    const auto differences = canopen::compareFiles(fileNow(true), *known().comparedWith);
     using Kind = canopen::ObjectDifference::Kind;
     const auto count = [&](Kind kind) {
         return QString::number(std::ranges::count(differences, kind, &canopen::ObjectDifference::kind));
@@ -157,7 +158,7 @@ void DictionaryView::tellProject()
         return QString::number(std::ranges::count_if(m_rows->rows(), predicate));
     };
     const QString differing = count([](const ObjectRow &row) { return row.differsFromProject(); });
-    const QString unread = count([](const ObjectRow &row) { return row.wanted && !row.now; });
+    const QString unread = count([](const ObjectRow &row) { return row.wanted && !row.shown(); });
     m_message->showMessage(
         differing == u'0' && unread == u'0' ? Role::running : Role::attention,
         sentence(tr("Of %1 objects that the project wants, %2 differ, and %3 have not been read."),
@@ -168,7 +169,7 @@ bool DictionaryView::exportTo(const QString &path)
 {
     if (!m_node)
         return false;
-    canopen::DeviceFile file = fileNow();
+    canopen::DeviceFile file = fileNow(false);
     if (!known().isRead) // names as in any file
         for (const canopen::DeviceFile standard = canopen::standardObjects();
              canopen::FileObject & object : file.objects)

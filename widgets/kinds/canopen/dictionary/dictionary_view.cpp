@@ -7,6 +7,7 @@
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "widgets/kinds/canopen/dictionary/heard_values.h"
 #include "widgets/kinds/canopen/dictionary/object_filter.h"
 #include "widgets/kinds/canopen/dictionary/object_texts.h"
 #include "widgets/kinds/canopen/dictionary/object_transfers.h"
@@ -46,6 +47,7 @@ DictionaryView::DictionaryView(QWidget *parent)
     , m_rows(new ObjectModel(this))
     , m_filter(new ObjectFilter(*m_rows, this))
     , m_transfers(new ObjectTransfers(this))
+    , m_heard(new HeardValues(this))
     , m_table(new LogTable(tr("Objects of the node"), this))
     , m_content(new QStackedWidget(this))
     , m_source(new QLabel(this))
@@ -73,6 +75,7 @@ DictionaryView::DictionaryView(QWidget *parent)
     connect(m_transfers, &ObjectTransfers::ended, this, &DictionaryView::takeEnd);
     connect(m_transfers, &ObjectTransfers::refused, this,
             [this](const Refusal &why) { m_message->showMessage(Role::attention, refusalText(why)); });
+    connect(m_heard, &HeardValues::written, m_writing, &ObjectWriteBar::takeWrittenByOther);
     connect(m_transfers, &ObjectTransfers::changed, this, &DictionaryView::showProgress);
     showRows();
 }
@@ -137,7 +140,8 @@ void DictionaryView::makeTable()
     setWidth(Column::value, numbers, widestValue + u'0');
     setWidth(Column::project, numbers, widestValue + u'0');
     setWidth(Column::other, numbers, widestValue);
-    setWidth(Column::readAt, numbers, QStringLiteral("00:00:00"));
+    setWidth(Column::readAt, numbers,
+             sentence(ObjectModel::tr("heard, at %1"), {QStringLiteral("00:00:00")}));
     for (const Column column : {Column::name, Column::type, Column::access, Column::factory, Column::inFile,
                                 Column::value, Column::project, Column::other})
         allowEliding(*m_table, column);
@@ -185,9 +189,11 @@ void DictionaryView::setBus(CanopenSession *bus)
         for (auto &[node, its] : m_known)
             its.rows.clear();
     m_transfers->setBus(bus);
+    m_heard->setBus(bus);
     if (bus != nullptr) {
         connect(bus, &CanopenSession::stateChanged, this, &DictionaryView::showWhatIsPossible);
         connect(bus, &CanopenSession::nodesChanged, this, &DictionaryView::followDescription);
+        connect(bus, &CanopenSession::updated, this, &DictionaryView::takeHeard);
         connect(bus, &QObject::destroyed, this, &DictionaryView::showWhatIsPossible);
     }
     if (isOther && bus != nullptr)
@@ -202,6 +208,7 @@ void DictionaryView::setNode(std::optional<int> node)
         return;
     keepRows();
     m_transfers->setNode(node);
+    m_heard->setNode(node);
     m_node = node;
     m_message->withdraw();
     if (node)
@@ -467,6 +474,20 @@ void DictionaryView::takeEnd(const canopen::SdoRequest &request, const canopen::
             refusalText({RefusalKind::link,
                          isNotSent ? CanopenRefusalId::sdoNotSent : CanopenRefusalId::sdoNoAnswer,
                          {request.object.text(), std::int64_t{request.node}}}));
+}
+
+// As often as a picture; a view that nobody sees catches up.
+void DictionaryView::takeHeard()
+{
+    if (!m_node || !m_bus || !isVisible())
+        return;
+    bool isTransferred = false;
+    for (const canopen::HeardObject &heard : m_heard->takeNews()) {
+        m_rows->hear(heard.object, heard.value, m_bus->dateTime(heard.at).toLocalTime().time());
+        isTransferred |= heard.how != canopen::HeardObject::How::sent;
+    }
+    if (isTransferred && known().comparedWith)
+        compareAgain();
 }
 
 } // namespace codewheel

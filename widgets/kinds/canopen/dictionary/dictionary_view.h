@@ -21,6 +21,7 @@ struct DeviceDescription;
 class CanopenSession;
 class InlineMessage;
 class LogTable;
+class HeardValues;
 class ObjectFilter;
 class ObjectTransfers;
 class ObjectWriteBar;
@@ -98,7 +99,8 @@ private:
     void beginReading(const std::vector<canopen::SdoObject> &objects);
     void takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome);
     std::optional<canopen::DeviceFile> fileAt(const QString &path);
-    canopen::DeviceFile fileNow();
+    void takeHeard();
+    canopen::DeviceFile fileNow(bool withHeard);
     void tellProject();
     void compareAgain();
     void tellDifferences();
@@ -115,6 +117,7 @@ private:
     ObjectModel *m_rows;
     ObjectFilter *m_filter;
     ObjectTransfers *m_transfers;
+    HeardValues *m_heard;
     LogTable *m_table;
     QStackedWidget *m_content;
     QLabel *m_source;

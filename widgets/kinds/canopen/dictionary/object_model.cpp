@@ -57,6 +57,7 @@ void ObjectModel::take(canopen::SdoObject which, const canopen::SdoOutcome &outc
     ObjectRow row = rowAt(position);
     row.at = at;
     row.now.reset();
+    row.heard.reset();
     row.refused.clear();
     if (outcome.kind == Kind::read)
         row.now = canopen::fileValueOf(row.object.type, outcome.value);
@@ -65,6 +66,17 @@ void ObjectModel::take(canopen::SdoObject which, const canopen::SdoOutcome &outc
         row.refused = why.isEmpty() ? sentence(tr("Aborted with %1h."), {hexWord(outcome.abortCode)}) : why;
     } else
         row.refused = tr("No answer.");
+    replace(position, std::move(row));
+}
+
+void ObjectModel::hear(canopen::SdoObject which, canopen::Octets octets, QTime at)
+{
+    const int position = rowOf(which);
+    if (position < 0)
+        return;
+    ObjectRow row = rowAt(position);
+    row.heard = canopen::fileValueOf(row.object.type, octets);
+    row.heardAt = at;
     replace(position, std::move(row));
 }
 
@@ -123,11 +135,15 @@ QVariant ObjectModel::headerCell(int column, int role) const
         {tr("In the file"),
          tr("The value that the file gives this device (ParameterValue). A mark: the node has "
             "another")},
-        {tr("Value"), tr("What the node answered, in hexadecimal and decimal. A mark: not the default")},
+        {tr("Value"),
+         tr("What the node answered, to us or to others, in hexadecimal and decimal. A mark: not the "
+            "default")},
         {tr("Meaning"), tr("What the bits say, or why there is no value")},
         {tr("Project"), tr("What the project wants the node to have. A mark: the node has another value")},
         {tr("Compared with"), tr("The value of the file that is compared with, where it is another")},
-        {tr("Read"), tr("When the node was asked last")},
+        {tr("Read"),
+         tr("When the node was asked last. Heard: another master has asked or written, or it was in a "
+            "PDO")},
     };
     const Heading &heading = headings[column];
     return role == Qt::DisplayRole ? heading.text : heading.tip;
@@ -155,7 +171,7 @@ QString ObjectModel::textOf(const ObjectRow &row, int column) const
                    : valueTextOf(its ? its : row.object.value, row.object.type);
     }
     case value:
-        return valueTextOf(row.now, row.object.type);
+        return valueTextOf(row.shown(), row.object.type);
     case meaning:
         return meaningOf(row);
     case project:
@@ -163,14 +179,14 @@ QString ObjectModel::textOf(const ObjectRow &row, int column) const
     case other:
         return otherOf(row);
     default:
-        return row.at.isValid() ? row.at.toString(QStringLiteral("HH:mm:ss")) : QString();
+        return timeOf(row);
     }
 }
 
 QString ObjectModel::meaningOf(const ObjectRow &row) const
 {
-    if (row.now)
-        return objectMeaningText(row.object.object, *row.now);
+    if (row.shown())
+        return objectMeaningText(row.object.object, *row.shown());
     if (!row.refused.isEmpty())
         return row.refused;
     switch (row.source) {
@@ -194,6 +210,14 @@ QString ObjectModel::otherOf(const ObjectRow &row) const
     return text.isEmpty() ? tr("there, no value") : text;
 }
 
+QString ObjectModel::timeOf(const ObjectRow &row)
+{
+    const auto format = QStringLiteral("HH:mm:ss");
+    if (row.heard)
+        return sentence(tr("heard, at %1"), {row.heardAt.toString(format)});
+    return row.at.isValid() ? row.at.toString(format) : QString();
+}
+
 // Another value than its own is what the eye looks for.
 bool ObjectModel::isMarked(const ObjectRow &row, int column) const
 {
@@ -205,6 +229,9 @@ bool ObjectModel::isMarked(const ObjectRow &row, int column) const
 QString ObjectModel::tipOf(const ObjectRow &row, int column) const
 {
     const QString text = textOf(row, column);
+    if (column == readAt && row.heard && row.now)
+        return sentence(tr("%1; read at %2: %3"), {text, row.at.toString(QStringLiteral("HH:mm:ss")),
+                                                   valueTextOf(row.now, row.object.type)});
     if (column == value && row.differsFromDefault(m_node))
         return sentence(tr("%1, not the default: %2"), {text, textOf(row, factory)});
     if ((column == inFile || column == project) && isMarked(row, column))

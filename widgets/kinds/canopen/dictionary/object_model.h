@@ -33,6 +33,8 @@ public:
     // `rows`: those taken before, with their values. The number of the node counts for defaults.
     void show(std::vector<ObjectRow> rows, std::optional<int> node);
     void take(canopen::SdoObject object, const canopen::SdoOutcome &outcome, QTime at);
+    // What it was heard to have since it was read.
+    void hear(canopen::SdoObject object, canopen::Octets octets, QTime at);
     // Each object that differs has the other value beside its own.
     void setDifferences(const std::vector<canopen::ObjectDifference> &differences);
     void setWanted(const std::vector<canopen::WantedObject> &wanted); // by the project
@@ -48,6 +50,7 @@ private:
     QString textOf(const ObjectRow &row, int column) const;
     QString meaningOf(const ObjectRow &row) const;
     QString otherOf(const ObjectRow &row) const;
+    static QString timeOf(const ObjectRow &row);
     QString tipOf(const ObjectRow &row, int column) const;
     bool isMarked(const ObjectRow &row, int column) const;
 

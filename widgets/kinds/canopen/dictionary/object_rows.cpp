@@ -33,13 +33,13 @@ std::optional<canopen::FileValue> valueAt(const std::optional<canopen::FileValue
 bool ObjectRow::differsFromDefault(std::optional<int> node) const
 {
     const auto its = valueAt(object.factory, node);
-    return now && its && *now != *its;
+    return shown() && its && *shown() != *its;
 }
 
 bool ObjectRow::differsFromFile(std::optional<int> node) const
 {
     const auto its = source == Source::file ? valueAt(object.value, node) : std::nullopt;
-    return now && its && !canopen::isSameValue(*now, *its);
+    return shown() && its && !canopen::isSameValue(*shown(), *its);
 }
 
 std::vector<ObjectRow> objectRows(const canopen::DeviceFile &file, const canopen::DeviceFile *compared,
@@ -73,6 +73,8 @@ void takeAnswers(std::vector<ObjectRow> &rows, const std::vector<ObjectRow> &bef
         row.now = from->now;
         row.refused = from->refused;
         row.at = from->at;
+        row.heard = from->heard;
+        row.heardAt = from->heardAt;
     }
 }
 

@@ -20,20 +20,24 @@ struct ObjectRow
     canopen::FileObject object{};
     Source source = Source::file;
     std::optional<canopen::FileValue> now{};
-    QString refused{};                                     // why the node gave no value
-    QTime at{};                                            // of the answer
+    QString refused{};                         // why the node gave no value
+    QTime at{};                                // of the answer
+    std::optional<canopen::FileValue> heard{}; // since then, by others
+    QTime heardAt{};
     std::optional<canopen::WantedObject> wanted{};         // by the project
     std::optional<canopen::ObjectDifference> difference{}; // to the file compared with
 
+    // The newest, of which `heard` tells who has asked for it.
+    const std::optional<canopen::FileValue> &shown() const { return heard ? heard : now; }
     bool differsFromDefault(std::optional<int> node) const;
     bool differsFromFile(std::optional<int> node) const; // from its own value in the file of the node
-    bool differsFromProject() const { return now && wanted && !wanted->isMetBy(*now); }
+    bool differsFromProject() const { return shown() && wanted && !wanted->isMetBy(*shown()); }
 };
 
 // By index and subindex: what the file of the node has, and what only the others have.
 std::vector<ObjectRow> objectRows(const canopen::DeviceFile &file, const canopen::DeviceFile *compared,
                                   const std::vector<canopen::WantedObject> &wanted);
-// What the node has answered for these goes along.
+// What the node has told of these goes along.
 void takeAnswers(std::vector<ObjectRow> &rows, const std::vector<ObjectRow> &before);
 
 } // namespace codewheel

@@ -139,6 +139,18 @@ void ObjectWriteBar::reset()
     m_question->withdraw();
 }
 
+void ObjectWriteBar::takeWrittenByOther(const canopen::HeardObject &heard)
+{
+    const bool isAskedAbout =
+        m_step == Step::asks && m_object && heard.object == m_object->object && heard.node == m_node;
+    if (!isAskedAbout)
+        return;
+    reset();
+    m_message->showMessage(Role::attention,
+                           sentence(tr("Nothing was written: another master has just written %1 to %2."),
+                                    {textOf(heard.value), m_object->object.text()}));
+}
+
 bool ObjectWriteBar::isRead() const
 {
     return m_object->access != canopen::FileAccess::writeOnly;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kinds/canopen/protocol/objects_heard.h"
 #include "widgets/kinds/canopen/dictionary/object_model.h"
 
 #include <QWidget>
@@ -26,6 +27,8 @@ public:
     // Empty: none is chosen. Another one withdraws the question.
     void setObject(const std::optional<canopen::FileObject> &object, std::optional<int> node);
     void setWhyNot(const QString &whyNot); // empty: frames can be sent to the node
+    // What was to be agreed to is not true any more.
+    void takeWrittenByOther(const canopen::HeardObject &heard);
 
 private:
     enum class Step : std::uint8_t { nothing, readsBefore, asks, writes, readsBack };
