@@ -5,6 +5,8 @@
 #include "vocabulary/hex.h"
 
 #include <bit>
+#include <cmath>
+#include <compare>
 
 namespace codewheel::canopen {
 namespace {
@@ -21,7 +23,6 @@ std::optional<std::int64_t> typedNumber(const QString &typed)
     return size ? std::optional(-*size) : std::nullopt;
 }
 
-// What is negative is signed, whatever the type.
 bool fitsInto(std::int64_t number, std::size_t width, bool isSigned)
 {
     if (width >= mostOctetsTyped)
@@ -34,8 +35,9 @@ bool fitsInto(std::int64_t number, std::size_t width, bool isSigned)
 TypedOctets octetsOfNumber(const QString &typed, bool isSigned, std::size_t width)
 {
     const auto number = typedNumber(typed);
-    if (!number || width == 0 || width > mostOctetsTyped ||
-        !fitsInto(*number, width, isSigned || *number < 0))
+    const bool isMissingItsSign = number && *number < 0 && !isSigned;
+    if (!number || isMissingItsSign || width == 0 || width > mostOctetsTyped ||
+        !fitsInto(*number, width, isSigned))
         return std::nullopt;
     return octetsOf(Value(*number), width);
 }
@@ -44,10 +46,15 @@ TypedOctets octetsOfReal(const QString &typed, std::size_t width)
 {
     bool isNumber = false;
     const double number = typed.toDouble(&isNumber);
-    if (!isNumber)
+    if (!isNumber || !std::isfinite(number))
         return std::nullopt;
-    if (width == sizeof(float))
-        return octetsOf(Value(std::int64_t{std::bit_cast<std::uint32_t>(static_cast<float>(number))}), width);
+    if (width == sizeof(float)) {
+        const auto shorter = static_cast<float>(number);
+        return std::isfinite(shorter)
+                   ? std::optional(
+                         octetsOf(Value(std::int64_t{std::bit_cast<std::uint32_t>(shorter)}), width))
+                   : std::nullopt;
+    }
     return octetsOf(Value(std::bit_cast<std::int64_t>(number)), sizeof(double));
 }
 
@@ -67,8 +74,8 @@ TypedOctets octetsTyped(const QString &typed, std::optional<DataType> type, std:
     using TypeForm = DataTypeFacts::Form;
     if (type == DataType::text)
         return octetsOf(Value(typed), 0);
-    if (!type)
-        return octetsOfNumber(typed.trimmed(), false, width);
+    if (!type) // what is negative has a sign
+        return octetsOfNumber(typed.trimmed(), typed.trimmed().startsWith(u'-'), width);
     const DataTypeFacts &facts = factsOf(*type);
     const std::size_t wide = width != 0 ? width : static_cast<std::size_t>((facts.bits + 7) / 8);
     switch (facts.form) {
@@ -81,6 +88,36 @@ TypedOctets octetsTyped(const QString &typed, std::optional<DataType> type, std:
         break;
     }
     return octetsOfDigits(typed);
+}
+
+namespace {
+
+// Of 64 bits without a sign the bits are kept.
+std::partial_ordering orderOfValues(const FileValue &one, const FileValue &other,
+                                    std::optional<DataType> type)
+{
+    const auto *real = std::get_if<double>(&one.value);
+    const auto *otherReal = std::get_if<double>(&other.value);
+    if ((real == nullptr && one.number() == nullptr) || (otherReal == nullptr && other.number() == nullptr))
+        return std::partial_ordering::unordered;
+    if (real != nullptr || otherReal != nullptr)
+        return (real != nullptr ? *real : static_cast<double>(*one.number())) <=>
+               (otherReal != nullptr ? *otherReal : static_cast<double>(*other.number()));
+    if (type && factsOf(*type).form == DataTypeFacts::Form::isUnsigned)
+        return static_cast<std::uint64_t>(*one.number()) <=> static_cast<std::uint64_t>(*other.number());
+    return *one.number() <=> *other.number();
+}
+
+} // namespace
+
+std::optional<FileValue> limitBroken(const FileObject &object, const FileValue &value,
+                                     std::optional<int> node)
+{
+    const auto low = object.minimum ? object.minimum->at(node) : std::nullopt;
+    const auto high = object.maximum ? object.maximum->at(node) : std::nullopt;
+    if (low && std::is_lt(orderOfValues(value, *low, object.type)))
+        return low;
+    return high && std::is_gt(orderOfValues(value, *high, object.type)) ? high : std::nullopt;
 }
 
 } // namespace codewheel::canopen

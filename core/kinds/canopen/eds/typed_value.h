@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/canopen/eds/data_type.h"
+#include "kinds/canopen/eds/device_file.h"
 
 #include <QString>
 
@@ -16,5 +16,9 @@ namespace codewheel::canopen {
 // such value, or does not fit.
 std::optional<std::vector<std::uint8_t>> octetsTyped(const QString &typed, std::optional<DataType> type,
                                                      std::size_t width);
+
+// The limit of the file that the value is beyond. Empty: none, as far as they are known.
+std::optional<FileValue> limitBroken(const FileObject &object, const FileValue &value,
+                                     std::optional<int> node);
 
 } // namespace codewheel::canopen

@@ -5,9 +5,12 @@
 #include "kinds/canopen/eds/device_file_reader.h"
 #include "kinds/canopen/eds/standard_objects.h"
 #include "project/file_access.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
+#include "widgets/kinds/canopen/dictionary/heard_values.h"
+#include "widgets/kinds/canopen/dictionary/object_write_bar.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/log_table.h"
 #include "widgets/look/save_file.h"
@@ -18,6 +21,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 namespace {
@@ -141,12 +145,45 @@ void DictionaryView::tellDifferences()
         return QString::number(std::ranges::count(differences, kind, &canopen::ObjectDifference::kind));
     };
     const QString name = QFileInfo(known().comparedPath).fileName();
-    m_message->showMessage(
-        differences.empty() ? Role::running : Role::attention,
+    const QString doubt = doubtOf(*known().comparedWith, known().comparedPath);
+    const QString told =
         differences.empty()
             ? sentence(tr("All values are those of %1."), {name})
             : sentence(tr("Compared with %1: %2 values differ, %3 objects are not in it, %4 only in it."),
-                       {name, count(Kind::differs), count(Kind::missing), count(Kind::additional)}));
+                       {name, count(Kind::differs), count(Kind::missing), count(Kind::additional)});
+    m_message->showMessage(differences.empty() && doubt.isEmpty() ? Role::running : Role::attention,
+                           doubt.isEmpty() ? told : told + u' ' + doubt);
+}
+
+// What the node is, is known once somebody was told (1018h). 0 in a file says nothing.
+QString DictionaryView::doubtOf(const canopen::DeviceFile &file, const QString &path) const
+{
+    const int node = m_node.value_or(0);
+    const QString name = QFileInfo(path).fileName();
+    const auto [vendor, product, revision, serial] = m_heard->identityOf(node);
+    const auto isOther = [](std::optional<std::uint32_t> its, std::optional<std::uint32_t> told) {
+        return its.value_or(0) != 0 && told && *told != *its;
+    };
+    const auto text = [](std::optional<std::uint32_t> number) {
+        return number ? hexNumber(*number) : tr("not known");
+    };
+    if (isOther(file.identity.vendor, vendor) || isOther(file.identity.product, product))
+        return sentence(tr("%1 is for another device: vendor %2, product %3. Node %4 says vendor %5, product "
+                           "%6."),
+                        {name, text(file.identity.vendor), text(file.identity.product), QString::number(node),
+                         text(vendor), text(product)});
+    if (file.commissioning.node && *file.commissioning.node != node)
+        return sentence(tr("%1 is the configuration of node %2, and this is node %3."),
+                        {name, QString::number(*file.commissioning.node), QString::number(node)});
+    return {};
+}
+
+void DictionaryView::showDoubt()
+{
+    const QString doubt = m_node && known().isRead ? doubtOf(known().file, known().path) : QString();
+    m_writing->setDoubt(doubt);
+    if (std::exchange(m_doubt, doubt) != doubt && !doubt.isEmpty())
+        m_message->showMessage(Role::attention, doubt);
 }
 
 // What was not read may differ, too.

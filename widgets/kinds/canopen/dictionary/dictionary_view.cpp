@@ -76,6 +76,7 @@ DictionaryView::DictionaryView(QWidget *parent)
     connect(m_transfers, &ObjectTransfers::refused, this,
             [this](const Refusal &why) { m_message->showMessage(Role::attention, refusalText(why)); });
     connect(m_heard, &HeardValues::written, m_writing, &ObjectWriteBar::takeWrittenByOther);
+    connect(m_heard, &HeardValues::identityTold, this, &DictionaryView::showDoubt);
     connect(m_transfers, &ObjectTransfers::changed, this, &DictionaryView::showProgress);
     showRows();
 }
@@ -310,6 +311,7 @@ void DictionaryView::showRows()
     m_content->setCurrentIndex(m_node ? 0 : 1);
     showComparedColumns();
     showSource();
+    showDoubt();
     showChosen();
     showProgress();
 }

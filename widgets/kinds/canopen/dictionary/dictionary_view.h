@@ -102,6 +102,8 @@ private:
     void takeHeard();
     canopen::DeviceFile fileNow(bool withHeard);
     void tellProject();
+    QString doubtOf(const canopen::DeviceFile &file, const QString &path) const;
+    void showDoubt();
     void compareAgain();
     void tellDifferences();
     void askOpen();
@@ -113,6 +115,7 @@ private:
     std::optional<int> m_node;
     std::map<int, Known> m_known; // by node
     PlannedObjects m_planned;
+    QString m_doubt;           // about the file of the node
     std::size_t m_reading = 0; // objects that are to be read
     ObjectModel *m_rows;
     ObjectFilter *m_filter;

@@ -231,13 +231,11 @@ QString ObjectWriteBar::warnings(const std::vector<std::uint8_t> &octets) const
             u' ' + tr("It is an object of the maker: it may set the position, change number or rate, or be "
                       "stored at once. Look into the manual of the encoder.");
     const canopen::FileValue value = canopen::fileValueOf(m_object->type, octets);
-    const auto low = m_object->minimum ? m_object->minimum->at(m_node) : std::nullopt;
-    const auto high = m_object->maximum ? m_object->maximum->at(m_node) : std::nullopt;
-    const bool isBelow = low && low->number() && value.number() && *value.number() < *low->number();
-    const bool isAbove = high && high->number() && value.number() && *value.number() > *high->number();
-    if (isBelow || isAbove)
+    if (const auto limit = canopen::limitBroken(*m_object, value, m_node))
         text += u' ' + sentence(tr("It is outside of the limits of the file: %1."),
-                                {objectValueText(isBelow ? *low : *high, m_object->type)});
+                                {objectValueText(*limit, m_object->type)});
+    if (!m_doubt.isEmpty())
+        text += u' ' + m_doubt;
     return text;
 }
 

@@ -27,6 +27,8 @@ public:
     // Empty: none is chosen. Another one withdraws the question.
     void setObject(const std::optional<canopen::FileObject> &object, std::optional<int> node);
     void setWhyNot(const QString &whyNot); // empty: frames can be sent to the node
+    // Why the file may be that of another device, which the question says; empty: nothing speaks for that.
+    void setDoubt(const QString &doubt) { m_doubt = doubt; }
     // What was to be agreed to is not true any more.
     void takeWrittenByOther(const canopen::HeardObject &heard);
 
@@ -53,6 +55,7 @@ private:
     std::optional<canopen::FileObject> m_object;
     std::optional<int> m_node;
     QString m_whyNot;
+    QString m_doubt;
     Step m_step = Step::nothing;
     canopen::SdoOutcome m_before;
     bool m_isAcknowledged = false; // the write
