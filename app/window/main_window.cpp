@@ -58,6 +58,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -189,9 +190,14 @@ void MainWindow::showFirstTime()
 
 bool MainWindow::mayGo()
 {
-    if (m_transfer == nullptr || !m_transfer->isBusy())
+    const auto isWriting = [](const auto &of) { return of.second->isWriting(); };
+    const bool isNumberWritten = std::ranges::any_of(m_views, isWriting);
+    if (!isNumberWritten && (m_transfer == nullptr || !m_transfer->isBusy()))
         return true;
-    m_notice->showMessage(Role::attention, tr("The window is made anew once the transfer has ended."));
+    m_notice->showMessage(Role::attention,
+                          isNumberWritten
+                              ? tr("The window is made anew once number and rate have been written.")
+                              : tr("The window is made anew once the transfer has ended."));
     return false;
 }
 

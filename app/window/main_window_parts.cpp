@@ -77,6 +77,10 @@ void MainWindow::makePages()
     m_transfer = new TransferPages(*m_buses, m_plant->catalog(), m_project,
                                    valuesBeforeOf([this] { return m_plant->ledgers(); }),
                                    m_plant->positions(), m_actions, *m_pages, this);
+    m_transfer->setReplaceSteps([this](Replacing &replacing) {
+        BusViews *views = viewsOf(replacing.place.bus);
+        return views != nullptr ? views->replaceSteps(replacing) : ReplaceStepsOfKind();
+    });
     makeFinder();
     m_start = new Start({*m_plant, m_project, *m_files, m_settings, m_actions, *m_pages,
                          *static_cast<QVBoxLayout *>(centralWidget()->layout())},

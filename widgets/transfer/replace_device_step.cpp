@@ -21,6 +21,12 @@
 namespace codewheel {
 namespace {
 
+// Of an encoder with words its make decides what they mean; one that is asked tells what it has.
+bool canBeChosen(const DeviceDescription &device)
+{
+    return !device.isGeneric() || !device.hasWords();
+}
+
 bool isNamed(const DeviceDescription *device)
 {
     return device != nullptr && !device->isGeneric();
@@ -92,9 +98,13 @@ void ReplaceDeviceStep::fillChoices()
 {
     const QSignalBlocker blocker(m_choice);
     for (const DeviceDescription &device : m_replacing.catalog.devices())
-        if (!device.isGeneric() && device.capabilities.writes && canBe(device))
+        if (canBeChosen(device) && device.capabilities.writes && canBe(device))
             m_choice->addItem(device.fullName(), device.key);
-    m_choice->setCurrentIndex(std::max(0, m_choice->findData(m_replacing.before.participant.deviceKey)));
+    const EncoderSession *connected = m_replacing.buses.encoder(m_replacing.place);
+    int like = m_choice->findData(m_replacing.before.participant.deviceKey);
+    if (like < 0 && connected != nullptr) // in no project
+        like = m_choice->findData(connected->device().key);
+    m_choice->setCurrentIndex(std::max(0, like));
     m_key->setText(m_replacing.key);
     take();
 }

@@ -23,6 +23,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include <algorithm>
 #include <utility>
 
 namespace codewheel {
@@ -69,25 +70,53 @@ void ReplacePage::makeSteps()
     m_write = new ReplaceWriteStep(m_replacing);
     m_account = new ReplaceAccountStep(m_replacing);
     m_position = new ReplacePositionStep(m_replacing, m_positions);
-    m_steps = {new ReplaceDeviceStep(m_replacing), m_position, m_write, m_account};
+    m_device = new ReplaceDeviceStep(m_replacing);
+    const bool isMeant = m_makeStepsOfKind && !m_replacing.place.isEmpty();
+    const auto [begin, end] = isMeant ? m_makeStepsOfKind(m_replacing) : ReplaceStepsOfKind();
+    m_steps.clear();
+    for (ReplaceStep *step :
+         {m_device, begin, static_cast<ReplaceStep *>(m_position), static_cast<ReplaceStep *>(m_write),
+          static_cast<ReplaceStep *>(m_account), end})
+        addStep(step);
     QStringList titles;
-    for (ReplaceStep *step : m_steps) {
-        auto *scroll = new QScrollArea(m_pages);
-        scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setWidgetResizable(true);
-        scroll->setFocusPolicy(Qt::NoFocus);
-        scroll->setWidget(step);
-        m_pages->addWidget(scroll);
+    for (const ReplaceStep *step : m_steps)
         titles << step->title();
-        connect(step, &ReplaceStep::changed, this, &ReplacePage::showButtons);
-    }
     m_list = new StepList(titles, this);
     connect(m_write, &ReplaceWriteStep::ended, this, &ReplacePage::showAccount);
 }
 
+void ReplacePage::addStep(ReplaceStep *step)
+{
+    if (step == nullptr)
+        return;
+    auto *scroll = new QScrollArea(m_pages);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(step);
+    m_pages->addWidget(scroll);
+    m_steps.push_back(step);
+    connect(step, &ReplaceStep::changed, this, &ReplacePage::showButtons);
+}
+
 bool ReplacePage::isBusy() const
 {
-    return m_write->isBusy();
+    return std::ranges::any_of(m_steps, &ReplaceStep::isBusy);
+}
+
+// After an account of what was not all done there is nothing more to do.
+bool ReplacePage::isLast() const
+{
+    return current() == m_steps.back() || (current() == m_account && !isDone());
+}
+
+QString ReplacePage::doneSoFar() const
+{
+    QStringList done;
+    for (const ReplaceStep *step : m_steps)
+        done << step->doneSoFar();
+    done.removeAll(QString());
+    return done.join(u' ');
 }
 
 ReplaceStep *ReplacePage::current() const
@@ -120,7 +149,7 @@ void ReplacePage::replace(Place number)
     middle->insertWidget(0, m_list);
     showWait();
     showList();
-    showStep(device);
+    showStep(m_device);
 }
 
 void ReplacePage::takePlanned()
@@ -134,11 +163,11 @@ void ReplacePage::followProject()
     if (!isVisible() || m_hasBegun)
         return;
     takePlanned();
-    if (m_pages->currentIndex() != write || m_position->stillHolds()) {
+    if (current() != m_write || m_position->stillHolds()) {
         current()->refresh();
         return;
     }
-    showStep(position);
+    showStep(m_position);
     m_position->askAnew();
 }
 
@@ -199,7 +228,7 @@ void ReplacePage::leaveProject()
 void ReplacePage::showEvent(QShowEvent *event)
 {
     Page::showEvent(event);
-    m_isResultSeen = m_isResultSeen || m_pages->currentIndex() == account;
+    m_isResultSeen = m_isResultSeen || current() == m_account;
 }
 
 void ReplacePage::resizeEvent(QResizeEvent *event)
@@ -214,11 +243,17 @@ void ReplacePage::showList()
     m_stepName->setVisible(width() < replaceStepsFrom);
 }
 
-void ReplacePage::showStep(int step)
+void ReplacePage::showNext(int by)
 {
-    m_pages->setCurrentIndex(step);
+    showStep(m_steps[static_cast<std::size_t>(m_pages->currentIndex() + by)]);
+}
+
+void ReplacePage::showStep(const ReplaceStep *step)
+{
+    const auto index = static_cast<int>(std::ranges::find(m_steps, step) - m_steps.begin());
+    m_pages->setCurrentIndex(index);
     m_press.begin();
-    m_list->setCurrent(step);
+    m_list->setCurrent(index);
     current()->enter();
     showButtons();
     m_stepName->setText(current()->title());
@@ -228,7 +263,7 @@ void ReplacePage::showStep(int step)
 
 QString ReplacePage::title() const
 {
-    return tr("Replace encoder %1/%2", "step of steps").arg(m_pages->currentIndex() + 1).arg(stepCount);
+    return tr("Replace encoder %1/%2", "step of steps").arg(m_pages->currentIndex() + 1).arg(m_steps.size());
 }
 
 QString ReplacePage::about() const
@@ -241,9 +276,11 @@ QString ReplacePage::about() const
 
 QString ReplacePage::effect() const
 {
-    return m_pages->currentIndex() == account ? tr("What was written. Nothing more is sent.")
-           : isBusy()                         ? tr("Writes to the encoder.")
-                                              : tr("Nothing is sent or planned before Write.");
+    if (const QString its = current()->effect(); !its.isEmpty())
+        return its;
+    return current() == m_account ? tr("What was written. Nothing more is sent.")
+           : isBusy()             ? tr("Writes to the encoder.")
+                                  : tr("Nothing is sent or planned before Write.");
 }
 
 QString ReplacePage::lostByClosing() const
@@ -254,11 +291,13 @@ QString ReplacePage::lostByClosing() const
     const QString kept = m_unfinished && m_unfinished->place == m_replacing.place
                              ? m_unfinished->label.serialNumber
                              : QString();
-    const bool isGiven = m_pages->currentIndex() != device || now.turns > 0 || now.serialNumber != kept;
-    return m_hasBegun || !isGiven
-               ? QString()
-               : tr("Nothing has been written to %1, and what was given here is forgotten.")
-                     .arg(m_replacing.place.shown());
+    const bool isGiven = current() != m_device || now.turns > 0 || now.serialNumber != kept;
+    const QString done = doneSoFar();
+    if (m_hasBegun || !done.isEmpty())
+        return m_hasBegun ? done : done + u' ' + tr("Its values have not been written.");
+    return isGiven ? tr("Nothing has been written to %1, and what was given here is forgotten.")
+                         .arg(m_replacing.place.shown())
+                   : QString();
 }
 
 void ReplacePage::leave()
@@ -269,36 +308,35 @@ void ReplacePage::leave()
 
 void ReplacePage::next()
 {
-    const int step = m_pages->currentIndex();
-    if (step == write && m_press.isSecond())
+    if (current() == m_write && m_press.isSecond())
         return;
-    if (step == account) {
+    if (isLast()) {
         Q_EMIT closeRequested();
     } else if (!current()->leave()) {
         current()->setFocus();
-    } else if (step == write) {
+    } else if (current() == m_write) {
         m_hasBegun = true;
         m_write->takeNew(); // before the project names its label
         putIntoProject();
         m_write->begin();
         Q_EMIT headChanged();
     } else {
-        showStep(step + 1);
+        showNext(1);
     }
 }
 
 // From the account of one that has failed everything begins anew.
 void ReplacePage::back()
 {
-    if (m_pages->currentIndex() == account)
+    if (current() == m_account)
         replace(m_replacing.place);
     else
-        showStep(m_pages->currentIndex() - 1);
+        showNext(-1);
 }
 
 bool ReplacePage::canBeRepeated() const
 {
-    return m_pages->currentIndex() == account && m_unfinished && m_unfinished->place == m_replacing.place;
+    return current() == m_account && m_unfinished && m_unfinished->place == m_replacing.place;
 }
 
 // The new encoder is in place, whatever becomes of the writing.
@@ -319,24 +357,28 @@ void ReplacePage::showAccount()
         m_unfinished = {m_replacing.place, m_replacing.now, m_replacing.key};
     Q_EMIT messaged(messageOf(what));
     m_account->show(what);
-    showStep(account);
+    showStep(m_account);
     m_isResultSeen = isVisible();
 }
 
 void ReplacePage::showButtons()
 {
-    const int step = m_pages->currentIndex();
-    m_next->setText(current()->nextText());
+    const bool isFirst = current() == m_device;
+    m_next->setText(isLast()                 ? m_account->nextText()
+                    : current() == m_account ? m_device->nextText()
+                                             : current()->nextText());
     m_next->setEnabled(!m_waits && current()->mayGoOn());
-    m_next->setToolTip(step == write     ? tr("Sends what is shown above to the new encoder")
-                       : step == account ? tr("Back to the monitors")
-                                         : tr("To the next step"));
+    m_next->setToolTip(current() == m_write ? tr("Sends what is shown above to the new encoder")
+                       : isLast()           ? tr("Back to the monitors")
+                                            : tr("To the next step"));
     const bool repeats = canBeRepeated();
-    m_back->setEnabled(repeats || (!m_waits && step > device && current()->mayGoBack()));
+    m_back->setEnabled(repeats || (!m_waits && !isFirst && current()->mayGoBack()));
     m_back->setText(repeats ? tr("&Repeat") : tr("Bac&k"));
     m_back->setToolTip(repeats ? tr("Begins anew, with what was given of the new encoder")
                                : tr("To the previous step"));
-    m_cancel->setVisible(step != account && !isBusy()); // the strip has one of its own
+    m_cancel->setVisible(!m_hasBegun && !isBusy()); // the strip has one of its own
+    m_cancel->setToolTip(doneSoFar().isEmpty() ? tr("Ends here; nothing is written")
+                                               : tr("Ends here; its values are not written"));
 }
 
 } // namespace codewheel

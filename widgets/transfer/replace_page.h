@@ -7,7 +7,7 @@
 #include "widgets/look/quick_press.h"
 #include "widgets/transfer/replace_step.h"
 
-#include <array>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -33,6 +33,8 @@ public:
     ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
                 const LastPositions &positions, QWidget *parent = nullptr);
 
+    // What the kind of the bus adds, from the next replace() on.
+    void setStepsOfKind(MakeReplaceSteps make) { m_makeStepsOfKind = std::move(make); }
     // Starts afresh; not while something is being written.
     void replace(Place number);
     bool isBusy() const;
@@ -50,9 +52,6 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    enum Step : int { device, position, write, account };
-    static constexpr int stepCount = account + 1;
-
     // A replacement that did not become done: the next try at its place begins with what was given.
     struct Unfinished
     {
@@ -62,7 +61,9 @@ private:
     };
 
     void makeSteps();
-    void showStep(int step);
+    void addStep(ReplaceStep *step); // null: none
+    void showStep(const ReplaceStep *step);
+    void showNext(int by);
     void showList();
     void next();
     void back();
@@ -78,11 +79,16 @@ private:
     void showWait();
     void beginAnew();
     ReplaceStep *current() const;
+    bool isLast() const;
+    bool isDone() const { return !m_unfinished; } // all that was to be written
+    QString doneSoFar() const;
 
     Replacing m_replacing;
     std::optional<Unfinished> m_unfinished;
     const LastPositions &m_positions;
-    std::array<ReplaceStep *, stepCount> m_steps{};
+    MakeReplaceSteps m_makeStepsOfKind;
+    std::vector<ReplaceStep *> m_steps;
+    ReplaceStep *m_device = nullptr;
     ReplacePositionStep *m_position = nullptr;
     ReplaceWriteStep *m_write = nullptr;
     ReplaceAccountStep *m_account = nullptr;

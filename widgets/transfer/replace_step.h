@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 namespace codewheel {
 
 class Buses;
@@ -47,6 +49,11 @@ public:
     virtual bool mayGoOn() const { return true; }
     virtual bool mayGoBack() const { return true; }
     virtual QString nextText() const { return tr("&Next"); }
+    virtual bool isBusy() const { return false; } // something is sent
+    // What the step itself sends; empty: nothing.
+    virtual QString effect() const { return {}; }
+    // What it has done for good that the page does not know; empty: nothing.
+    virtual QString doneSoFar() const { return {}; }
 
 Q_SIGNALS:
     void changed(); // mayGoOn, mayGoBack
@@ -57,5 +64,14 @@ protected:
 private:
     QString m_title;
 };
+
+// The steps that a kind of bus adds to a replacement; null: none.
+struct ReplaceStepsOfKind
+{
+    ReplaceStep *begin = nullptr; // before anything is written: the new encoder takes its place on the bus
+    ReplaceStep *end = nullptr;   // once all was written
+};
+// For the encoder at the place of `replacing`, which outlives them.
+using MakeReplaceSteps = std::function<ReplaceStepsOfKind(Replacing &replacing)>;
 
 } // namespace codewheel

@@ -31,7 +31,7 @@ public:
     bool mayGoBack() const override { return !m_round.isRunning(); }
     QString nextText() const override { return tr("&Write"); }
 
-    bool isBusy() const { return m_round.isRunning(); }
+    bool isBusy() const override { return m_round.isRunning(); }
     // From now on nothing that was known of the previous encoder is known of the one that is there, and what
     // is counted is its.
     void takeNew();

@@ -7,6 +7,7 @@
 #include "vocabulary/kind_data.h"
 #include "vocabulary/training_act.h"
 #include "widgets/structure/fault_banner.h"
+#include "widgets/transfer/replace_step.h"
 
 #include <QAction>
 #include <QObject>
@@ -92,6 +93,9 @@ public:
     // Whether an action that its faults name is available now; carries it out.
     virtual FaultBanner::Offer offer(const Fault &, FaultAction) const { return {}; }
     virtual void act(const Fault &, FaultAction) {}
+    virtual bool isWriting() const { return false; } // a page of it: the window stays until that has ended
+    // What its kind adds to the replacement of an encoder at a place of it.
+    virtual ReplaceStepsOfKind replaceSteps(Replacing &) { return {}; }
     // The action of its kind for what a check proposes; null: it has none for that.
     virtual QAction *actionFor(DataCheck::Action) const { return nullptr; }
 

@@ -41,6 +41,7 @@ TransferPages::TransferPages(const Buses &buses, const Catalog &catalog, Project
     , m_replace(pages, "transfer.md#replace-an-encoder", [this, &catalog, &project, &positions] {
         auto *page = new ReplacePage(m_buses, catalog, project, positions, &m_pages);
         connect(page, &ReplacePage::messaged, this, &TransferPages::told);
+        page->setStepsOfKind(m_makeReplaceSteps);
         return page;
     })
 {

@@ -4,6 +4,7 @@
 #include "app/window/look/late_page.h"
 #include "transfer/values_before.h"
 #include "vocabulary/message.h"
+#include "widgets/transfer/replace_step.h"
 
 #include <QObject>
 
@@ -30,6 +31,8 @@ public:
                   FindValuesBefore findBefore, const LastPositions &positions, const WindowActions &actions,
                   QStackedWidget &pages, QObject *parent = nullptr);
 
+    // What the kind of a bus adds to a replacement on it; before a page is shown.
+    void setReplaceSteps(MakeReplaceSteps make) { m_makeReplaceSteps = std::move(make); }
     // The encoder chosen in the window.
     void setEncoder(const ShownEncoder &shown);
     bool isBusy() const; // encoders are being written
@@ -45,6 +48,7 @@ private:
 
     const Buses &m_buses;
     FindValuesBefore m_findBefore;
+    MakeReplaceSteps m_makeReplaceSteps;
     const WindowActions &m_actions;
     QStackedWidget &m_pages;
     LatePage<TransferPage> m_transfer;

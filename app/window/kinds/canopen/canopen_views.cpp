@@ -30,6 +30,7 @@
 #include "widgets/kinds/canopen/can_settings_form.h"
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/nmt_texts.h"
+#include "widgets/kinds/canopen/setup/can_replace_steps.h"
 #include "widgets/kinds/canopen/setup/node_setup_page.h"
 #include "widgets/kinds/canopen/setup/node_setup_view.h"
 #include "widgets/kinds/canopen/traffic/can_traffic_view.h"
@@ -183,6 +184,18 @@ void CanopenViews::showSetup(std::optional<int> node)
     m_setup->showNode(node);
     parts().pages.setCurrentWidget(m_setup);
     m_setup->setFocus();
+}
+
+bool CanopenViews::isWriting() const
+{
+    return m_setup->view().isBusy();
+}
+
+ReplaceStepsOfKind CanopenViews::replaceSteps(Replacing &replacing)
+{
+    auto *number = new CanReplaceNumberStep(replacing);
+    connect(number, &CanReplaceNumberStep::messaged, this, &CanopenViews::told);
+    return {.begin = number, .end = new CanReplaceProofStep(replacing, *number)};
 }
 
 // Of one that was in no project, Search for nodes tells what it is.

@@ -67,6 +67,8 @@ public:
     void connectFound(const KindData &plan, const std::vector<KindData> &devices) override;
     void useSettings(const ProgramSettings &settings) override;
     void showFrame() override;
+    bool isWriting() const override;
+    ReplaceStepsOfKind replaceSteps(Replacing &replacing) override;
 
     void showSetup(std::optional<int> node); // empty: of a device without a number, to be found
 

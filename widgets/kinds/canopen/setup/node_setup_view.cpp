@@ -47,7 +47,8 @@ NodeSetupView::NodeSetupView(QWidget *parent)
     , m_write(describe(new QPushButton(lineIcon(Icon::write), tr("&Write…"), this), "nodeSetupWrite", {}))
     , m_cancel(describe(new QPushButton(lineIcon(Icon::cancel), tr("Cance&l"), this), "nodeSetupCancel",
                         tr("What was not sent yet is not sent")))
-    , m_checkNow(describe(new QPushButton(lineIcon(Icon::search), tr("Check &it"), this), "nodeSetupCheck", {}))
+    , m_checkNow(
+          describe(new QPushButton(lineIcon(Icon::search), tr("Check &it"), this), "nodeSetupCheck", {}))
     , m_message(named(new InlineMessage(this), "nodeSetupMessage"))
     , m_steps(new SetupSteps(this))
 {
@@ -185,6 +186,7 @@ void NodeSetupView::read()
     m_setup.reset();
     m_check.reset();
     m_isFound = false;
+    m_isRateStored = false;
     m_message->withdraw();
     m_reading = std::make_unique<canopen::IdentityReading>(*m_node);
     setStage(Stage::reading);
@@ -332,8 +334,9 @@ void NodeSetupView::takeWritten()
         check();
         return;
     }
+    const BusId bus = m_bus ? m_bus->id() : BusId();
     Q_EMIT messaged(
-        {.place = m_bus ? m_bus->placeOf(CanopenAddress{wanted.nodeBefore.value_or(0)}.place()) : Place(),
+        {.place = wanted.nodeBefore ? Place{bus, CanopenAddress{*wanted.nodeBefore}.place()} : Place{bus},
          .id = CanopenBusMessageId::nodeRateStored,
          .arguments = {inKilobits(wanted.rate->rate)}});
 }
@@ -504,7 +507,7 @@ void NodeSetupView::showWhatIsPossible()
     enable(m_checkNow, m_stage == Stage::toBeProven,
            tr("Looks for the device, once its supply was switched off and on (Alt+I)"),
            tr("For a device that was given a number or rate"));
-    m_cancel->setEnabled(isBusy());
+    m_cancel->setEnabled(isBusy() && (m_stage == Stage::searching || m_stage == Stage::writing));
     m_fields->setEnabled(isRead);
     m_rate->setEnabled(m_way->currentIndex() <= 0);
 }

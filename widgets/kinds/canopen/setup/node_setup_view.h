@@ -51,7 +51,7 @@ public:
     bool isProven() const { return m_stage == Stage::proven; }
     std::optional<int> node() const { return m_node; } // of the device; empty: it has none, or none is meant
     const std::optional<canopen::NodeIdentity> &identity() const { return m_identity; } // of it, as read
-    QString about() const;                             // it, in short
+    QString about() const;                                                              // it, in short
 
     void search(); // for a device without a number
 
