@@ -28,7 +28,7 @@ std::vector<std::uint8_t> fourOctetsOf(std::uint32_t value)
     return octets;
 }
 
-bool isWrite(NodeSetup::Step step)
+bool isWritingStep(NodeSetup::Step step)
 {
     using enum NodeSetup::Step;
     return step == node || step == rate || step == store;
@@ -126,7 +126,7 @@ NodeSetup::Fate &NodeSetup::fateOf(Step step)
 
 void NodeSetup::done()
 {
-    if (isWrite(step()))
+    if (isWritingStep(step()))
         fateOf(step()) = Fate::done;
     ++m_at;
 }
