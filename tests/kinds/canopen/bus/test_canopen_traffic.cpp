@@ -11,6 +11,11 @@ using namespace std::chrono_literals;
 class CanopenTraffic : public test::CanopenPlant
 {};
 
+QString identifierOf(const TrafficRow &row)
+{
+    return row.identifier ? row.identifier->text() : QString();
+}
+
 TEST_F(CanopenTraffic, RowsSayIdentifierNodeAndMeaning)
 {
     operate();
@@ -19,13 +24,13 @@ TEST_F(CanopenTraffic, RowsSayIdentifierNodeAndMeaning)
                      [&](const TrafficRow &row) { told.push_back(row); });
     bus->transfer({.node = 5, .object = {0x6004, 0}});
     bus->advance(10ms);
-    const auto request = std::ranges::find(told, QStringLiteral("605"), &TrafficRow::identifier);
+    const auto request = std::ranges::find(told, QStringLiteral("605"), identifierOf);
     ASSERT_NE(request, told.end());
     EXPECT_EQ(request->kind, TrafficKind::sent);
     EXPECT_EQ(request->place, five);
     EXPECT_EQ(byteText(request->bytes.sliced(request->head)), QStringLiteral("40 04 60 00 00 00 00 00"));
     EXPECT_EQ(request->meaning(), QStringLiteral("Node 5: read 6004h:0"));
-    const auto answer = std::ranges::find(told, QStringLiteral("585"), &TrafficRow::identifier);
+    const auto answer = std::ranges::find(told, QStringLiteral("585"), identifierOf);
     ASSERT_NE(answer, told.end());
     EXPECT_GT(answer - request, 0);
     EXPECT_EQ(answer->kind, TrafficKind::answer);
@@ -66,7 +71,7 @@ TEST(CanopenRows, OfARecordingAreExplained)
     const auto recorded = makeCanopenRows();
     const TrafficRow row = recorded->explained(
         {.kind = TrafficKind::answer, .bytes = frameBytes(test::canFrame(0x705, {0}))}, {});
-    EXPECT_EQ(row.identifier->text(), QStringLiteral("705"));
+    EXPECT_EQ(identifierOf(row), QStringLiteral("705"));
     EXPECT_EQ(row.meaning(), QStringLiteral("Node 5: boot-up"));
     EXPECT_FALSE(recorded->explained({.bytes = "?"}, {}).meaning);
 }
