@@ -97,11 +97,11 @@ Stored<void> RecordingStore::put(const QString &statement, const Rows &rows, Val
     QSqlQuery query = m_database->query(statement);
     Values bound;
     for (const auto &row : rows) {
-        const Values values = valuesOf(row);
+        Values values = valuesOf(row);
         for (std::size_t i = 0; i < values.size(); ++i)
             if (bound.empty() || !isSame(bound[i], values[i])) // it takes longer than to compare them
                 query.bindValue(static_cast<int>(i), values[i]);
-        bound = values;
+        bound = std::move(values);
         if (auto done = m_database->run(query); !done)
             return done;
     }

@@ -63,12 +63,13 @@ NodeEncoder::NodeEncoder(const DeviceDescription &description, int its, const No
     reading.coding = PositionCoding::binary;
     for (const ParameterDescription &parameter : device.parameters)
         if (const CanopenReach *reach = canopenReach(parameter))
-            m_describedTypes.emplace(keyOf(reach->object), reach->type);
+            m_described.emplace_back(reach->object, reach->type);
 }
 
 ObjectType NodeEncoder::typeOf(SdoObject object) const
 {
-    if (const auto described = m_describedTypes.find(keyOf(object)); described != m_describedTypes.end())
+    const auto described = std::ranges::find(m_described, object, &std::pair<SdoObject, ObjectType>::first);
+    if (described != m_described.end())
         return described->second;
     if (const auto row = std::ranges::find(typeRows, object, &TypeRow::object); row != typeRows.end())
         return row->type;

@@ -72,8 +72,8 @@ private:
     void compareSpeed(std::int64_t told, Instant now);
 
     PositionSpeed m_speed;
-    std::map<std::uint32_t, ObjectType> m_describedTypes; // by index and subindex
-    std::map<std::uint32_t, std::size_t> m_widths;        // likewise, as told
+    std::vector<std::pair<SdoObject, ObjectType>> m_described{}; // the objects of parameters
+    std::map<std::uint32_t, std::size_t> m_widths;               // by index and subindex
     bool m_haveCamsChanged = false;
     int m_speedsAtOdds = 0; // in a row
     bool m_isSpeedTold = false;

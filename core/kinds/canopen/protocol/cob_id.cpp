@@ -8,7 +8,8 @@ namespace {
 
 using Service = CobId::Service;
 
-constexpr std::uint32_t nodeBits = 0x7F;
+constexpr unsigned nodeBitCount = 7;
+constexpr std::uint32_t nodeBits = (1U << nodeBitCount) - 1;
 
 struct WithoutNode
 {
@@ -38,6 +39,14 @@ constexpr std::array ofNodes{
     OfNodes{0x600, Service::sdoRequest}, OfNodes{0x700, Service::errorControl},
 };
 
+// The same by the bits above the node; null: none. Asked for each frame, several times.
+constexpr auto rowsOfNodes = [] {
+    std::array<const OfNodes *, 16> rows{};
+    for (const OfNodes &each : ofNodes)
+        rows.at(each.base >> nodeBitCount) = &each;
+    return rows;
+}();
+
 } // namespace
 
 std::optional<CobId> CobId::of(std::uint32_t identifier)
@@ -46,10 +55,10 @@ std::optional<CobId> CobId::of(std::uint32_t identifier)
         if (each.identifier == identifier)
             return CobId{.service = each.service};
     const auto node = static_cast<int>(identifier & nodeBits);
-    for (const OfNodes &each : ofNodes)
-        if (node != 0 && each.base == (identifier & ~nodeBits))
-            return CobId{.service = each.service, .node = node, .number = each.number};
-    return std::nullopt;
+    const std::uint32_t row = identifier >> nodeBitCount;
+    if (node == 0 || row >= rowsOfNodes.size() || rowsOfNodes[row] == nullptr)
+        return std::nullopt;
+    return CobId{.service = rowsOfNodes[row]->service, .node = node, .number = rowsOfNodes[row]->number};
 }
 
 std::uint32_t CobId::identifier() const

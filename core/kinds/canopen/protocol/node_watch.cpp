@@ -100,13 +100,17 @@ void NodeWatch::take(const CanFrame &frame, Instant now)
     const Instant at = frame.time.value_or(now);
     if (frame.isExtended || frame.isError)
         return;
-    if (frame.id == identifierOf(CobId::Service::nmt, 0))
+    const auto cob = CobId::of(frame.id);
+    const auto isIts = [&](CobId::Service service) {
+        return cob && cob->service == service && cob->node == m_node;
+    };
+    if (cob && cob->service == CobId::Service::nmt)
         takeCommand(frame, at);
-    else if (frame.id == identifierOf(CobId::Service::errorControl, m_node))
+    else if (isIts(CobId::Service::errorControl))
         takeErrorControl(frame, now);
     else if (frame.isRemote)
         return;
-    else if (frame.id == identifierOf(CobId::Service::emcy, m_node)) {
+    else if (isIts(CobId::Service::emcy)) {
         if (const auto emcy = Emcy::read(frame.data()))
             takeEmcy(*emcy);
     } else if (std::ranges::count(m_tpdos, frame.id) != 0)
