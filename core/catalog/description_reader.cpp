@@ -41,6 +41,12 @@ constexpr std::int64_t mostStepsPerTurn = 1 << 25;
 constexpr std::int64_t mostTurns = 1 << 25;
 constexpr std::int64_t mostWrites = 1'000'000'000;
 
+bool isCommon(Parameter parameter)
+{
+    const std::vector<Parameter> common = commonParameters();
+    return std::ranges::find(common, parameter) != common.end();
+}
+
 // The rules of a description, part by part. One object per file.
 class DescriptionReader
 {
@@ -57,7 +63,7 @@ public:
     static Quirks readQuirks(const JsonObject &json);
 
 private:
-    static Parameter readParameterName(const JsonObject &row);
+    static Parameter readParameterName(const JsonObject &row, const LocalText &shown);
     static ParameterDescription readParameter(const JsonObject &row, const DeviceDescription &device);
     static void readChoices(const JsonObject &row, ParameterDescription &parameter);
     static void checkRange(const JsonObject &row, const ParameterDescription &parameter);
@@ -122,7 +128,7 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     readCoding(json, device);
 }
 
-Parameter DescriptionReader::readParameterName(const JsonObject &row)
+Parameter DescriptionReader::readParameterName(const JsonObject &row, const LocalText &shown)
 {
     const QString name = row.text("parameter");
     if (row.has("name")) {
@@ -130,7 +136,7 @@ Parameter DescriptionReader::readParameterName(const JsonObject &row)
             row.report("parameter",
                        tr("A parameter is named by small letters, digits, hyphens, colons and full "
                           "stops."));
-        return Parameter::of(name, row.localText("name"));
+        return Parameter::of(name, shown);
     }
     QStringList known;
     for (const Parameter each : commonParameters()) {
@@ -173,7 +179,10 @@ void DescriptionReader::checkRange(const JsonObject &row, const ParameterDescrip
 ParameterDescription DescriptionReader::readParameter(const JsonObject &row, const DeviceDescription &device)
 {
     ParameterDescription parameter;
-    parameter.parameter = readParameterName(row);
+    const LocalText name = row.localTextOr("name", {});
+    parameter.parameter = readParameterName(row, name);
+    if (!isCommon(parameter.parameter)) // the program names those
+        parameter.name = name;
     protocolRules(device.profile).readReach(row, parameter, device);
     parameter.onLabel = row.flagOr("onLabel", false);
     const bool isOnWire = parameter.canBeRead || parameter.canBeWritten;

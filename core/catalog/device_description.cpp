@@ -77,4 +77,15 @@ QString DeviceDescription::fullName() const
     return vendor + u' ' + name;
 }
 
+QString parameterName(const ParameterDescription &parameter)
+{
+    return parameter.name.isEmpty() ? parameterName(parameter.parameter) : parameter.name.toString();
+}
+
+QString parameterName(const DeviceDescription *device, Parameter parameter)
+{
+    const ParameterDescription *its = device != nullptr ? device->find(parameter) : nullptr;
+    return its != nullptr ? parameterName(*its) : parameterName(parameter);
+}
+
 } // namespace codewheel

@@ -74,6 +74,7 @@ struct ParameterDescription
     int textLength = 0;              // a text of so many characters at most; 0: a number
     int hexDigits = 0;               // shown as hexadecimal number with so many digits; 0: decimal
     const ValueForm *form = nullptr; // null: a number
+    LocalText name{};                // where only some encoders have it; empty: everybody knows it
 
     bool isText() const { return textLength > 0; }
     // A text that is short enough, one of the choices if there are any, otherwise any value within the range.
@@ -154,5 +155,10 @@ struct DeviceDescription
 
     friend bool operator==(const DeviceDescription &, const DeviceDescription &) = default;
 };
+
+// As its description names it, in the user's language; others may name it otherwise.
+QString parameterName(const ParameterDescription &parameter);
+// Null, or without the parameter: as parameterName(Parameter).
+QString parameterName(const DeviceDescription *device, Parameter parameter);
 
 } // namespace codewheel

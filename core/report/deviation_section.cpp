@@ -55,7 +55,8 @@ void addRows(ReportTable &table, const ReportedDevice &device, const Deviations 
     const QString &station = device.planned->station;
     for (const ValueDeviation &each : found.values)
         table.rows.push_back(
-            {{place, station, parameterName(each.parameter), withUnit(device, each.parameter, each.wanted),
+            {{place, station, parameterName(device.description, each.parameter),
+              withUnit(device, each.parameter, each.wanted),
               withUnit(device, each.parameter, each.known.value), device.evidence(each.parameter)}});
     for (const CamDeviation &each : found.cams)
         table.rows.push_back(

@@ -91,7 +91,8 @@ ReportTable::Row rowOf(const ReportedDevice &device, Parameter parameter, const 
 {
     const auto wanted = findValue(device.planned->wanted, parameter);
     const StoredValue *known = device.known(parameter);
-    return {{parameterName(parameter), wanted ? report_words::value(device, parameter, *wanted) : QString(),
+    return {{parameterName(device.description, parameter),
+             wanted ? report_words::value(device, parameter, *wanted) : QString(),
              known ? report_words::value(device, parameter, known->value) : report_words::unknown(),
              report_words::unit(device, parameter), device.evidence(parameter),
              known ? report_words::time(known->at, now) : QString(), remark(wanted, known)},

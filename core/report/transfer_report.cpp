@@ -79,7 +79,7 @@ ReportTable tableOf(const EncoderAccount &account, const Catalog &catalog)
                       {Column::text, Column::number, Column::number, Column::text},
                       {}};
     for (const AccountRow &row : account.rows)
-        table.rows.push_back({{parameterName(row.wanted.parameter),
+        table.rows.push_back({{parameterName(device, row.wanted.parameter),
                                transfer_words::known(device, row.wanted.parameter, row.before),
                                transfer_words::value(device, row.wanted), transfer_words::became(row)},
                               !isThere(row.became)});

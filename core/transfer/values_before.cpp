@@ -63,7 +63,7 @@ QString textOf(const ValuesBefore &before, const DeviceDescription *device)
 {
     QStringList texts;
     for (const ParameterValue &value : before.values)
-        texts << parameterName(value.parameter) + u' ' + transfer_words::value(device, value);
+        texts << parameterName(device, value.parameter) + u' ' + transfer_words::value(device, value);
     return texts.join(QStringLiteral(", "));
 }
 

@@ -71,7 +71,7 @@ QString valueList(const DeviceDescription &device, const ParameterValues &values
     QStringList texts;
     for (const ParameterValue &value : values) {
         const ParameterDescription *parameter = device.find(value.parameter);
-        texts += QStringLiteral("%1 = %2").arg(parameterName(value.parameter),
+        texts += QStringLiteral("%1 = %2").arg(parameterName(&device, value.parameter),
                                                parameter ? valueText(*parameter, value.value)
                                                          : plainText(value.value));
     }

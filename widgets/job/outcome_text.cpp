@@ -24,11 +24,11 @@ struct OutcomeText
     Q_DECLARE_TR_FUNCTIONS(OutcomeText)
 };
 
-QString namesOfValues(const ParameterValues &values)
+QString namesOfValues(const EncoderSession &encoder, const ParameterValues &values)
 {
     QStringList names;
     for (const ParameterValue &value : values)
-        names << parameterName(value.parameter);
+        names << parameterName(&encoder.device(), value.parameter);
     return names.join(QStringLiteral(", "));
 }
 
@@ -42,7 +42,7 @@ QString activeText(const EncoderSession &encoder, const ParameterValues &written
         std::ranges::all_of(written, isReadBack)
             ? OutcomeText::tr("%1 written, active and read back.", "names of parameters")
             : OutcomeText::tr("%1 written, confirmed and active.", "names of parameters");
-    return verified.arg(namesOfValues(written));
+    return verified.arg(namesOfValues(encoder, written));
 }
 
 QStringList writtenTexts(const EncoderSession &encoder, const ParameterValues &written)
@@ -55,7 +55,7 @@ QStringList writtenTexts(const EncoderSession &encoder, const ParameterValues &w
     std::erase_if(active, [](const ParameterValue &value) { return isOfScaling(value.parameter); });
     std::erase_if(kept, [](const ParameterValue &value) { return !isOfScaling(value.parameter); });
     QStringList texts{
-        OutcomeText::tr("%1 written and read back.", "names of parameters").arg(namesOfValues(kept)),
+        OutcomeText::tr("%1 written and read back.", "names of parameters").arg(namesOfValues(encoder, kept)),
         noteText(*note)};
     if (!active.empty())
         texts.prepend(activeText(encoder, active));
@@ -84,10 +84,10 @@ QStringList doneTexts(const EncoderSession &encoder, const Outcome &outcome)
     for (const ParameterValue &along : outcome.setAlong)
         sentences << OutcomeText::tr("%1: %2, set by the encoder itself with the steps.",
                                      "name of a parameter, value")
-                         .arg(parameterName(along.parameter), plainText(along.value));
+                         .arg(parameterName(&encoder.device(), along.parameter), plainText(along.value));
     if (!outcome.stored.empty())
         sentences << OutcomeText::tr("%1 stored, in force before.", "names of parameters")
-                         .arg(namesOfValues(outcome.stored));
+                         .arg(namesOfValues(encoder, outcome.stored));
     if (!outcome.written.empty() || outcome.eepromWrites > 0)
         sentences << OutcomeText::tr("EEPROM writes: %1.").arg(outcome.eepromWrites);
     if (outcome.positionAfter)

@@ -285,7 +285,7 @@ QString ParameterModel::text(const ParameterRow &row, int column) const
 {
     const Parameter parameter = row.parameter.parameter;
     if (column == nameColumn)
-        return parameterName(parameter);
+        return parameterName(row.parameter);
     const auto shown = [&](const Value &value) {
         const auto options = valueOptionsOf(m_encoder.session());
         return parameterNameInText(parameter).contains(unitText(row.parameter.unit))

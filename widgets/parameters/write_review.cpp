@@ -34,7 +34,7 @@ ReviewRow rowOf(const EncoderSession &encoder, const WriteRow &row)
 {
     const ParameterDescription &parameter = *encoder.device().find(row.wanted.parameter);
     const auto text = [&](const Value &value) { return valueText(parameter, value, encoder.valueOptions()); };
-    return {.cells = {parameterName(row.wanted.parameter),
+    return {.cells = {parameterName(parameter),
                       row.known ? text(row.known->value) : WriteReview::tr("unknown"), text(row.wanted.value),
                       sentText(*row.step)},
             .tips = {{},

@@ -127,7 +127,7 @@ void KnownPage::showTable()
             continue; // irrelevant to the wizard
         const auto known = encoder.known(parameter);
         parameters.push_back(parameter);
-        rows.push_back({.cells = {parameterName(parameter),
+        rows.push_back({.cells = {parameterName(described),
                                   known ? valueWithUnit(encoder.device(), {parameter, known->value},
                                                         valueOptionsOf(&encoder))
                                         : QString(QChar(0x2013)),
@@ -211,7 +211,7 @@ void KnownPage::selectRow()
     if (!canTell)
         return;
     m_tellLabel->setText((parameter->onLabel ? tr("%1, from its label:") : tr("%1, from its papers:"))
-                             .arg(parameterName(parameter->parameter)));
+                             .arg(parameterName(*parameter)));
     m_tellField = new ValueField(*parameter, tr("unknown"), this);
     m_tellField->setValue(m_setup.valueNow(parameter->parameter));
     m_tellRow->insertWidget(1, m_tellField);

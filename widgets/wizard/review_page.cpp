@@ -114,14 +114,15 @@ void ReviewPage::plan()
     std::vector<ReviewRow> rows;
     for (const WriteRow &row : plan.rows)
         if (!row.goesAlong || row.isInStepOfOthers())
-            rows.push_back({{parameterName(row.wanted.parameter), knownText(encoder.device(), row.known),
-                             valueWithUnit(encoder.device(), row.wanted),
-                             row.isThere                ? tr("already there, not written")
-                             : row.isOnlyStored         ? tr("in force already, only stored")
-                             : row.isRearmed            ? tr("already there, written if used up")
-                             : row.isInStepOfOthers()   ? tr("not wanted, goes along")
-                             : plan.job.onlyWhatDiffers ? tr("read, written if it differs")
-                                                        : tr("written")}});
+            rows.push_back(
+                {{parameterName(&encoder.device(), row.wanted.parameter),
+                  knownText(encoder.device(), row.known), valueWithUnit(encoder.device(), row.wanted),
+                  row.isThere                ? tr("already there, not written")
+                  : row.isOnlyStored         ? tr("in force already, only stored")
+                  : row.isRearmed            ? tr("already there, written if used up")
+                  : row.isInStepOfOthers()   ? tr("not wanted, goes along")
+                  : plan.job.onlyWhatDiffers ? tr("read, written if it differs")
+                                             : tr("written")}});
     showPicture();
     if (const auto position = m_setup.wish.setPositionTo) {
         rows.push_back({{parameterName(Parameter::preset), positionNow(encoder), numberText(*position),

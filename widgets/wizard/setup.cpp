@@ -43,7 +43,7 @@ QStringList Setup::changed() const
     QStringList names;
     for (const auto &[parameter, change] : given)
         if (change.now != change.before && findValue(wish.wanted, parameter) == change.now)
-            names << parameterName(parameter);
+            names << parameterName(encoder != nullptr ? &encoder->device() : nullptr, parameter);
     return names;
 }
 

@@ -137,7 +137,7 @@ void ValuesPage::makeRows()
             continue;
         auto *field = new ValueField(parameter, tr("unchanged"), m_form);
         field->setMaximumWidth(widestField);
-        auto *name = new QLabel(parameterName(parameter.parameter), m_form);
+        auto *name = new QLabel(parameterName(parameter), m_form);
         name->setBuddy(field->focusProxy());
         Row row{field, wrappedLabel(m_form)};
         const int at = form->rowCount();

@@ -72,10 +72,10 @@ ReportSection valueSection(const HandshakeRecord &record, const DeviceDescriptio
         if (!parameter.canBeWritten)
             continue;
         const auto wanted = findValue(record.job.values, parameter.parameter);
-        table.rows.push_back({{parameterName(parameter.parameter),
-                               knownText(device, knownIn(record.before, parameter.parameter)),
-                               wanted ? valueWithUnit(device, {parameter.parameter, *wanted}) : QString(),
-                               knownText(device, knownIn(record.after, parameter.parameter))}});
+        table.rows.push_back(
+            {{parameterName(parameter), knownText(device, knownIn(record.before, parameter.parameter)),
+              wanted ? valueWithUnit(device, {parameter.parameter, *wanted}) : QString(),
+              knownText(device, knownIn(record.after, parameter.parameter))}});
     }
     return {.heading = WizardReport::tr("Values"), .blocks = {table}};
 }

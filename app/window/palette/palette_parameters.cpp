@@ -42,7 +42,7 @@ std::vector<PaletteEntry> PaletteParameters::next()
     for (const ParameterDescription &each : encoder.device().parameters)
         entries.push_back({.kind = PaletteEntry::Kind::parameter,
                            .id = QStringLiteral("parameter:") + parameterKey(each.parameter),
-                           .title = parameterName(each.parameter),
+                           .title = parameterName(each),
                            .context = whoseAndValue(encoder, each),
                            .words = parameterKey(each.parameter),
                            .run = [show = m_show, parameter = each.parameter] { show(parameter); }});

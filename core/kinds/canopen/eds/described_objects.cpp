@@ -40,7 +40,7 @@ FileAccess accessOf(const ParameterDescription &parameter)
 FileObject objectOf(const ParameterDescription &parameter, const CanopenReach &reach)
 {
     FileObject object{.object = reach.object,
-                      .name = parameterName(parameter.parameter),
+                      .name = parameterName(parameter),
                       .type = typeInFile(reach.type),
                       .access = accessOf(parameter)};
     if (parameter.factory)
