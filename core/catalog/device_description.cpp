@@ -88,4 +88,10 @@ QString parameterName(const DeviceDescription *device, Parameter parameter)
     return its != nullptr ? parameterName(*its) : parameterName(parameter);
 }
 
+QString parameterNameInText(const DeviceDescription &device, Parameter parameter)
+{
+    const ParameterDescription *its = device.find(parameter);
+    return its != nullptr && !its->name.isEmpty() ? its->name.toString() : parameterNameInText(parameter);
+}
+
 } // namespace codewheel

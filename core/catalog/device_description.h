@@ -160,5 +160,7 @@ struct DeviceDescription
 QString parameterName(const ParameterDescription &parameter);
 // Null, or without the parameter: as parameterName(Parameter).
 QString parameterName(const DeviceDescription *device, Parameter parameter);
+// The same in running text.
+QString parameterNameInText(const DeviceDescription &device, Parameter parameter);
 
 } // namespace codewheel

@@ -32,6 +32,9 @@ TEST(NamesOfParameters, AreThoseOfTheDescriptionThatHasThem)
     EXPECT_EQ(parameterName(catalog.find(QStringLiteral("two")), own), QStringLiteral("Damping"));
     EXPECT_EQ(parameterName(catalog.find(QStringLiteral("two"))->parameters.front()),
               QStringLiteral("Damping"));
+    EXPECT_EQ(parameterNameInText(*catalog.find(QStringLiteral("one")), own), QStringLiteral("Filter"));
+    EXPECT_EQ(parameterNameInText(*catalog.find(QStringLiteral("one")), Parameter::preset),
+              parameterNameInText(Parameter::preset));
     EXPECT_EQ(parameterName(nullptr, own), QStringLiteral("2f31"));
 }
 

@@ -168,7 +168,7 @@ void DeviceHtml::addParameters()
     for (const ParameterDescription &parameter : m_device.parameters) {
         const QString number =
             m_device.hasWords() ? protocolRules(m_device.profile).reachText(parameter).write : QString();
-        rows += {parameterName(parameter.parameter), number.isEmpty() ? QString(QChar(0x2013)) : number,
+        rows += {parameterName(parameter), number.isEmpty() ? QString(QChar(0x2013)) : number,
                  rangeText(parameter), unitText(parameter.unit), parameter.chapter.toString()};
     }
     addTable({tr("Name"), tr("No."), tr("Values"), tr("Unit"), tr("Manual")}, rows);

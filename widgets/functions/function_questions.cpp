@@ -115,7 +115,7 @@ QString whatIsLost(const EncoderSession &encoder)
     QStringList names;
     for (const ParameterDescription &parameter : encoder.device().parameters)
         if (parameter.canBeWritten)
-            names << parameterName(parameter.parameter);
+            names << parameterName(parameter);
     QString text = Functions::tr("This is lost: %1.").arg(names.join(QStringLiteral(", ")));
     if (encoder.can().cams)
         text += u' ' + Functions::tr("All cam programs are lost, too, and the encoder is in position mode "

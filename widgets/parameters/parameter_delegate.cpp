@@ -193,7 +193,7 @@ QWidget *ParameterDelegate::createEditor(QWidget *parent, const QStyleOptionView
     const auto &model = static_cast<const ParameterModel &>(*index.model());
     const ParameterDescription &parameter = model.rowAt(index.row()).parameter;
     QWidget *editor = makeValueInput(parameter, tr("unchanged"), parent);
-    editor->setAccessibleName(tr("Wanted: %1").arg(parameterName(parameter.parameter)));
+    editor->setAccessibleName(tr("Wanted: %1").arg(parameterName(parameter)));
     if (auto *number = qobject_cast<ValueInput *>(editor)) {
         connect(number, &ValueInput::inputChecked, this, [this, number, &model](const QString &wrong) {
             const auto value = inputValue(*number);

@@ -331,9 +331,8 @@ QString ParameterModel::toolTip(const ParameterRow &row, int column) const
     const QString range = parameter_words::rangeAndFactory(row.parameter);
     if (column != knownColumn)
         return row.isTold() && m_encoder.session() == nullptr
-                   ? tr("%1\nIt can be set once the encoder is connected.")
-                         .arg(parameterName(row.parameter.parameter))
-                   : QStringLiteral("%1\n%2").arg(parameterName(row.parameter.parameter), range);
+                   ? tr("%1\nIt can be set once the encoder is connected.").arg(parameterName(row.parameter))
+                   : QStringLiteral("%1\n%2").arg(parameterName(row.parameter), range);
     if (m_encoder.session() == nullptr)
         return tr("Not connected: what the encoder has is not known.");
     QString how = howKnown(row.known, *m_encoder.session());

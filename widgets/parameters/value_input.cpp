@@ -170,7 +170,7 @@ QWidget *makeValueInput(const ParameterDescription &parameter, const QString &if
         choices->setToolTip(parameter_words::rangeAndFactory(parameter));
         input = choices;
     }
-    input->setAccessibleName(parameterName(parameter.parameter));
+    input->setAccessibleName(parameterName(parameter));
     return input;
 }
 

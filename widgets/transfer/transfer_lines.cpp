@@ -96,7 +96,7 @@ ReviewRow lineOf(const EncoderSession *encoder, const EncoderPlan &plan, const W
                                                            : nullptr;
     const QString thereAlready = TransferLines::tr("already there");
     return {.cells = {{},
-                      parameterName(row.wanted.parameter),
+                      parameterName(device, row.wanted.parameter),
                       transfer_words::known(device, row.wanted.parameter, row.known),
                       transfer_words::value(device, row.wanted),
                       row.isThere ? thereAlready
@@ -182,7 +182,7 @@ void addToStore(std::vector<ReviewRow> &lines, const Buses &buses, const Encoder
                                                       "left: one EEPROM write.")));
     for (const Known &known : allKnown(encoder))
         lines.push_back({.cells = {{},
-                                   parameterName(known.parameter),
+                                   parameterName(&encoder.device(), known.parameter),
                                    transfer_words::known(&encoder.device(), known.parameter, known),
                                    storedText(&encoder.device(), planned, known.parameter)},
                          .tips = {{}, {}, howKnown(known, encoder), howStored(planned, known.parameter)},

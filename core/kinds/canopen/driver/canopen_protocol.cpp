@@ -103,7 +103,7 @@ QString CanopenProtocol::stepText(const DeviceDescription &device, const Step &s
         return sentence(StepTexts::tr(row->text), {object});
     QStringList names;
     for (const Parameter parameter : step.parameters)
-        names << parameterNameInText(parameter);
+        names << parameterNameInText(device, parameter);
     const QString name =
         names.isEmpty() ? QString() : QStringLiteral(", ") + names.join(QStringLiteral(", "));
     if (step.effect == Effect::reads || step.effect == Effect::readsCams)
@@ -114,7 +114,7 @@ QString CanopenProtocol::stepText(const DeviceDescription &device, const Step &s
     QStringList given;
     for (const ParameterValue &value : values) {
         const ParameterDescription *its = device.find(value.parameter);
-        given << parameterNameInText(value.parameter) + QStringLiteral(" := ") +
+        given << parameterNameInText(device, value.parameter) + QStringLiteral(" := ") +
                      (its != nullptr ? valueText(*its, value.value) : plainText(value.value));
     }
     return QStringLiteral("%1, %2").arg(object, given.join(QStringLiteral(", ")));
