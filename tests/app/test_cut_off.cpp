@@ -6,12 +6,16 @@
 #include "tests/replay/replay_recording.h"
 #include "tests/support/cut_off.h"
 #include "widgets/look/appearance.h"
+#include "widgets/look/inline_message.h"
+#include "widgets/structure/structure_view.h"
 #include "widgets/trend/trend_page.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QLocale>
+#include <QPushButton>
+#include <QSpinBox>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +88,28 @@ TEST_P(NothingIsCutOff, OnAnyPage)
         action->trigger();
         look(*window().centralWidget(), action->text());
     }
+}
+
+TEST_P(NothingIsCutOff, WhereANodeGetsItsNumber)
+{
+    canActions().training->trigger();
+    advance(500);
+    window().findChild<StructureView *>()->choose(Place{BusId{3}, NodeId("can:6")});
+    advance(50);
+    canActions().setup->trigger();
+    const auto press = [this](const char *name, int milliseconds) {
+        window().findChild<QPushButton *>(QLatin1String(name))->click();
+        advance(milliseconds);
+    };
+    press("nodeSetupRead", 300);
+    window().findChild<QSpinBox *>(QStringLiteral("nodeSetupNumber"))->setValue(9);
+    look(*window().centralWidget(), QStringLiteral("A number that was chosen"));
+    press("nodeSetupWrite", 50);
+    look(*window().centralWidget(), QStringLiteral("The question about a number"));
+    auto *question = window().findChild<InlineMessage *>(QStringLiteral("nodeSetupMessage"));
+    question->findChild<QPushButton *>()->click();
+    advance(100);
+    look(*window().centralWidget(), QStringLiteral("The steps of a number"));
 }
 
 TEST_P(NothingIsCutOff, WithARecording)

@@ -24,6 +24,13 @@ RoleLabel::RoleLabel(QWidget *parent)
     drawIcon();
 }
 
+void RoleLabel::setWrapping()
+{
+    m_word->setWordWrap(true);
+    layout()->setAlignment(m_icon, Qt::AlignTop);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+}
+
 void RoleLabel::setState(Role role, const QString &word)
 {
     if (role == m_role && word == m_word->text())

@@ -18,6 +18,7 @@ class RoleLabel : public QWidget
 public:
     explicit RoleLabel(QWidget *parent = nullptr);
 
+    void setWrapping(); // for a sentence: it takes as many lines as it needs
     void setState(Role role, const QString &word);
     void setState(Role role) { setState(role, roleWord(role)); }
     Role role() const { return m_role; }

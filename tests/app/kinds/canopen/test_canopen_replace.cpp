@@ -9,11 +9,13 @@
 #include "widgets/transfer/replace_page.h"
 
 #include <QLabel>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSpinBox>
 
 #include <gtest/gtest.h>
+#include <map>
 
 namespace codewheel {
 namespace {
@@ -134,6 +136,27 @@ TEST_F(CanopenReplace, OneWithoutANumberGetsNumberAndValuesAndBothAreProven)
     EXPECT_TRUE(proof().startsWith(QStringLiteral("Proven"))) << proof().toStdString();
     EXPECT_TRUE(proof().contains(QStringLiteral("(2)"))) << proof().toStdString();
     EXPECT_EQ(objectOf(newOne, 0x6001), 1'024);
+}
+
+// A row of steps is beside it, and the buttons of the page below.
+TEST_F(CanopenReplace, AltAndALetterDoesOneThing)
+{
+    openAtNumber();
+    std::map<QKeySequence, QString> owners;
+    QStringList texts;
+    for (const QAction *menu : window().menuBar()->actions())
+        texts << menu->text();
+    for (const auto *button : replacing().findChildren<QAbstractButton *>())
+        if (button->isVisible())
+            texts << button->text();
+    for (const auto *label : replacing().findChildren<QLabel *>())
+        if (label->isVisible() && label->buddy() != nullptr)
+            texts << label->text();
+    for (const QString &text : texts)
+        if (const QKeySequence key = QKeySequence::mnemonic(text); !key.isEmpty())
+            EXPECT_TRUE(owners.emplace(key, text).second)
+                << text.toStdString() << " and " << owners[key].toStdString();
+    EXPECT_GT(owners.size(), 10U);
 }
 
 TEST_F(CanopenReplace, OneThatComesAsNode127IsAskedAboutFirst)

@@ -26,6 +26,7 @@ void SetupSteps::show(const std::vector<Row> &rows)
     }
     while (m_rows.size() < rows.size()) {
         m_rows.push_back(new RoleLabel(this));
+        m_rows.back()->setWrapping();
         m_column->addWidget(m_rows.back());
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
