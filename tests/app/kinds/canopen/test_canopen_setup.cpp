@@ -249,9 +249,11 @@ TEST_F(CanopenSetup, ABusThatIsLeftMeanwhileLeavesATrueSentence)
     click("nodeSetupWrite");
     agree();
     EXPECT_TRUE(view().isBusy());
+    EXPECT_FALSE(window().mayGo()) << "it is being written";
     canBus().close();
     advance(100);
     EXPECT_FALSE(view().isBusy());
+    EXPECT_TRUE(window().mayGo());
     EXPECT_TRUE(told().contains(QStringLiteral("supply off and on")) ||
                 told().contains(QStringLiteral("Nothing was changed")))
         << told().toStdString();
