@@ -23,7 +23,12 @@ template <class Command, class Event, class Snapshot>
 class BusMail
 {
 public:
-    static constexpr std::size_t maximumRows = 10'000;
+    static constexpr std::size_t maximumRows = [] {
+        if constexpr (requires { Event::mostRows; })
+            return Event::mostRows;
+        else
+            return std::size_t{10'000};
+    }();
     static constexpr std::size_t maximumShown = 500'000; // of 512 encoders in one second
 
     // What was shown since they were taken, oldest first, and how many came after them that nobody has.

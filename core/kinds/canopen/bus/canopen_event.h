@@ -57,6 +57,8 @@ struct WatchNotSure
 // What the thread of a bus reports to the window.
 struct CanopenEvent
 {
+    static constexpr std::size_t mostRows = 60'000; // of a full bus in almost six seconds
+
     std::size_t device = 0; // for an Event; meaningless otherwise
     std::variant<Event, Message, CanopenRow, FrameSent, TransferEnded, Configured, NodesScanned, WatchNotSure,
                  Slept, LinkOpened>

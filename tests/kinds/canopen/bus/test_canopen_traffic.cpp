@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/bus/canopen_runner.h"
 #include "kinds/canopen/bus/canopen_traffic.h"
 #include "replay/recorded_rows.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
@@ -50,6 +51,16 @@ TEST_F(CanopenTraffic, WhatNodesAreAskedAgainAndAgainIsRoutine)
     EXPECT_EQ(std::ranges::count_if(
                   rows, [](const CanopenRow &row) { return row.frame.id == 0x607 && row.isAutomatic; }),
               0);
+}
+
+TEST(CanopenRows, FiveSecondsOfAFullBusWaitForABusyWindow)
+{
+    constexpr std::size_t frames = 5 * 10'400;
+    CanopenRunner::Mail mail;
+    for (std::size_t i = 0; i < frames; ++i)
+        mail.tell({.what = CanopenRow{}});
+    EXPECT_EQ(mail.droppedRows(), 0U);
+    EXPECT_EQ(mail.takeEvents().size(), frames);
 }
 
 TEST(CanopenRows, FramesAreReadAgainFromTheirBytes)
