@@ -6514,6 +6514,96 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CanReplaceNumberStep</name>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>It was given its number before, or has switches for it</source>
+        <translation>Es hat seine Nummer schon vorher bekommen, oder hat Schalter dafür</translation>
+    </message>
+    <message>
+        <source>It has the nu&amp;mber</source>
+        <translation>Er hat die Nu&amp;mmer</translation>
+    </message>
+    <message>
+        <source>As it was delivered: most makes come as node 127 or 1</source>
+        <translation>Wie geliefert: die meisten Fabrikate kommen als Knoten 127 oder 1</translation>
+    </message>
+    <message>
+        <source>It has no number yet</source>
+        <translation>Er hat noch keine Nummer</translation>
+    </message>
+    <message>
+        <source>It is looked for by LSS</source>
+        <translation>Er wird mit LSS gesucht</translation>
+    </message>
+    <message>
+        <source>Number that it has</source>
+        <translation>Nummer, die er hat</translation>
+    </message>
+    <message>
+        <source>The node number of the new encoder as it is now</source>
+        <translation>Die Knotennummer des neuen Gebers, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>It has the number %1 already</source>
+        <translation>Er hat die Nummer %1 schon</translation>
+    </message>
+    <message>
+        <source>Connect the new encoder, alone or beside the others, and switch it on. It gets the number %1; the one that it replaces must not be on the bus any more. Two new ones with the same number disturb each other: connect them one by one.</source>
+        <translation>Schließen Sie den neuen Geber an, allein oder neben den anderen, und schalten Sie ihn ein. Er bekommt die Nummer %1; der, den er ersetzt, darf nicht mehr am Bus sein. Zwei neue mit derselben Nummer stören einander: Schließen Sie sie nacheinander an.</translation>
+    </message>
+    <message>
+        <source>Gives the new encoder its number, after a question.</source>
+        <translation>Gibt dem neuen Geber nach einer Rückfrage seine Nummer.</translation>
+    </message>
+    <message>
+        <source>The new encoder has got the number %1.</source>
+        <translation>Der neue Geber hat die Nummer %1 bekommen.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanReplaceProofStep</name>
+    <message>
+        <source>Proof</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Check &amp;it</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Looks for the encoder and reads its values, once its supply was switched off and on (Alt+I)</source>
+        <translation>Sucht den Geber und liest seine Werte, sobald seine Versorgung aus- und eingeschaltet war (Alt+P)</translation>
+    </message>
+    <message>
+        <source>Some makes say that they have stored, and do not. Switch the supply of the new encoder off and on, then check it: as node %1 it has to tell its identity and the values that were written.</source>
+        <translation>Manche Fabrikate sagen, sie hätten gespeichert, und tun es nicht. Schalten Sie die Versorgung des neuen Gebers aus und ein, dann prüfen Sie ihn: Als Knoten %1 muss er seine Identität nennen und die Werte, die geschrieben wurden.</translation>
+    </message>
+    <message>
+        <source>Looking for it.</source>
+        <translation>Er wird gesucht.</translation>
+    </message>
+    <message>
+        <source>Proven: it has begun anew, and is still node %1. There were no values to compare.</source>
+        <translation>Bewiesen: Er hat neu begonnen und ist immer noch Knoten %1. Werte zum Vergleichen gab es nicht.</translation>
+    </message>
+    <message>
+        <source>Proven: it has begun anew, is still node %1, and has all values that were written (%2).</source>
+        <translation>Bewiesen: Er hat neu begonnen, ist immer noch Knoten %1 und hat alle Werte, die geschrieben wurden (%2).</translation>
+    </message>
+    <message>
+        <source>It is node %1, but these values are not as they were written: %2. It has not stored them; write them again, and store them.</source>
+        <translation>Er ist Knoten %1, aber diese Werte sind nicht wie geschrieben: %2. Er hat sie nicht gespeichert; schreiben Sie sie noch einmal und speichern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Reads only. Nothing is written.</source>
+        <translation>Liest nur. Nichts wird geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CanSearchPage</name>
     <message>
         <source>Each number from 1 to 127 is asked for its device type and its identity, with at most 30 % of the bus. Nothing is written.</source>
@@ -12975,6 +13065,18 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
         <source>%1, and what the description has: %2</source>
         <translation>%1, und was die Beschreibung hat: %2</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 is for another device: vendor %2, product %3. Node %4 says vendor %5, product %6.</source>
+        <translation>%1 ist für ein anderes Gerät: Hersteller %2, Produkt %3. Knoten %4 nennt Hersteller %5, Produkt %6.</translation>
+    </message>
+    <message>
+        <source>%1 is the configuration of node %2, and this is node %3.</source>
+        <translation>%1 ist die Konfiguration von Knoten %2, und dies ist Knoten %3.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::DirectionPage</name>
@@ -17585,6 +17687,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>The window is made anew once the transfer has ended.</source>
         <translation>Das Fenster wird neu aufgebaut, sobald die Übertragung zu Ende ist.</translation>
     </message>
+    <message>
+        <source>The window is made anew once number and rate have been written.</source>
+        <translation>Das Fenster wird neu aufgebaut, sobald Nummer und Rate geschrieben sind.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::MasterPanel</name>
@@ -18856,10 +18962,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Wert</translation>
     </message>
     <message>
-        <source>What the node answered, in hexadecimal and decimal. A mark: not the default</source>
-        <translation>Was der Knoten geantwortet hat, hexadezimal und dezimal. Ein Zeichen: nicht die Vorgabe</translation>
-    </message>
-    <message>
         <source>Meaning</source>
         <translation>Bedeutung</translation>
     </message>
@@ -18878,10 +18980,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Read</source>
         <translation>Gelesen</translation>
-    </message>
-    <message>
-        <source>When the node was asked last</source>
-        <translation>Wann der Knoten zuletzt gefragt wurde</translation>
     </message>
     <message>
         <source>not there</source>
@@ -18922,6 +19020,22 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>%1, but the node has %2</source>
         <translation>%1, aber der Knoten hat %2</translation>
+    </message>
+    <message>
+        <source>heard, at %1</source>
+        <translation>gehört, um %1</translation>
+    </message>
+    <message>
+        <source>What the node answered, to us or to others, in hexadecimal and decimal. A mark: not the default</source>
+        <translation>Was der Knoten geantwortet hat, uns oder anderen, hexadezimal und dezimal. Ein Zeichen: nicht die Vorgabe</translation>
+    </message>
+    <message>
+        <source>When the node was asked last. Heard: another master has asked or written, or it was in a PDO</source>
+        <translation>Wann der Knoten zuletzt gefragt wurde. Gehört: Ein anderer Master hat gefragt oder geschrieben, oder es stand in einem PDO</translation>
+    </message>
+    <message>
+        <source>%1; read at %2: %3</source>
+        <translation>%1; gelesen um %2: %3</translation>
     </message>
 </context>
 <context>
@@ -19053,6 +19167,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Another value is read back: %1.</source>
         <translation>Es wird ein anderer Wert zurückgelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: another master has just written %1 to %2.</source>
+        <translation>Es wurde nichts geschrieben: Ein anderer Master hat gerade %1 nach %2 geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -21277,6 +21395,14 @@ Zeigt mehr über die Aufzeichnung</translation>
     <message>
         <source>Begins anew, with what was given of the new encoder</source>
         <translation>Beginnt von vorn, mit dem, was zum neuen Geber angegeben wurde</translation>
+    </message>
+    <message>
+        <source>Its values have not been written.</source>
+        <translation>Seine Werte sind nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Ends here; its values are not written</source>
+        <translation>Endet hier; seine Werte werden nicht geschrieben</translation>
     </message>
 </context>
 <context>
