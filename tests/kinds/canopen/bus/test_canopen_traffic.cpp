@@ -12,9 +12,11 @@ using namespace std::chrono_literals;
 class CanopenTraffic : public test::CanopenPlant
 {};
 
-QString identifierOf(const TrafficRow &row)
+auto hasIdentifier(const QString &identifier)
 {
-    return row.identifier ? row.identifier->text() : QString();
+    return [identifier](const TrafficRow &row) {
+        return row.identifier && row.identifier->text() == identifier;
+    };
 }
 
 TEST_F(CanopenTraffic, RowsSayIdentifierNodeAndMeaning)
@@ -25,13 +27,13 @@ TEST_F(CanopenTraffic, RowsSayIdentifierNodeAndMeaning)
                      [&](const TrafficRow &row) { told.push_back(row); });
     bus->transfer({.node = 5, .object = {0x6004, 0}});
     bus->advance(10ms);
-    const auto request = std::ranges::find(told, QStringLiteral("605"), identifierOf);
+    const auto request = std::ranges::find_if(told, hasIdentifier(QStringLiteral("605")));
     ASSERT_NE(request, told.end());
     EXPECT_EQ(request->kind, TrafficKind::sent);
     EXPECT_EQ(request->place, five);
     EXPECT_EQ(byteText(request->bytes.sliced(request->head)), QStringLiteral("40 04 60 00 00 00 00 00"));
     EXPECT_EQ(request->meaning(), QStringLiteral("Node 5: read 6004h:0"));
-    const auto answer = std::ranges::find(told, QStringLiteral("585"), identifierOf);
+    const auto answer = std::ranges::find_if(told, hasIdentifier(QStringLiteral("585")));
     ASSERT_NE(answer, told.end());
     EXPECT_GT(answer - request, 0);
     EXPECT_EQ(answer->kind, TrafficKind::answer);
