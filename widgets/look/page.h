@@ -24,7 +24,7 @@ public:
         if (std::exchange(m_about, about) != about)
             Q_EMIT headChanged();
     }
-    virtual QString effect() const = 0;          // what it changes and sends, in a sentence
+    virtual QString effect() const = 0; // what it changes and sends, in a sentence
     // A sentence; empty: nothing. Does not count input that is not taken yet.
     virtual QString lostByClosing() const { return {}; }
     // The same of a page whose job runs.
