@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The view of the objects of a node with a file of 1300: the time until it is painted, beside that of a
-// QTreeWidget with an item for each object of the same file.
+// The view of the objects of a node with a file of 1300: the processor time until it is painted, beside that
+// of a QTreeWidget with an item for each object of the same file.
 #include "kinds/canopen/eds/device_file_reader.h"
 #include "tests/bench/large_eds.h"
+#include "tests/bench/processor_time.h"
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/dictionary/object_texts.h"
 #include "widgets/look/appearance.h"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-#include <algorithm>
 #include <cstdio>
 #include <functional>
 
@@ -33,16 +32,9 @@ void paint(QWidget &seen)
 
 double median(const char *name, const std::function<void()> &what)
 {
-    std::vector<double> times;
-    for (int round = 0; round < rounds; ++round) {
-        QElapsedTimer timer;
-        timer.start();
-        what();
-        times.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
-    }
-    std::ranges::sort(times);
-    std::printf("%-44s median %6.2f ms, worst %6.2f ms\n", name, times[rounds / 2], times.back());
-    return times[rounds / 2];
+    const bench::FrameTimes times = bench::timesOf(rounds, [&](int) { what(); });
+    std::printf("%-44s median %6.2f ms, longest %6.2f ms\n", name, times.median, times.longest);
+    return times.median;
 }
 
 void fill(QTreeWidget &tree, const canopen::DeviceFile &file)
