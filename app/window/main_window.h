@@ -84,7 +84,7 @@ public:
     // At the first start of all: what turns is pinned beside the monitor.
     void showFirstTime();
     // What is under way here, for the window in another language, which goes on with it. This one goes.
-    bool mayGo(); // false while values are transferred, which the window does; it says so
+    bool mayGo(); // false while values are transferred or a number is given, which it does; it says so
     WorkInWindow takeWork();
     void goOn(WorkInWindow work); // once it is visible
     std::optional<Place> pinnedDial() const;

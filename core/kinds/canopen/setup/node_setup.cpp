@@ -41,7 +41,8 @@ NodeSetup::NodeSetup(const NodeSetupWish &wish)
     , m_selection(LssSelection::By::identity, wish.identity)
     , m_identity(wish.nodeBefore.value_or(0))
 {
-    const bool isLss = wish.way == NodeSetupWish::Way::lss;
+    const bool isLss = wish.way != NodeSetupWish::Way::object;
+    const bool storesByLss = wish.way == NodeSetupWish::Way::lss;
     if (wish.changesNode())
         m_steps.push_back(Step::free);
     m_steps.push_back(isLss ? Step::select : Step::identity);
@@ -49,9 +50,12 @@ NodeSetup::NodeSetup(const NodeSetupWish &wish)
         m_steps.push_back(Step::node);
     if (isLss && wish.rate)
         m_steps.push_back(Step::rate);
-    m_steps.push_back(Step::store);
+    if (storesByLss)
+        m_steps.push_back(Step::store);
     if (isLss)
         m_steps.push_back(Step::leave);
+    if (!storesByLss)
+        m_steps.push_back(Step::store);
     if (wish.isResetAfterwards())
         m_steps.push_back(Step::reset);
 }
@@ -103,7 +107,9 @@ std::optional<NodeTask::Request> NodeSetup::requestOf(Step step, const CanopenSn
 NodeTask::Request NodeSetup::writeOf(Step step) const
 {
     const int before = m_wish.nodeBefore.value_or(0);
-    if (m_wish.way == NodeSetupWish::Way::lss)
+    const bool isByLss = step == Step::store ? m_wish.way == NodeSetupWish::Way::lss
+                                             : m_wish.way != NodeSetupWish::Way::object;
+    if (isByLss)
         return step == Step::node ? LssRequest{.kind = LssRequest::Kind::setNode, .number = *m_wish.node}
                : step == Step::rate
                    ? LssRequest{.kind = LssRequest::Kind::setRate, .number = m_wish.rate->place}
@@ -136,9 +142,12 @@ void NodeSetup::fail(Trouble trouble)
 {
     m_trouble = trouble;
     m_failedAt = m_at;
-    const auto leaves = std::ranges::find(m_steps, Step::leave);
-    const bool isConfigured = leaves != m_steps.end() && step() >= Step::select && step() < Step::leave;
-    m_at = isConfigured ? static_cast<std::size_t>(leaves - m_steps.begin()) : m_steps.size();
+    const auto indexOf = [this](Step step) {
+        return static_cast<std::size_t>(std::ranges::find(m_steps, step) - m_steps.begin());
+    };
+    const std::size_t leaves = indexOf(Step::leave);
+    const bool isConfigured = m_at >= indexOf(Step::select) && m_at < leaves;
+    m_at = isConfigured ? leaves : m_steps.size();
 }
 
 void NodeSetup::answered(const LssOutcome &outcome)

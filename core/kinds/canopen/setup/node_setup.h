@@ -11,8 +11,9 @@ namespace codewheel::canopen {
 struct NodeSetupWish
 {
     enum class Way : std::uint8_t {
-        lss,    // selected by its identity
-        object, // that its description names, stored by 1010h:1
+        lss,             // selected by its identity
+        lssWithoutStore, // likewise, stored by 1010h:1 as some makes want it; of one that has a number
+        object,          // that its description names, stored by 1010h:1
     };
 
     Way way = Way::lss;

@@ -249,6 +249,42 @@ TEST_F(NodeSetupOnBus, OneThatSaysItHasStoredAndForgetsIsFoundAtItsOldNumber)
     EXPECT_EQ(check(9).result(), NodeCheck::Result::atOldNumber);
 }
 
+TEST_F(NodeSetupOnBus, OneThatForgetsWhatItStoresByLssKeepsWhatItStoresBy1010h)
+{
+    auto encoders = canopen::trainingEncoders();
+    encoders[1].quirks.lssForgets = true;
+    connectAnew(encoders);
+    operate();
+    NodeSetupWish wish = toNode(9);
+    wish.way = NodeSetupWish::Way::lssWithoutStore;
+    NodeSetup setup(wish);
+    EXPECT_EQ(setup.steps(),
+              (std::vector{Step::free, Step::select, Step::node, Step::leave, Step::store, Step::reset}));
+    carryOut(setup);
+    EXPECT_FALSE(setup.trouble());
+    EXPECT_EQ(lssSent(0x17), 0);
+    EXPECT_EQ(check(9).result(), NodeCheck::Result::found);
+    switchOffAndOn(encoderSix);
+    EXPECT_EQ(numberOf(encoderSix), 9);
+}
+
+TEST_F(NodeSetupOnBus, AStoreThatIsRefusedOutsideOfTheConfigurationLeavesItOnce)
+{
+    operate();
+    plant->withEncoder(encoderSix, [](canopen::SimulatedNode &node) { node.setEepromBroken(true); });
+    NodeSetupWish wish = toNode(9);
+    wish.way = NodeSetupWish::Way::lssWithoutStore;
+    NodeSetup setup(wish);
+    carryOut(setup);
+    EXPECT_EQ(setup.trouble(), Trouble::refused);
+    EXPECT_EQ(setup.store(), Fate::notDone);
+    EXPECT_FALSE(setup.isReset());
+    EXPECT_EQ(lssSent(0x04), 2); // before it is selected, and afterwards
+    EXPECT_EQ(setup.stateOf(3), NodeSetup::StepState::done);
+    EXPECT_EQ(setup.stateOf(4), NodeSetup::StepState::failed);
+    EXPECT_EQ(setup.stateOf(5), NodeSetup::StepState::leftOut);
+}
+
 TEST_F(NodeSetupOnBus, OneThatIsGoneAfterwardsIsSilent)
 {
     operate();

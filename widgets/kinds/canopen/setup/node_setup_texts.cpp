@@ -146,7 +146,7 @@ QString step(NodeSetup::Step step, const NodeSetupWish &wish)
     case Step::select:
         return SetupText::tr("It is selected by LSS, and its identity read back");
     case Step::node:
-        return wish.way == NodeSetupWish::Way::lss
+        return wish.way != NodeSetupWish::Way::object
                    ? sentence(SetupText::tr("It takes the number %1"), {shownNode(wish.nodeAfter())})
                    : sentence(SetupText::tr("The number %1 is written to %2, and read back"),
                               {shownNode(wish.nodeAfter()), wish.nodeObject.text()});
@@ -179,7 +179,7 @@ QString consequences(const NodeSetupWish &wish)
     else if (wish.isResetAfterwards())
         sentences << SetupText::tr("Then it is reset: it sends no position for a moment, loses values that "
                                    "are not stored, and has to be started again.");
-    if (wish.way == NodeSetupWish::Way::object && wish.isResetAfterwards())
+    if (wish.way != NodeSetupWish::Way::lss)
         sentences << SetupText::tr("Storing by 1010h keeps all its other values as they are now, too.");
     return joined(sentences);
 }

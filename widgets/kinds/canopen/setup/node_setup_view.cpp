@@ -248,8 +248,8 @@ NodeSetupWish NodeSetupView::wish() const
     NodeSetupWish wish{.identity = m_identity.value_or(canopen::NodeIdentity()),
                        .nodeBefore = m_node,
                        .node = m_number->value()};
-    if (const auto object = nodeObject(); object && m_way->currentIndex() == 1) {
-        wish.way = NodeSetupWish::Way::object;
+    wish.way = static_cast<NodeSetupWish::Way>(m_way->currentData().toInt());
+    if (const auto object = nodeObject(); object && wish.way == NodeSetupWish::Way::object) {
         wish.nodeObject = *object;
         return wish;
     }
@@ -441,17 +441,25 @@ void NodeSetupView::showDevice()
         m_device->setText(tr("Choose a node of the CAN bus, or find a device without a number."));
 }
 
+void NodeSetupView::showWays()
+{
+    using enum NodeSetupWish::Way;
+    std::vector<std::pair<NodeSetupWish::Way, QString>> ways{{lss, tr("LSS: selected by its identity")}};
+    if (m_node)
+        ways.emplace_back(lssWithoutStore, tr("LSS, and stored by 1010h:1"));
+    if (const auto its = nodeObject())
+        ways.emplace_back(object, sentence(tr("Object %1, which its description names"), {its->text()}));
+    if (m_way->count() == static_cast<int>(ways.size()))
+        return;
+    const QSignalBlocker blocker(m_way);
+    m_way->clear();
+    for (const auto &[way, text] : ways)
+        m_way->addItem(text, static_cast<int>(way));
+}
+
 void NodeSetupView::showConsequences()
 {
-    const auto object = nodeObject();
-    const bool hasObject = m_way->count() > 1;
-    if (m_way->count() == 0 || hasObject != object.has_value()) {
-        const QSignalBlocker blocker(m_way);
-        m_way->clear();
-        m_way->addItem(tr("LSS: selected by its identity"));
-        if (object)
-            m_way->addItem(sentence(tr("Object %1, which its description names"), {object->text()}));
-    }
+    showWays();
     const NodeSetupWish wanted = wish();
     const bool isRead = m_stage == Stage::read;
     m_consequences->setText(
@@ -509,7 +517,7 @@ void NodeSetupView::showWhatIsPossible()
            tr("For a device that was given a number or rate"));
     m_cancel->setEnabled(isBusy() && (m_stage == Stage::searching || m_stage == Stage::writing));
     m_fields->setEnabled(isRead);
-    m_rate->setEnabled(m_way->currentIndex() <= 0);
+    m_rate->setEnabled(wish().way != NodeSetupWish::Way::object);
 }
 
 } // namespace codewheel

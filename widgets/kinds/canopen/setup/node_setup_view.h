@@ -89,6 +89,7 @@ private:
     void tellProblem(const QString &sentence);
     void setStage(Stage stage);
     void showDevice();
+    void showWays();
     void showConsequences();
     void showSteps();
     void showWhatIsPossible();
