@@ -18777,6 +18777,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>For a device that was given a number or rate</source>
         <translation>Für ein Gerät, das Nummer oder Rate bekommen hat</translation>
     </message>
+    <message>
+        <source>LSS, and stored by 1010h:1</source>
+        <translation>LSS, und gespeichert mit 1010h:1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::NoteBar</name>
