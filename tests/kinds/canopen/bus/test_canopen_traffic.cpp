@@ -84,7 +84,7 @@ TEST(CanopenRows, OfARecordingAreExplained)
     const auto recorded = makeCanopenRows();
     const TrafficRow row = recorded->explained(
         {.kind = TrafficKind::answer, .bytes = frameBytes(test::canFrame(0x705, {0}))}, {});
-    EXPECT_EQ(identifierOf(row), QStringLiteral("705"));
+    EXPECT_TRUE(hasIdentifier(QStringLiteral("705"))(row));
     EXPECT_EQ(row.meaning(), QStringLiteral("Node 5: boot-up"));
     EXPECT_FALSE(recorded->explained({.bytes = "?"}, {}).meaning);
 }

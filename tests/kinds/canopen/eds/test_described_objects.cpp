@@ -26,11 +26,12 @@ TEST(DescribedObjects, OfAMakeHaveItsLimitsAndItsOwnObjects)
     for (ParameterDescription &parameter : device.parameters)
         if (parameter.parameter == Parameter::steps)
             parameter.maximum = 4096;
-    device.parameters.push_back(
-        {.parameter = Parameter::of(u"2101", {{{QStringLiteral("en"), QStringLiteral("Filter depth")}}}),
-         .reach = KindData(CanopenReach{.object = {0x2101, 0}, .type = ObjectType::u8}),
-         .canBeRead = true,
-         .maximum = 255});
+    ParameterDescription depth;
+    depth.parameter = Parameter::of(u"2101", {{{QStringLiteral("en"), QStringLiteral("Filter depth")}}});
+    depth.reach = KindData(CanopenReach{.object = {0x2101, 0}, .type = ObjectType::u8});
+    depth.canBeRead = true;
+    depth.maximum = 255;
+    device.parameters.push_back(std::move(depth));
     const DeviceFile file = describedObjects(&device);
     ASSERT_NE(file.find({0x2101, 0}), nullptr);
     EXPECT_EQ(file.find({0x2101, 0})->name, QStringLiteral("Filter depth"));

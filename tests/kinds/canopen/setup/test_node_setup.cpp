@@ -17,7 +17,7 @@ using canopen::NodeCheck;
 using canopen::NodeIdentity;
 using canopen::NodeSetup;
 using canopen::NodeSetupWish;
-using Step = NodeSetup::Step;
+using SetupStep = NodeSetup::Step;
 using Trouble = NodeSetup::Trouble;
 using Fate = NodeSetup::Fate;
 
@@ -97,8 +97,8 @@ TEST_F(NodeSetupOnBus, ANodeHasItsNewNumberAfterTheResetAndKeepsItWithoutSupply)
 {
     operate();
     NodeSetup setup(toNode(9));
-    EXPECT_EQ(setup.steps(),
-              (std::vector{Step::free, Step::select, Step::node, Step::store, Step::leave, Step::reset}));
+    EXPECT_EQ(setup.steps(), (std::vector{SetupStep::free, SetupStep::select, SetupStep::node,
+                                          SetupStep::store, SetupStep::leave, SetupStep::reset}));
     carryOut(setup);
     EXPECT_FALSE(setup.trouble());
     EXPECT_EQ(setup.node(), Fate::done);
@@ -258,8 +258,8 @@ TEST_F(NodeSetupOnBus, OneThatForgetsWhatItStoresByLssKeepsWhatItStoresBy1010h)
     NodeSetupWish wish = toNode(9);
     wish.way = NodeSetupWish::Way::lssWithoutStore;
     NodeSetup setup(wish);
-    EXPECT_EQ(setup.steps(),
-              (std::vector{Step::free, Step::select, Step::node, Step::leave, Step::store, Step::reset}));
+    EXPECT_EQ(setup.steps(), (std::vector{SetupStep::free, SetupStep::select, SetupStep::node,
+                                          SetupStep::leave, SetupStep::store, SetupStep::reset}));
     carryOut(setup);
     EXPECT_FALSE(setup.trouble());
     EXPECT_EQ(lssSent(0x17), 0);
@@ -304,7 +304,8 @@ TEST_F(NodeSetupOnBus, ADeviceWithoutANumberIsFoundAndTakesOneAtOnce)
     EXPECT_EQ(search.selection().node(), std::nullopt);
     EXPECT_FALSE(search.mayStayInConfiguration());
     NodeSetup setup({.identity = identityOfUnnumbered, .node = 9});
-    EXPECT_EQ(setup.steps(), (std::vector{Step::free, Step::select, Step::node, Step::store, Step::leave}));
+    EXPECT_EQ(setup.steps(), (std::vector{SetupStep::free, SetupStep::select, SetupStep::node,
+                                          SetupStep::store, SetupStep::leave}));
     carryOut(setup);
     EXPECT_FALSE(setup.trouble());
     NodeCheck found({.node = 9, .identity = identityOfUnnumbered});
@@ -336,7 +337,8 @@ TEST_F(NodeSetupOnBus, ARateIsStoredAndNothingIsReset)
     NodeSetupWish wish = toNode(6);
     wish.rate = *canopen::lssRate(250'000);
     NodeSetup setup(wish);
-    EXPECT_EQ(setup.steps(), (std::vector{Step::select, Step::rate, Step::store, Step::leave}));
+    EXPECT_EQ(setup.steps(),
+              (std::vector{SetupStep::select, SetupStep::rate, SetupStep::store, SetupStep::leave}));
     carryOut(setup);
     EXPECT_FALSE(setup.trouble());
     EXPECT_EQ(setup.rate(), Fate::done);
@@ -353,7 +355,8 @@ TEST_F(NodeSetupOnBus, ANumberIsGivenByTheObjectThatTheDescriptionNames)
     wish.way = NodeSetupWish::Way::object;
     wish.nodeObject = {0x2000, 0};
     NodeSetup setup(wish);
-    EXPECT_EQ(setup.steps(), (std::vector{Step::free, Step::identity, Step::node, Step::store, Step::reset}));
+    EXPECT_EQ(setup.steps(), (std::vector{SetupStep::free, SetupStep::identity, SetupStep::node,
+                                          SetupStep::store, SetupStep::reset}));
     carryOut(setup);
     EXPECT_FALSE(setup.trouble());
     EXPECT_EQ(check(9).result(), NodeCheck::Result::found);
