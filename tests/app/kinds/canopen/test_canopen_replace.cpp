@@ -152,10 +152,11 @@ TEST_F(CanopenReplace, AltAndALetterDoesOneThing)
     for (const auto *label : replacing().findChildren<QLabel *>())
         if (label->isVisible() && label->buddy() != nullptr)
             texts << label->text();
-    for (const QString &text : texts)
-        if (const QKeySequence key = QKeySequence::mnemonic(text); !key.isEmpty())
-            EXPECT_TRUE(owners.emplace(key, text).second)
-                << text.toStdString() << " and " << owners[key].toStdString();
+    for (const QString &text : texts) {
+        const QKeySequence key = QKeySequence::mnemonic(text);
+        EXPECT_TRUE(key.isEmpty() || owners.emplace(key, text).second)
+            << text.toStdString() << " and " << owners[key].toStdString();
+    }
     EXPECT_GT(owners.size(), 10U);
 }
 
