@@ -11615,6 +11615,10 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
         <source>The rate of this link cannot change along with the device: it is not that of a serial adapter. Store the rate (codewheel-cli lss store), switch the supply of the device off and on, and set the rate of the interface.</source>
         <translation>Die Rate dieses Links kann sich nicht mit dem Gerät ändern: Es ist nicht die eines seriellen Adapters. Speichern Sie die Rate (codewheel-cli lss store), schalten Sie die Versorgung des Geräts aus und ein, und stellen Sie die Rate der Schnittstelle ein.</translation>
     </message>
+    <message>
+        <source>A device without a number answers, but not to the end of the search: answers were lost or came late. Check the CAN bus, then search again.</source>
+        <translation>Ein Gerät ohne Nummer antwortet, aber nicht bis zum Ende der Suche: Antworten gingen verloren oder kamen zu spät. Prüfen Sie den CAN-Bus, dann suchen Sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -18597,6 +18601,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>It could not be read: nothing is sent now. Check the CAN bus, and switch to Operate.</source>
         <translation>Es ließ sich nicht lesen: Jetzt wird nichts gesendet. Prüfen Sie den CAN-Bus, und schalten Sie auf Bedienen.</translation>
+    </message>
+    <message>
+        <source>A device without a number answers, but not to the end of the search: answers were lost or came late. Check the CAN bus, then search again.</source>
+        <translation>Ein Gerät ohne Nummer antwortet, aber nicht bis zum Ende der Suche: Antworten gingen verloren oder kamen zu spät. Prüfen Sie den CAN-Bus, dann suchen Sie noch einmal.</translation>
     </message>
 </context>
 <context>

@@ -183,6 +183,10 @@ Complaint SelectedDevice::aboutTrouble(LssSelection::Trouble trouble) const
         return aboutLssOutcome({.kind = LssOutcome::Kind::notSent});
     case Trouble::nobody:
         return aboutNoLssDevice(m_call);
+    case Trouble::lost:
+        return lssComplaint("lssLost", CommandLine::tr("A device without a number answers, but not to the "
+                                                       "end of the search: answers were lost or came "
+                                                       "late. Check the CAN bus, then search again."));
     case Trouble::notTold:
         return lssComplaint("lssIdentityNotTold",
                             CommandLine::tr("The device was selected, and then does not tell "

@@ -16,6 +16,8 @@ constexpr std::uint8_t anyoneThere = 0x80; // instead of a bit
 constexpr int stepsOfWord = 33;            // its bits from 31 to 0, then all of it
 constexpr int highestBit = 31;
 constexpr std::uint8_t noNode = 0xFF;
+constexpr Instant shortestScan = std::chrono::milliseconds(50);
+constexpr Instant longestScan = std::chrono::milliseconds(200);
 
 struct LssService
 {
@@ -65,9 +67,7 @@ ScanPlace scanPlace(int step)
 LssClient::LssClient(const LssTimes &times)
     : m_times(times)
 {
-    constexpr Instant shortest = std::chrono::milliseconds(50);
-    constexpr Instant longest = std::chrono::milliseconds(200);
-    m_times.fastScan = std::clamp(m_times.fastScan, shortest, longest);
+    m_times.fastScan = std::clamp(m_times.fastScan, shortestScan, longestScan);
 }
 
 void LssClient::begin(const LssRequest &request, Instant now)
@@ -76,6 +76,7 @@ void LssClient::begin(const LssRequest &request, Instant now)
     m_result = {};
     m_outcome.reset();
     m_isBusy = true;
+    m_isScannedAgain = false;
     m_givenBefore = m_given;
     goOn(-m_step, now);
 }
@@ -155,7 +156,7 @@ Instant LssClient::timeOut() const
     if (!isAnswered())
         return m_request.kind == LssKind::select ? Instant() : m_times.pause;
     if (m_request.kind == LssKind::fastScan)
-        return m_times.fastScan;
+        return m_isScannedAgain ? longestScan : m_times.fastScan;
     return m_request.kind == LssKind::store ? m_times.store : m_times.answer;
 }
 
@@ -232,7 +233,7 @@ void LssClient::scanned(bool isAnswered, Instant now)
     const ScanPlace place = scanPlace(m_step);
     const bool isBit = m_step > 0 && place.bit >= 0;
     if (!isAnswered && !isBit) {
-        end(LssOutcome::Kind::noAnswer);
+        lostInScan(now);
         return;
     }
     if (!isAnswered)
@@ -241,6 +242,18 @@ void LssClient::scanned(bool isAnswered, Instant now)
         end(LssOutcome::Kind::done);
     else
         goOn(1, now);
+}
+
+void LssClient::lostInScan(Instant now)
+{
+    const bool isIncomplete = m_step > 0 || m_isScannedAgain;
+    m_result = {};
+    if (isIncomplete && !std::exchange(m_isScannedAgain, true)) {
+        goOn(-m_step, now);
+        return;
+    }
+    m_result.isIncomplete = isIncomplete;
+    end(LssOutcome::Kind::noAnswer);
 }
 
 void LssClient::end(LssOutcome::Kind kind)

@@ -44,6 +44,7 @@ struct LssOutcome
     NodeIdentity identity{};      // inquireIdentity, fastScan
     std::optional<int> node{};    // inquireNode; empty: it has none
     int extraAnswers = 0;         // since the outcome before: more than one device takes part
+    bool isIncomplete = false;    // a fast scan that was answered, but not to its end
 
     friend bool operator==(const LssOutcome &, const LssOutcome &) = default;
 };
@@ -58,8 +59,9 @@ struct LssTimes
     friend bool operator==(const LssTimes &, const LssTimes &) = default;
 };
 
-// One LSS service at a time, with whoever listens (CiA 305). Nothing is repeated. A state machine without
-// I/O.
+// One LSS service at a time, with whoever listens (CiA 305). Nothing that writes is repeated. A fast scan is
+// done once more, and more slowly, if it loses the device: an answer that was late or lost has counted as 1.
+// A state machine without I/O.
 class LssClient
 {
 public:
@@ -91,6 +93,7 @@ private:
     void silent(Instant now);
     void answered(const LssFrame &answer, Instant now);
     void scanned(bool isAnswered, Instant now);
+    void lostInScan(Instant now);
     void goOn(int steps, Instant now);
     void end(LssOutcome::Kind kind);
 
@@ -98,6 +101,7 @@ private:
     LssRequest m_request{};
     bool m_isBusy = false;
     bool m_isWaiting = false;
+    bool m_isScannedAgain = false;
     int m_step = 0; // frames done
     std::uint64_t m_given = 0;
     std::uint64_t m_givenBefore = 0; // this request

@@ -54,7 +54,9 @@ void LssSelection::stop(Trouble trouble)
 void LssSelection::takeSelected(const LssOutcome &outcome)
 {
     if (outcome.kind != LssOutcome::Kind::done) {
-        stop(outcome.kind == LssOutcome::Kind::notSent ? Trouble::notSent : Trouble::nobody);
+        stop(outcome.kind == LssOutcome::Kind::notSent ? Trouble::notSent
+             : outcome.isIncomplete                    ? Trouble::lost
+                                                       : Trouble::nobody);
         return;
     }
     if (m_by == By::fastScan && !m_wanted) // in a search each of them answers

@@ -18,6 +18,7 @@ public:
     enum class Trouble : std::uint8_t {
         notSent,
         nobody,  // answers
+        lost,    // a device without a number answers, but not to the end of the search
         notTold, // it was selected, and does not tell identity and number
         isOther, // not the one that is given
         several, // answer

@@ -188,6 +188,7 @@ void NodeSetup::takeSelection(const LssOutcome &outcome)
     case LssSelection::Trouble::notSent:
         return fail(Trouble::notSent);
     case LssSelection::Trouble::nobody:
+    case LssSelection::Trouble::lost:
         return fail(Trouble::nobody);
     case LssSelection::Trouble::notTold:
         return fail(Trouble::identityNotTold);

@@ -268,6 +268,10 @@ QString end(const LssSearch &search)
         return joined({SetupText::tr("A device was found, and then does not tell its identity. Search again, "
                                      "with that device alone on the bus."),
                        stays});
+    case Trouble::lost:
+        return joined({SetupText::tr("A device without a number answers, but not to the end of the search: "
+                                     "answers were lost or came late. Check the CAN bus, then search again."),
+                       stays});
     case Trouble::nobody:
         break;
     }
