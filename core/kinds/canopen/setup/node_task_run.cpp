@@ -52,7 +52,7 @@ void NodeTaskRun::cancel()
     if (m_task == nullptr)
         return;
     m_task->cancel();
-    const auto *lss = m_underWay ? std::get_if<LssRequest>(&*m_underWay) : nullptr;
+    const auto *lss = underWay<LssRequest>();
     if (m_bus && lss != nullptr && lss->kind == LssRequest::Kind::fastScan)
         m_bus->cancelConfiguration();
     if (!m_underWay)
@@ -83,35 +83,38 @@ void NodeTaskRun::send(const canopen::NodeTask::Request &request)
         m_bus->send(std::get<NmtRequest>(request).frame());
 }
 
+void NodeTaskRun::endUnderWay(const std::optional<Refusal> &refused)
+{
+    m_whyRefused = refused ? refused : m_whyRefused;
+    m_underWay.reset();
+}
+
 void NodeTaskRun::take(const Configured &end)
 {
-    const auto *mine = m_underWay ? std::get_if<LssRequest>(&*m_underWay) : nullptr;
-    if (m_task == nullptr || mine == nullptr || *mine != end.request)
+    const auto *mine = underWay<LssRequest>();
+    if (mine == nullptr || *mine != end.request)
         return;
-    m_whyRefused = end.refused ? end.refused : m_whyRefused;
-    m_underWay.reset();
+    endUnderWay(end.refused);
     m_task->answered(end.outcome);
     goOn();
 }
 
 void NodeTaskRun::take(const TransferEnded &end)
 {
-    const auto *mine = m_underWay ? std::get_if<SdoRequest>(&*m_underWay) : nullptr;
-    if (m_task == nullptr || mine == nullptr || *mine != end.request)
+    const auto *mine = underWay<SdoRequest>();
+    if (mine == nullptr || *mine != end.request)
         return;
-    m_whyRefused = end.refused ? end.refused : m_whyRefused;
-    m_underWay.reset();
+    endUnderWay(end.refused);
     m_task->answered(end.outcome);
     goOn();
 }
 
 void NodeTaskRun::take(const FrameSent &end)
 {
-    const auto *mine = m_underWay ? std::get_if<NmtRequest>(&*m_underWay) : nullptr;
-    if (m_task == nullptr || mine == nullptr || mine->frame() != end.frame)
+    const auto *mine = underWay<NmtRequest>();
+    if (mine == nullptr || mine->frame() != end.frame)
         return;
-    m_whyRefused = end.refused ? end.refused : m_whyRefused;
-    m_underWay.reset();
+    endUnderWay(end.refused);
     m_task->sent(end.fate);
     goOn();
 }

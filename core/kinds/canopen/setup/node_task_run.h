@@ -39,6 +39,13 @@ private:
     void take(const Configured &end);
     void take(const TransferEnded &end);
     void take(const FrameSent &end);
+    // Null: none of this kind is.
+    template <class Request>
+    const Request *underWay() const
+    {
+        return m_task != nullptr && m_underWay ? std::get_if<Request>(&*m_underWay) : nullptr;
+    }
+    void endUnderWay(const std::optional<Refusal> &refused);
     void endWithoutBus();
 
     QPointer<CanopenSession> m_bus;
