@@ -18236,8 +18236,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Ein Monitor zeigt die Worte eines Geräts und setzt die Bits seines OUT-Worts. Ein Gerät im Busaufbau wählen.</translation>
     </message>
     <message>
-        <source>%1 has no words: its position is in the panels, the traffic of its bus in the terminal.</source>
-        <translation>%1 hat keine Worte: Die Position steht in den Bereichen am Rand, der Verkehr auf dem Bus im Terminal.</translation>
+        <source>%1 has no words: its position and the traffic of its bus have panels of their own.</source>
+        <translation>%1 hat keine Worte: Position und Verkehr des Busses haben eigene Bereiche.</translation>
     </message>
 </context>
 <context>

@@ -5,11 +5,13 @@
 #include "bus/encoder_bus.h"
 #include "bus/word_channel.h"
 #include "catalog/device_description.h"
+#include "widgets/look/label_text.h"
 #include "widgets/parameters/wanted_values.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAbstractButton>
 #include <QDockWidget>
+#include <QPushButton>
 
 namespace codewheel::scene {
 
@@ -32,6 +34,13 @@ void click(TrainingWindow &shown, const char *button)
         found != nullptr && found->isEnabled())
         found->click();
     shown.advance(whileMilliseconds);
+}
+
+void press(QWidget &view, const QString &text)
+{
+    for (auto *button : view.findChildren<QPushButton *>())
+        if (plainLabel(button->text()) == plainLabel(text) && button->isEnabled())
+            button->click();
 }
 
 void start(TrainingWindow &shown, Place number, const Job &job, int milliseconds)

@@ -4,6 +4,7 @@
 #include "app/window/kinds/training_window.h"
 
 class QDockWidget;
+class QWidget;
 
 namespace codewheel::scene {
 
@@ -18,6 +19,8 @@ QDockWidget *dock(TrainingWindow &shown, const char *name);
 void choose(TrainingWindow &shown, Place number);
 // Presses the button of this name, if enabled, and waits for its effect.
 void click(TrainingWindow &shown, const char *button);
+// That with this text, if enabled.
+void press(QWidget &view, const QString &text);
 void start(TrainingWindow &shown, Place number, const Job &job, int milliseconds = whileMilliseconds);
 void send(TrainingWindow &shown, Place number, Word word);
 void readAll(TrainingWindow &shown, Place number = fraba);

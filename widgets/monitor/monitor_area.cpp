@@ -97,7 +97,7 @@ QString MonitorArea::whyNot(Place place) const
     if (!m_buses.isConnected(place))
         return tr("%1 is not connected: its words are shown once it is.").arg(place.shown());
     if (m_buses.channel(place) == nullptr && m_buses.encoder(place) != nullptr)
-        return tr("%1 has no words: its position is in the panels, the traffic of its bus in the terminal.")
+        return tr("%1 has no words: its position and the traffic of its bus have panels of their own.")
             .arg(place.shown());
     return tr("%1 has no words to show: it takes no part in the process data.").arg(place.shown());
 }

@@ -3,6 +3,7 @@
 
 #include "app/screenshots/accessible_tree.h"
 #include "app/screenshots/finder_picture.h"
+#include "app/screenshots/kinds/canopen/canopen_pictures.h"
 #include "app/screenshots/kinds/esc/esc_line_pictures.h"
 #include "app/screenshots/kinds/interbus/gateway_pictures.h"
 #include "app/screenshots/kinds/interbus/offer_picture.h"
@@ -308,8 +309,8 @@ QString fileOf(const Picture &picture, const QString &suffix)
 std::vector<Picture> manualPictures()
 {
     std::vector<Picture> pictures = views();
-    for (const auto &more : {wizardPictures(), linePictures(), gatewayPictures(), trendPictures(),
-                             recordingPictures(), offerPictures(), finderPictures()})
+    for (const auto &more : {wizardPictures(), linePictures(), canopenPictures(), gatewayPictures(),
+                             trendPictures(), recordingPictures(), offerPictures(), finderPictures()})
         pictures.insert(pictures.end(), more.begin(), more.end());
     return pictures;
 }

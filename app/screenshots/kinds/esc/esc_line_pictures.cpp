@@ -8,12 +8,10 @@
 #include "widgets/kinds/esc/line/esc_line_search.h"
 #include "widgets/kinds/esc/line/esc_line_settings_form.h"
 #include "widgets/kinds/esc/line/esc_line_terminal.h"
-#include "widgets/look/label_text.h"
 #include "widgets/structure/structure_view.h"
 
 #include <QAction>
 #include <QDockWidget>
-#include <QPushButton>
 
 namespace codewheel {
 namespace {
@@ -32,13 +30,6 @@ void readAllOf(TrainingWindow &shown, EscLineAddress address)
     EncoderSession &encoder = *shown.line().session()->encoder(placeOnLine(address));
     if (encoder.start(ReadParameters{encoder.device().readableValues()}))
         shown.advance(untilRead);
-}
-
-void press(QWidget &view, const QString &text)
-{
-    for (auto *button : view.findChildren<QPushButton *>())
-        if (plainLabel(button->text()) == text && button->isEnabled())
-            button->click();
 }
 
 // What the manual shows in it: a read, an alarm, and an imperfect line.
@@ -90,7 +81,7 @@ QWidget *searchAtWork(TrainingWindow &shown)
 {
     shown.window().findChild<QAction *>(QStringLiteral("lineSearch"))->trigger();
     auto *search = shown.window().findChild<EscLineSearch *>();
-    press(*search, plainLabel(EscLineSearch::tr("&Search")));
+    press(*search, EscLineSearch::tr("&Search"));
     shown.advance(untilFound);
     return search;
 }

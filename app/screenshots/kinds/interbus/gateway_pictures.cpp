@@ -6,7 +6,6 @@
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "widgets/connect/connect_page.h"
 #include "widgets/kinds/interbus/gateway/registers_page.h"
-#include "widgets/look/label_text.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -14,7 +13,6 @@
 #include <QDeadlineTimer>
 #include <QDockWidget>
 #include <QLineEdit>
-#include <QPushButton>
 
 #include <algorithm>
 #include <array>
@@ -78,13 +76,6 @@ RingActions &ringActions(TrainingWindow &shown)
 ConnectPage &connection(TrainingWindow &shown)
 {
     return *shown.window().findChild<ConnectPage *>(QStringLiteral("ringConnection"));
-}
-
-void press(ConnectPage &page, const QString &text)
-{
-    for (auto *button : page.findChildren<QPushButton *>())
-        if (plainLabel(button->text()) == plainLabel(text))
-            button->click();
 }
 
 // As entered by somebody who has just come to the machine.

@@ -373,12 +373,13 @@ void NodeSetupView::takeChecked()
     const int after = m_check->wanted().node;
     if (const CanopenSnapshot::Node *heard = m_bus && !isProof ? m_bus->latest().heard(after) : nullptr)
         m_bootUps = heard->bootUps;
+    const bool wasFound = std::exchange(m_isFound, m_isFound || isThere);
     setStage(isProven ? Stage::proven : Stage::toBeProven);
     tell(isProven ? Role::running : Role::attention,
          isProven && m_isRateStored
              ? sentence(tr("Proven: it is node %1 at the rate of this bus."), {CanopenAddress{after}.shown()})
              : node_setup_text::end(*m_check, isProof));
-    if (!isThere || std::exchange(m_isFound, true))
+    if (!isThere || wasFound)
         return;
     const int before = m_check->wanted().nodeBefore.value_or(0);
     if (before != after) {
