@@ -189,9 +189,12 @@ void LogTable::keepDragged(int column, int width)
 
 bool LogTable::fitRows()
 {
+    if (model() == nullptr)
+        return false;
     bool isOther = false;
-    const int first = std::max(0, rowAt(0));
-    for (int row = first; model() != nullptr && row < model()->rowCount(); ++row) {
+    // While the model changes, the header has the rows of the new one, and the table still those of the old.
+    const int count = std::min(model()->rowCount(), verticalHeader()->count());
+    for (int row = std::max(0, rowAt(0)); row < count; ++row) {
         if (rowViewportPosition(row) > viewport()->height())
             break;
         if (m_isHeading && m_isHeading(row) && columnSpan(row, 0) == 1)

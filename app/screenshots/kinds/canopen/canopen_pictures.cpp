@@ -72,6 +72,19 @@ QWidget *openedDock(TrainingWindow &shown, const char *name)
     return its;
 }
 
+// With room for its table.
+QWidget *wideDock(TrainingWindow &shown, const char *name)
+{
+    constexpr int beside = 300; // px
+    constexpr int high = 560;
+    QWidget *its = openedDock(shown, name);
+    shown.window().resizeDocks({dock(shown, "structureDock"), dock(shown, "parametersDock")},
+                               {beside, beside}, Qt::Horizontal);
+    shown.window().resizeDocks({dock(shown, name)}, {high}, Qt::Vertical);
+    shown.advance(whileMilliseconds);
+    return its;
+}
+
 QWidget *windowWithCan(TrainingWindow &shown)
 {
     atWork(shown);
@@ -94,13 +107,13 @@ QWidget *trafficAtWork(TrainingWindow &shown)
     connected(shown);
     openedDock(shown, "canTrafficDock");
     atWork(shown);
-    return dock(shown, "canTrafficDock");
+    return wideDock(shown, "canTrafficDock");
 }
 
 QWidget *objectsAtWork(TrainingWindow &shown)
 {
     atWork(shown);
-    QWidget *seen = openedDock(shown, "canObjectsDock");
+    QWidget *seen = wideDock(shown, "canObjectsDock");
     for (QAction *action : seen->findChildren<QAction *>())
         if (action->text() == DictionaryView::tr("Read all"))
             action->trigger();
