@@ -225,7 +225,7 @@ struct AskingWork : BusWork
         state.connected = false;
         state.whyLost = why;
         reopenAt = link.now() + betweenTries;
-        notBack = why;
+        notBack = {why};
         tellGone(why);
         stopJobs(why);
         state.operate = false;
@@ -249,13 +249,14 @@ struct AskingWork : BusWork
         else
             tryToReopen();
     }
-    // That it is missing was reported. Anything else in the way is reported once.
+    // That it is missing was reported. Each other thing in the way is reported once, also if they alternate.
     void tryToReopen()
     {
         reopenAt = link.now() + betweenTries;
         if (const auto opened = reopenLink(); !opened) {
-            const bool isNew = notBack != opened.error();
-            notBack = opened.error();
+            const bool isNew = std::ranges::find(notBack, opened.error()) == notBack.end();
+            if (isNew)
+                notBack.push_back(opened.error());
             tellNotBack(opened.error(), isNew);
             return;
         }
@@ -325,7 +326,7 @@ struct AskingWork : BusWork
     ValueTap tap{};
     Instant awakeSince{};
     Instant reopenAt{};
-    std::optional<Refusal> notBack{}; // as reported
+    std::vector<Refusal> notBack{}; // why, as reported
     Mail &mail;
 };
 

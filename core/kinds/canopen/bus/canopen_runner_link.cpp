@@ -127,13 +127,15 @@ Result<void> CanopenWork::reopenLink()
 
 void CanopenWork::tellNotBack(const Refusal &why, bool isNew)
 {
+    if (state.whyLost != why) {
+        state.whyLost = why;
+        publish();
+    }
     if (!isNew)
         return;
-    state.whyLost = why;
     tell({.severity = Severity::attention, .refusal = why});
     if (isAboutWatching(why))
         tellEvent(WatchNotSure{why});
-    publish();
 }
 
 void CanopenWork::linkIsBack()

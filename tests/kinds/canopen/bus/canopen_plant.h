@@ -34,6 +34,7 @@ public:
     std::vector<CanFrame> sent;
     std::vector<CanUse> uses;
     bool isGone = false;
+    std::optional<Refusal> inTheWay{}; // of opening it while it is gone
     bool isFull = false;
     bool isUnsure = false;                             // whether it only listens
     std::function<bool(const CanFrame &)> goneAfter{}; // it is gone once this has gone out
@@ -42,7 +43,7 @@ public:
     Result<void> open(CanUse use) override
     {
         if (isGone)
-            return gone();
+            return inTheWay ? Result<void>(tl::unexpected(*inTheWay)) : gone();
         if (use == CanUse::watch && isUnsure)
             return refuse(RefusalKind::link, CanRefusalId::watchNotSure, {name()});
         uses.push_back(use);

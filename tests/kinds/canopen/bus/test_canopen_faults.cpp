@@ -67,6 +67,26 @@ TEST_F(CanopenBusFaults, ALinkThatIsBackIsInWatchAndSendsNothing)
     ASSERT_TRUE(outcome && outcome->result);
 }
 
+// A pseudo terminal whose number goes from one program to the next, for example.
+TEST_F(CanopenBusFaults, WhatIsInTheWayOfOpeningAgainIsSaidOnceAlsoWhereItAlternates)
+{
+    open(EncoderBus::Start::watching);
+    link->isGone = true;
+    bus->advance(2s);
+    messages.clear();
+    const Refusal taken{RefusalKind::link, RefusalId::portInUse, {QStringLiteral("/dev/pts/0")}};
+    const Refusal missing{RefusalKind::link, RefusalId::portNotFound, {QStringLiteral("/dev/pts/0")}};
+    for (int i = 0; i < 5; ++i)
+        for (const Refusal &reason : {taken, missing}) {
+            link->inTheWay = reason;
+            bus->advance(1s);
+            EXPECT_EQ(bus->latest().whyLost, reason);
+        }
+    EXPECT_EQ(std::ranges::count(messages, taken, &Message::refusal), 1);
+    EXPECT_EQ(std::ranges::count(messages, missing, &Message::refusal), 1);
+    EXPECT_EQ(messages.size(), 2U);
+}
+
 TEST_F(CanopenBusFaults, BusOffIsALostLink)
 {
     operate();
