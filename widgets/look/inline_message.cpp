@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/inline_message.h"
 
+#include "widgets/look/bring_into_sight.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 
@@ -13,6 +14,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QTextDocument>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -154,6 +156,7 @@ void InlineMessage::showText()
 void InlineMessage::focusAction()
 {
     m_action->setFocus(Qt::OtherFocusReason);
+    QTimer::singleShot(0, this, [this] { bringIntoSight(*this); }); // once it has its place
 }
 
 void InlineMessage::withdraw()

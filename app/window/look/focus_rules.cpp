@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/look/focus_rules.h"
 
+#include "widgets/look/bring_into_sight.h"
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QScrollArea>
 #include <QShortcutEvent>
 #include <QStackedWidget>
 
@@ -18,7 +19,7 @@ FocusRules::FocusRules(QStackedWidget &pages, QObject *parent)
     , m_pages(pages)
 {
     qApp->installEventFilter(this);
-    connect(qApp, &QApplication::focusChanged, this, [](QWidget *, QWidget *now) { bringIntoSight(now); });
+    connect(qApp, &QApplication::focusChanged, this, [](QWidget *, QWidget *now) { showFocus(now); });
 }
 
 namespace {
@@ -83,13 +84,10 @@ bool FocusRules::press(const QWidget &part, const QKeySequence &letter)
 }
 
 // Not under a pressed mouse button, which would then be released elsewhere.
-void FocusRules::bringIntoSight(QWidget *widget)
+void FocusRules::showFocus(QWidget *widget)
 {
-    if (widget == nullptr || QApplication::mouseButtons() != Qt::NoButton)
-        return;
-    for (QWidget *around = widget->parentWidget(); around != nullptr; around = around->parentWidget())
-        if (auto *area = qobject_cast<QScrollArea *>(around); area != nullptr && area->widget() != nullptr)
-            area->ensureWidgetVisible(widget, 0, 0);
+    if (widget != nullptr && QApplication::mouseButtons() == Qt::NoButton)
+        bringIntoSight(*widget);
 }
 
 } // namespace codewheel

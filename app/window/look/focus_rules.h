@@ -24,7 +24,7 @@ protected:
 private:
     QWidget *partWithFocus() const; // the page or the panel; null: neither
     static bool press(const QWidget &part, const QKeySequence &letter);
-    static void bringIntoSight(QWidget *widget);
+    static void showFocus(QWidget *widget);
 
     QStackedWidget &m_pages;
 };

@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <functional>
 
 namespace codewheel {
 namespace {
@@ -33,12 +34,12 @@ QWidget *firstFocus(QWidget &content)
 }
 
 // A folded panel is not visible: its key brings it back.
-QAction *makePanelAction(QDockWidget &panel, BottomFold &fold)
+QAction *makePanelAction(QDockWidget &panel, BottomFold &fold, const std::function<void()> &opened)
 {
     auto *action = new QAction(panel.windowTitle(), &panel);
     action->setCheckable(true);
     QObject::connect(&panel, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
-    QObject::connect(action, &QAction::triggered, &panel, [&panel, &fold, action](bool show) {
+    QObject::connect(action, &QAction::triggered, &panel, [&panel, &fold, action, opened](bool show) {
         if (!show && !fold.isFolded(panel)) {
             panel.close();
             return;
@@ -46,8 +47,11 @@ QAction *makePanelAction(QDockWidget &panel, BottomFold &fold)
         if (fold.isFolded(panel))
             fold.unfold();
         action->setChecked(true);
+        const bool wasClosed = panel.isHidden();
         panel.show();
         panel.raise();
+        if (wasClosed)
+            opened();
         firstFocus(*panel.widget())->setFocus(Qt::ShortcutFocusReason);
     });
     return action;
@@ -73,7 +77,10 @@ QAction *Panels::add(const Panel &panel, QWidget *content)
     setHelpTopic(*dock, panel.topic);
     content->setAutoFillBackground(true); // so that a change in it does not repaint the dock
     m_docks.push_back({&panel, dock, qobject_cast<QStackedWidget *>(content)});
-    QAction *toggle = makePanelAction(*dock, m_fold);
+    QAction *toggle = makePanelAction(*dock, m_fold, [this, dock, &panel] {
+        if (!panel.isShownAtFirst) // its place is as high as others need it
+            giveHeight(*dock, m_window.height() / 2);
+    });
     toggle->setToolTip(tr("Shows or hides the panel \"%1\"").arg(dock->windowTitle()));
     toggle->setShortcut(panel.key);
     return toggle;
@@ -105,7 +112,6 @@ void Panels::setUnseen(const Panel &panel, int count)
     tellWhose(panel, count == 0 ? QString() : QLocale().toString(count));
 }
 
-// A panel that is already higher stays so.
 void Panels::show(const QDockWidget &dock)
 {
     for (const Dock &each : m_docks)
@@ -120,10 +126,15 @@ void Panels::show(const Panel &panel)
         m_fold.unfold();
     its->show();
     its->raise();
-    const int wanted = m_window.height() / 3;
-    if (!its->isFloating() && m_window.dockWidgetArea(its) == Qt::BottomDockWidgetArea &&
-        its->height() < wanted)
-        m_window.resizeDocks({its}, {wanted}, Qt::Vertical);
+    giveHeight(*its, m_window.height() / 3);
+}
+
+// At the bottom. One that is already higher stays so.
+void Panels::giveHeight(QDockWidget &dock, int height)
+{
+    if (!dock.isFloating() && m_window.dockWidgetArea(&dock) == Qt::BottomDockWidgetArea &&
+        dock.height() < height)
+        m_window.resizeDocks({&dock}, {height}, Qt::Vertical);
 }
 
 void Panels::splitBelow(const Panel &above, const Panel &below)

@@ -92,6 +92,7 @@ private:
     void arrangeInOneColumn();
     void arrangeInLowColumns();
     void arrangeInColumns(int width);
+    void giveHeight(QDockWidget &dock, int height);
     void splitBelow(const Panel &above, const Panel &below);
     void showAll();
     void setWidths(int left, int right);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/bus/canopen_bus_messages.h"
 
+#include "can/can_state.h"
 #include "kinds/canopen/bus/other_master.h"
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/port_text.h"
 #include "vocabulary/refusal_text.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
 
 #include <array>
 
@@ -15,11 +16,11 @@ namespace {
 
 constexpr auto canopenBusMessageRows = std::to_array<SentenceRow>({
     {CanopenBusMessageId::opened, "canopenOpened",
-     QT_TRANSLATE_NOOP("Message", "The CAN bus %1 is open at %2 Bd.")},
+     QT_TRANSLATE_NOOP("Message", "The CAN bus (%1) is open at %2 kBit/s.")},
     {CanopenBusMessageId::closed, "canopenClosed",
-     QT_TRANSLATE_NOOP("Message", "The CAN bus %1 was closed.")},
+     QT_TRANSLATE_NOOP("Message", "The CAN bus (%1) was closed.")},
     {CanopenBusMessageId::back, "canopenBack",
-     QT_TRANSLATE_NOOP("Message", "The CAN bus %1 is open again, and only watched.")},
+     QT_TRANSLATE_NOOP("Message", "The CAN bus (%1) is open again, and only watched.")},
     {CanopenBusMessageId::otherMasterHeard, "canopenOtherMasterHeard",
      QT_TRANSLATE_NOOP("Message", "Another master is at work on this bus. Heard: %1.")},
     {CanopenBusMessageId::nodeDoubled, "canopenNodeDoubled",
@@ -48,9 +49,20 @@ constexpr auto canopenBusMessageRows = std::to_array<SentenceRow>({
     {CanopenBusMessageId::nodeRateStored, "canopenNodeRateStored",
      QT_TRANSLATE_NOOP("Message", "It says that it has stored the rate %1 kBit/s, in force once its supply "
                                   "was off and on.")},
+    {CanopenBusMessageId::objectWritten, "canopenObjectWritten",
+     QT_TRANSLATE_NOOP("Message", "%1 was written: %2.")},
+    {CanopenBusMessageId::objectInDoubt, "canopenObjectInDoubt",
+     QT_TRANSLATE_NOOP("Message", "%1 was sent: %2. No answer came, so whether the node has taken "
+                                  "it is not known.")},
 });
 
-static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::nodeRateStored));
+static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::objectInDoubt));
+
+QString linkText(const RefusalArgument &link)
+{
+    const QString text = argumentText(link);
+    return text == trainingPort ? QCoreApplication::translate("SimulatedCan", "simulated bus") : text;
+}
 
 QString canopenBusMessageText(const Message &message)
 {
@@ -59,7 +71,10 @@ QString canopenBusMessageText(const Message &message)
     QStringList parts = argumentTexts(message.arguments);
     const CanopenBusMessageId id = *message.id.as<CanopenBusMessageId>();
     if (id <= CanopenBusMessageId::back)
-        parts.front() = portText(message.arguments.front());
+        parts.front() = linkText(message.arguments.front());
+    if (const auto *rate = std::get_if<std::int64_t>(&message.arguments.back());
+        rate != nullptr && id == CanopenBusMessageId::opened)
+        parts.back() = inKilobits(static_cast<int>(*rate));
     else if (id == CanopenBusMessageId::otherMasterHeard)
         parts.front() = OtherMaster::textOf(message.arguments.front());
     return rowText(message, parts);

@@ -22,6 +22,8 @@ enum class CanopenBusMessageId : std::uint8_t {
     nodeNumbered,     // number before, number now
     deviceNumbered,   // number
     nodeRateStored,   // kBit/s
+    objectWritten,    // object, value
+    objectInDoubt,    // object, value
 };
 extern const MessageFamily canopenBusMessages;
 constexpr const MessageFamily &familyOf(CanopenBusMessageId)

@@ -5,8 +5,25 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_checks.h"
 #include "kinds/canopen/bus/canopen_runner.h"
+#include "vocabulary/hex.h"
 
 namespace codewheel {
+namespace {
+
+// Of up to four octets their number, of more of them what they are one by one.
+QString textOf(const std::vector<std::uint8_t> &octets)
+{
+    constexpr std::size_t ofNumber = 4;
+    const QByteArray bytes(reinterpret_cast<const char *>(octets.data()), std::ssize(octets));
+    if (octets.size() > ofNumber)
+        return QString::fromLatin1(bytes.toHex(' ').toUpper());
+    std::uint32_t number = 0;
+    for (std::size_t i = octets.size(); i-- > 0;)
+        number = number << 8 | octets[i];
+    return hexNumber(number, 2 * static_cast<int>(octets.size()));
+}
+
+} // namespace
 
 CanopenSession::CanopenSession(std::unique_ptr<CanLink> link, const Catalog &catalog, const QDateTime &begin,
                                QObject *parent, BusId id)
@@ -68,6 +85,7 @@ void CanopenSession::takeOther(const CanopenEvent &event)
     } else if (const auto *ended = std::get_if<TransferEnded>(&event.what)) {
         using Kind = canopen::SdoOutcome::Kind;
         Q_EMIT transferEnded(*ended);
+        tellWritten(*ended);
         tellEnd(storing(ended->request),
                 ended->outcome.kind == Kind::written || ended->outcome.kind == Kind::noAnswer);
     } else if (const auto *lss = std::get_if<Configured>(&event.what)) {
@@ -79,6 +97,20 @@ void CanopenSession::takeOther(const CanopenEvent &event)
     } else if (const auto *unsure = std::get_if<WatchNotSure>(&event.what)) {
         Q_EMIT watchNotSure(unsure->why);
     }
+}
+
+// An object by hand. What was refused, the answer to whoever wrote it says.
+void CanopenSession::tellWritten(const TransferEnded &ended)
+{
+    const bool isInDoubt = ended.outcome.kind == canopen::SdoOutcome::Kind::noAnswer;
+    if (!ended.request.value || (!isInDoubt && ended.outcome.kind != canopen::SdoOutcome::Kind::written))
+        return;
+    Q_EMIT messaged(
+        {.at = now(),
+         .place = placeOf(CanopenAddress{ended.request.node}.place()),
+         .severity = isInDoubt ? Severity::attention : Severity::information,
+         .id = isInDoubt ? CanopenBusMessageId::objectInDoubt : CanopenBusMessageId::objectWritten,
+         .arguments = {ended.request.object.text(), textOf(*ended.request.value)}});
 }
 
 Result<void> CanopenSession::mayAdd(NodeId node) const

@@ -47,6 +47,20 @@ TEST_F(CanopenObjectsTest, WhatTheProjectWantsOfTheEncoderStandsBesideItsObjects
     EXPECT_EQ(cell("6001h:0", ObjectModel::project), QString());
 }
 
+// Its place at the bottom is as high as messages need it.
+TEST_F(CanopenObjectsTest, ThePanelOpensWithRoomForItsRowsAndTheirValuesInSight)
+{
+    for (QAction *action : window().findChildren<QAction *>())
+        if (action->shortcut() == QKeySequence(Qt::ALT | Qt::SHIFT | Qt::Key_D))
+            action->trigger();
+    advance(100);
+    const auto &table = *objects().findChild<QTableView *>();
+    ASSERT_TRUE(table.isVisible());
+    EXPECT_GE(table.viewport()->height(), 8 * table.rowHeight(0));
+    EXPECT_LE(table.columnViewportPosition(ObjectModel::value) + table.columnWidth(ObjectModel::value),
+              table.viewport()->width());
+}
+
 class FileOfAnEncoderTest : public test::CanopenWindowTest
 {
 protected:

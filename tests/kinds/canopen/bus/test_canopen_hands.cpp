@@ -91,6 +91,20 @@ TEST_F(CanopenByHand, AnObjectIsReadAndWritten)
     EXPECT_EQ(canopen::numberOf(transfers[2].outcome.value), 100U);
 }
 
+TEST_F(CanopenByHand, WhatIsWrittenByHandIsToldAndWhatIsRefusedIsNot)
+{
+    operate();
+    messages.clear();
+    bus->transfer({.node = 6, .object = {0x6001, 0}, .value = std::vector<std::uint8_t>{0, 8, 0, 0}});
+    bus->transfer({.node = 6, .object = {0x6004, 0}, .value = std::vector<std::uint8_t>{0, 8, 0, 0}});
+    bus->transfer({.node = 6, .object = {0x6001, 0}});
+    bus->advance(500ms);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages[0].id, CanopenBusMessageId::objectWritten);
+    EXPECT_EQ(messages[0].arguments,
+              (std::vector<RefusalArgument>{QStringLiteral("6001h:0"), QStringLiteral("00000800h")}));
+}
+
 TEST_F(CanopenByHand, StoringByHandIsAccountedFor)
 {
     operate();

@@ -216,8 +216,10 @@ bool DictionaryView::exportTo(const QString &path)
                                 .ofFile = known().isRead ? QFileInfo(known().path).fileName() : QString(),
                                 .now = QDateTime::currentDateTime()};
     const auto written = replaceFile(path, canopen::dcfOf(file, head), OldFile::goes);
-    if (written)
+    if (written && m_doubt.isEmpty())
         m_message->showMessage(Role::running, sentence(tr("Saved in %1."), {path}));
+    else if (written)
+        m_message->showMessage(Role::attention, sentence(tr("Saved in %1."), {path}) + u' ' + m_doubt);
     else
         m_message->showMessage(Role::attention, sentence(tr("%1 was not saved: %2", "file, reason"),
                                                          {path, whyNotWritten(written.error())}));

@@ -75,6 +75,7 @@ DictionaryView::DictionaryView(QWidget *parent)
     connect(m_transfers, &ObjectTransfers::ended, this, &DictionaryView::takeEnd);
     connect(m_transfers, &ObjectTransfers::refused, this,
             [this](const Refusal &why) { m_message->showMessage(Role::attention, refusalText(why)); });
+    connect(m_writing, &ObjectWriteBar::begun, m_message, &InlineMessage::withdraw);
     connect(m_heard, &HeardValues::written, m_writing, &ObjectWriteBar::takeWrittenByOther);
     connect(m_heard, &HeardValues::identityTold, this, &DictionaryView::showDoubt);
     connect(m_transfers, &ObjectTransfers::changed, this, &DictionaryView::showProgress);
@@ -467,10 +468,11 @@ void DictionaryView::beginReading(const std::vector<canopen::SdoObject> &objects
 
 void DictionaryView::takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome)
 {
-    if (!request.value && m_bus)
+    const bool isUnknown = outcome.kind == canopen::SdoOutcome::Kind::noAnswer;
+    if ((!request.value || isUnknown) && m_bus) // behind a write, the value of before tells nothing
         m_rows->take(request.object, outcome, m_bus->dateTime(m_bus->now()).toLocalTime().time());
     const bool isNotSent = outcome.kind == canopen::SdoOutcome::Kind::notSent;
-    if (isNotSent || (outcome.kind == canopen::SdoOutcome::Kind::noAnswer && !request.value))
+    if (isNotSent || (isUnknown && !request.value))
         m_message->showMessage(
             Role::attention,
             refusalText({RefusalKind::link,

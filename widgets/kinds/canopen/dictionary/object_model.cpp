@@ -129,17 +129,17 @@ QVariant ObjectModel::headerCell(int column, int role) const
     const Heading headings[] = {
         {tr("Object"), tr("Index in hexadecimal, and subindex")},
         {tr("Name"), tr("As the file of the maker has it, or else CiA 301 and CiA 406")},
-        {tr("Type"), tr("What the file says. How wide a value is, the node tells")},
-        {tr("Access"), tr("Whether the object can be read and written")},
-        {tr("Default"), tr("What the device has when it comes from the maker")},
-        {tr("In the file"),
-         tr("The value that the file gives this device (ParameterValue). A mark: the node has "
-            "another")},
         {tr("Value"),
          tr("What the node answered, to us or to others, in hexadecimal and decimal. A mark: not the "
             "default")},
         {tr("Meaning"), tr("What the bits say, or why there is no value")},
+        {tr("Access"), tr("Whether the object can be read and written")},
+        {tr("Type"), tr("What the file says. How wide a value is, the node tells")},
         {tr("Project"), tr("What the project wants the node to have. A mark: the node has another value")},
+        {tr("In the file"),
+         tr("The value that the file gives this device (ParameterValue). A mark: the node has "
+            "another")},
+        {tr("Default"), tr("What the device has when it comes from the maker")},
         {tr("Compared with"), tr("The value of the file that is compared with, where it is another")},
         {tr("Read"),
          tr("When the node was asked last. Heard: another master has asked or written, or it was in a "
@@ -156,26 +156,26 @@ QString ObjectModel::textOf(const ObjectRow &row, int column) const
         return row.object.object.text();
     case name:
         return row.object.name;
-    case type:
-        return row.object.type ? canopen::dataTypeKey(*row.object.type) : QString();
+    case value:
+        return valueTextOf(row.shown(), row.object.type);
+    case meaning:
+        return meaningOf(row);
     case access:
         return objectAccessText(row.object.access);
-    case factory: {
-        const auto its = defaultAt(row.object, m_node);
-        return valueTextOf(its ? its : row.object.factory, row.object.type);
-    }
+    case type:
+        return row.object.type ? canopen::dataTypeKey(*row.object.type) : QString();
+    case project:
+        return row.wanted ? wantedObjectText(*row.wanted, row.object.type) : QString();
     case inFile: {
         const auto its = row.object.value ? row.object.value->at(m_node) : std::nullopt;
         return row.source == ObjectRow::Source::compared
                    ? QString()
                    : valueTextOf(its ? its : row.object.value, row.object.type);
     }
-    case value:
-        return valueTextOf(row.shown(), row.object.type);
-    case meaning:
-        return meaningOf(row);
-    case project:
-        return row.wanted ? wantedObjectText(*row.wanted, row.object.type) : QString();
+    case factory: {
+        const auto its = defaultAt(row.object, m_node);
+        return valueTextOf(its ? its : row.object.factory, row.object.type);
+    }
     case other:
         return otherOf(row);
     default:

@@ -18,13 +18,13 @@ public:
     enum Column : int {
         object,
         name,
-        type,
-        access,
-        factory,
-        inFile,
         value,
         meaning,
+        access,
+        type,
         project,
+        inFile,
+        factory,
         other,
         readAt,
         columnCountAll

@@ -80,7 +80,7 @@ ObjectWriteBar::ObjectWriteBar(ObjectTransfers &transfers, QWidget *parent)
     connect(m_question, &InlineMessage::otherActionTriggered, this, &ObjectWriteBar::reset);
     connect(m_question, &InlineMessage::closed, this, &ObjectWriteBar::reset);
     connect(&transfers, &ObjectTransfers::ended, this, &ObjectWriteBar::takeEnd);
-    connect(&transfers, &ObjectTransfers::refused, this, &ObjectWriteBar::reset);
+    connect(&transfers, &ObjectTransfers::refused, this, &ObjectWriteBar::takeRefused);
     connect(&transfers, &ObjectTransfers::changed, this, &ObjectWriteBar::showWhatIsPossible);
     showWhatIsPossible();
 }
@@ -101,7 +101,7 @@ void ObjectWriteBar::setObject(const std::optional<canopen::FileObject> &object,
 void ObjectWriteBar::setWhyNot(const QString &whyNot)
 {
     m_whyNot = whyNot;
-    if (!whyNot.isEmpty())
+    if (!whyNot.isEmpty() && (m_step == Step::readsBefore || m_step == Step::asks)) // nothing was sent
         reset();
     showWhatIsPossible();
 }
@@ -175,6 +175,7 @@ void ObjectWriteBar::begin()
     m_message->withdraw();
     if (!whyNotWritten().isEmpty())
         return;
+    Q_EMIT begun();
     m_before = {};
     if (isRead()) {
         m_step = Step::readsBefore;
@@ -264,6 +265,14 @@ void ObjectWriteBar::takeEnd(const canopen::SdoRequest &request, const canopen::
     } else if (m_step == Step::readsBack && !isWrite) {
         tellReadBack(outcome);
     }
+}
+
+// What is read back is not, once the link is gone.
+void ObjectWriteBar::takeRefused()
+{
+    if (m_step == Step::readsBack)
+        tellReadBack({.kind = OutcomeKind::notSent});
+    reset();
 }
 
 void ObjectWriteBar::takeWritten(const canopen::SdoOutcome &outcome)

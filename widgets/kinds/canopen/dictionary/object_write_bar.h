@@ -32,6 +32,9 @@ public:
     // What was to be agreed to is not true any more.
     void takeWrittenByOther(const canopen::HeardObject &heard);
 
+Q_SIGNALS:
+    void begun(); // a write: what was said before is over
+
 private:
     enum class Step : std::uint8_t { nothing, readsBefore, asks, writes, readsBack };
 
@@ -47,6 +50,7 @@ private:
     bool isRead() const; // it can be
     void writeNow();
     void takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome);
+    void takeRefused();
     void takeWritten(const canopen::SdoOutcome &outcome);
     void tellReadBack(const canopen::SdoOutcome &outcome);
     void tellAborted(const canopen::SdoOutcome &outcome);

@@ -166,7 +166,10 @@ QString step(NodeSetup::Step step, const NodeSetupWish &wish)
 QString consequences(const NodeSetupWish &wish)
 {
     QStringList sentences;
-    if (wish.changesNode())
+    if (wish.changesNode() && !wish.nodeBefore)
+        sentences << sentence(SetupText::tr("A device without a number becomes node %1."),
+                              {shownNode(wish.nodeAfter())});
+    else if (wish.changesNode())
         sentences << sentence(SetupText::tr("%1 becomes node %2: a controller that knows it by its number "
                                             "has to know the new one."),
                               {device(wish.nodeBefore), shownNode(wish.nodeAfter())});

@@ -59,6 +59,28 @@ TEST_F(ObjectsInDoubt, AnAbortInTheMiddleLeavesTheOthersToBeRead)
     EXPECT_EQ(valueOf("6503h:0"), QStringLiteral("0000h = 0"));
 }
 
+TEST_F(ObjectsInDoubt, AWriteWhoseLinkIsLostBehindItIsNotKnown)
+{
+    choose("1017h:0");
+    enter("700");
+    link->goneAfter = [](const CanFrame &frame) { return frame.id == 0x606 && frame.bytes[1] == 0x17; };
+    answer(QStringLiteral("W&rite it"));
+    pass(3s);
+    EXPECT_EQ(bus->state(), BusState::lost);
+    EXPECT_EQ(written->sentence(), QStringLiteral("No answer: whether it was written is not known."));
+    EXPECT_EQ(valueOf("1017h:0"), QStringLiteral("\u2013")) << "the value of before tells nothing";
+    const Message told{.place = six,
+                       .severity = Severity::attention,
+                       .id = CanopenBusMessageId::objectInDoubt,
+                       .arguments = {QStringLiteral("1017h:0"), QStringLiteral("02BCh")}};
+    EXPECT_EQ(std::ranges::count_if(messages,
+                                    [&](Message each) {
+                                        each.at = {};
+                                        return each == told;
+                                    }),
+              1);
+}
+
 TEST_F(ObjectsInDoubt, WhatIsNoNumberIsNotWritten)
 {
     choose("6001h:0");
@@ -81,6 +103,9 @@ TEST_F(ObjectsInDoubt, AFileOfAnotherDeviceIsSaidOnceTheNodeHasToldWhatItIs)
     choose("2300h:0");
     enter("1");
     EXPECT_TRUE(question->sentence().contains(doubt)) << question->sentence().toStdString();
+    EXPECT_EQ(message->sentence(), QString()) << "it is said once, and leaves room for the question";
+    ASSERT_TRUE(view.exportTo(folder.filePath(QStringLiteral("node6.dcf"))));
+    EXPECT_TRUE(message->sentence().contains(doubt)) << message->sentence().toStdString();
 }
 
 TEST_F(ObjectsInDoubt, AComparedFileOfAnotherDeviceIsSaid)
