@@ -3115,18 +3115,6 @@
         <translation>%1 hat ein anderes Vorzeichen als die Bewegung der Position: Vielleicht hat die Beschreibung dafür den falschen Typ.</translation>
     </message>
     <message>
-        <source>The CAN bus %1 is open at %2 Bd.</source>
-        <translation>Der CAN-Bus %1 ist mit %2 Bd geöffnet.</translation>
-    </message>
-    <message>
-        <source>The CAN bus %1 was closed.</source>
-        <translation>Der CAN-Bus %1 wurde geschlossen.</translation>
-    </message>
-    <message>
-        <source>The CAN bus %1 is open again, and only watched.</source>
-        <translation>Der CAN-Bus %1 ist wieder offen und wird nur beobachtet.</translation>
-    </message>
-    <message>
         <source>Another master is at work on this bus. Heard: %1.</source>
         <translation>An diesem Bus arbeitet ein anderer Master. Gehört: %1.</translation>
     </message>
@@ -3152,11 +3140,11 @@
     </message>
     <message>
         <source>ALARM STOP: the nodes that were started from here were stopped: %1.</source>
-        <translation>ALARM-STOPP: Die von hier gestarteten Knoten wurden gestoppt: %1.</translation>
+        <translation>ALARM-STOPP: Die von hier gestarteten Knoten wurden angehalten: %1.</translation>
     </message>
     <message>
         <source>ALARM STOP: all nodes were stopped.</source>
-        <translation>ALARM-STOPP: Alle Knoten wurden gestoppt.</translation>
+        <translation>ALARM-STOPP: Alle Knoten wurden angehalten.</translation>
     </message>
     <message>
         <source>The command that stops the nodes could not be sent. It is sent once the bus is there again. Stop the machine by its own means.</source>
@@ -3173,6 +3161,26 @@
     <message>
         <source>It says that it has stored the rate %1 kBit/s, in force once its supply was off and on.</source>
         <translation>Er sagt, er habe die Rate %1 kBit/s gespeichert; sie gilt, sobald seine Versorgung aus und wieder ein war.</translation>
+    </message>
+    <message>
+        <source>The CAN bus (%1) is open at %2 kBit/s.</source>
+        <translation>Der CAN-Bus (%1) ist mit %2 kBit/s geöffnet.</translation>
+    </message>
+    <message>
+        <source>The CAN bus (%1) was closed.</source>
+        <translation>Der CAN-Bus (%1) wurde geschlossen.</translation>
+    </message>
+    <message>
+        <source>The CAN bus (%1) is open again, and only watched.</source>
+        <translation>Der CAN-Bus (%1) ist wieder offen und wird nur beobachtet.</translation>
+    </message>
+    <message>
+        <source>%1 was written: %2.</source>
+        <translation>%1 wurde geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>%1 was sent: %2. No answer came, so whether the node has taken it is not known.</source>
+        <translation>%1 wurde gesendet: %2. Es kam keine Antwort; ob der Knoten es übernommen hat, ist nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -4411,7 +4419,7 @@
     </message>
     <message>
         <source>Node %2 does not answer for %1. Check its supply, its number and the rate of the bus; a node that was stopped answers nothing until it is started.</source>
-        <translation>Knoten %2 antwortet nicht zu %1. Versorgung, Nummer und Bitrate des Busses prüfen; ein gestoppter Knoten antwortet nicht, bis er gestartet wird.</translation>
+        <translation>Knoten %2 antwortet nicht zu %1. Versorgung, Nummer und Bitrate des Busses prüfen; ein angehaltener Knoten antwortet nicht, bis er gestartet wird.</translation>
     </message>
     <message>
         <source>The request for %1 of node %2 could not be sent, so nothing was changed. Check the CAN bus, then start again.</source>
@@ -7169,7 +7177,7 @@
     </message>
     <message>
         <source>The node is stopped: it sends no positions and answers nothing. Start it (NMT), in Operate.</source>
-        <translation>Der Knoten ist gestoppt: Er sendet keine Positionen und antwortet auf nichts. Starten Sie ihn (NMT), in Bedienen.</translation>
+        <translation>Der Knoten ist angehalten: Er sendet keine Positionen und antwortet auf nichts. Starten Sie ihn (NMT), beim Bedienen.</translation>
     </message>
     <message>
         <source>The node is pre-operational: it sends no positions by itself. Start it (NMT), or switch to Operate, where it is asked for them.</source>
@@ -7249,7 +7257,7 @@
     </message>
     <message>
         <source>The position is asked for (SDO). %1</source>
-        <translation>Die Position wird gefragt (SDO). %1</translation>
+        <translation>Die Position wird abgefragt (SDO). %1</translation>
     </message>
 </context>
 <context>
@@ -7658,7 +7666,7 @@ Telegramme: %5, Fehler: %6</translation>
     </message>
     <message>
         <source>jobs end, nothing that waits is sent, and the nodes that were started from here are stopped</source>
-        <translation>Aufträge enden, nichts Wartendes wird gesendet, und die von hier gestarteten Knoten werden gestoppt</translation>
+        <translation>Aufträge enden, nichts Wartendes wird gesendet, und die von hier gestarteten Knoten werden angehalten</translation>
     </message>
     <message>
         <source>offline</source>
@@ -7696,7 +7704,7 @@ Telegramme: %5, Fehler: %6</translation>
     <message>
         <source>stopped</source>
         <comment>a node</comment>
-        <translation>gestoppt</translation>
+        <translation>angehalten</translation>
     </message>
     <message>
         <source>pre-operational</source>
@@ -18605,6 +18613,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>A device without a number answers, but not to the end of the search: answers were lost or came late. Check the CAN bus, then search again.</source>
         <translation>Ein Gerät ohne Nummer antwortet, aber nicht bis zum Ende der Suche: Antworten gingen verloren oder kamen zu spät. Prüfen Sie den CAN-Bus, dann suchen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>A device without a number becomes node %1.</source>
+        <translation>Ein Gerät ohne Nummer wird Knoten %1.</translation>
     </message>
 </context>
 <context>
