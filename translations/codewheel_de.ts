@@ -18471,8 +18471,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Ein Gerät ohne Nummer</translation>
     </message>
     <message>
-        <source>Nobody has the number %1</source>
-        <translation>Niemand hat die Nummer %1</translation>
+        <source>The number %1 is free</source>
+        <translation>Die Nummer %1 ist frei</translation>
     </message>
     <message>
         <source>Its identity is read back (1018h)</source>

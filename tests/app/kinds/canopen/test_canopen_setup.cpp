@@ -198,6 +198,7 @@ TEST_F(CanopenSetup, ADeviceWithoutANumberIsFoundAndGetsOne)
     advance(50);
     click("nodeSetupFind");
     EXPECT_TRUE(device().contains(QStringLiteral("some seconds")));
+    EXPECT_TRUE(isPossible("nodeSetupCancel"));
     advance(30'000);
     EXPECT_TRUE(device().contains(QStringLiteral("without a number"))) << device().toStdString();
     EXPECT_TRUE(device().contains(QStringLiteral("130015h"))) << device().toStdString();

@@ -140,7 +140,7 @@ QString step(NodeSetup::Step step, const NodeSetupWish &wish)
     using Step = NodeSetup::Step;
     switch (step) {
     case Step::free:
-        return sentence(SetupText::tr("Nobody has the number %1"), {shownNode(wish.nodeAfter())});
+        return sentence(SetupText::tr("The number %1 is free"), {shownNode(wish.nodeAfter())});
     case Step::identity:
         return SetupText::tr("Its identity is read back (1018h)");
     case Step::select:

@@ -68,7 +68,10 @@ NodeSetupView::NodeSetupView(QWidget *parent)
     connect(m_message, &InlineMessage::actionTriggered, this, &NodeSetupView::send);
     connect(m_gate, &EepromGate::changed, this, &NodeSetupView::showWhatIsPossible);
     connect(&m_run, &NodeTaskRun::ended, this, &NodeSetupView::takeEnd);
-    connect(&m_run, &NodeTaskRun::changed, this, &NodeSetupView::showSteps);
+    connect(&m_run, &NodeTaskRun::changed, this, [this] {
+        showSteps();
+        showWhatIsPossible();
+    });
     reset();
 }
 
