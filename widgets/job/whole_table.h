@@ -6,7 +6,7 @@
 namespace codewheel {
 
 // A table as high as its rows, for one that is scrolled together with what stands below it. Beyond a dozen
-// rows it scrolls by itself, so that the heading stays in sight. Used by JobReview.
+// rows it scrolls by itself, so that the heading stays in sight.
 class WholeTable : public QTableView
 {
     Q_OBJECT

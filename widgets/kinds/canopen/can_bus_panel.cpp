@@ -2,6 +2,7 @@
 #include "widgets/kinds/canopen/can_bus_panel.h"
 
 #include "kinds/canopen/bus/canopen_session.h"
+#include "widgets/job/whole_table.h"
 #include "widgets/kinds/canopen/can_node_model.h"
 #include "widgets/kinds/canopen/nmt_texts.h"
 #include "widgets/look/describe.h"
@@ -22,7 +23,6 @@ namespace codewheel {
 namespace {
 
 constexpr int canPanelHeight = 300; // the rest is scrolled to
-constexpr int nodesInSight = 6;
 
 } // namespace
 
@@ -30,7 +30,7 @@ CanBusPanel::CanBusPanel(QWidget *parent)
     : ScrolledPanel(tr("CAN bus"), canPanelHeight, parent)
     , m_state(new RoleLabel(content()))
     , m_nodes(new CanNodeModel(this))
-    , m_table(new QTableView(content()))
+    , m_table(new WholeTable(content()))
 {
     makeTable();
     auto *form = new QFormLayout;
@@ -40,8 +40,8 @@ CanBusPanel::CanBusPanel(QWidget *parent)
         m_facts.emplace_back(&fact, addLine(*form, fact.label(), fact.toolTip()));
     auto *column = layOut<QVBoxLayout>(content(), grid::margin, grid::unit);
     column->addWidget(m_state);
+    column->addWidget(makeButtons()); // in sight however many nodes there are
     column->addWidget(m_table);
-    column->addWidget(makeButtons());
     column->addLayout(form);
     column->addStretch(1);
     setFocusProxy(m_table);
@@ -58,7 +58,6 @@ void CanBusPanel::makeTable()
     setUpQuietTable(*m_table, *m_nodes, tr("Nodes of the CAN bus"));
     m_table->setToolTip(tr("Every node that was heard, and the encoders of this bus that were not"));
     FittedColumns::useIn(*m_table, CanNodeModel::node);
-    m_table->setMinimumHeight(nodesInSight * m_table->fontMetrics().height());
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &CanBusPanel::showWhatIsPossible);
 }

@@ -166,7 +166,8 @@ TEST_F(CanopenSetup, TheEncoderHasItsNewNumberInTheTreeAndItIsProvenOnceItsSuppl
     advance(8'000);
     EXPECT_TRUE(view().isProven()) << told().toStdString();
     EXPECT_TRUE(told().startsWith(QStringLiteral("Proven")));
-    EXPECT_TRUE(steps().contains(QStringLiteral("done: It is there as node 9 (09h) after its supply was off")));
+    EXPECT_TRUE(
+        steps().contains(QStringLiteral("done: It is there as node 9 (09h) after its supply was off")));
     for (const QString &step : steps())
         EXPECT_TRUE(step.startsWith(QStringLiteral("done"))) << step.toStdString();
 }

@@ -8,6 +8,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTest>
 
@@ -59,6 +60,17 @@ protected:
     std::vector<std::pair<int, canopen::NmtCommand>> wanted;
     CanBusPanel panel;
 };
+
+// The panel is scrolled, not its table as well.
+TEST_F(CanBusPanelTest, AllNodesOfASmallBusAreShownAtOnce)
+{
+    panel.resize(340, 300);
+    open(EncoderBus::Start::watching);
+    bus->advance(1500ms);
+    QTest::qWait(50);
+    ASSERT_EQ(table().model()->rowCount(), 3);
+    EXPECT_LE(table().verticalScrollBar()->maximum(), 1) << "its lower edge";
+}
 
 TEST_F(CanBusPanelTest, ListsEncodersAndWhoeverIsHeard)
 {
