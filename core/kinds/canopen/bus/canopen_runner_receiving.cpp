@@ -137,14 +137,17 @@ void CanopenWork::takeError(const CanFrame &frame)
     statusAt = link.now();
 }
 
-// One that nobody asked for belongs to another master, and is not taken.
+// One that nobody asked for belongs to another master, and is not taken. What a search asks for may have been
+// asked for before: to its client the answer is late.
 void CanopenWork::takeAnswer(int number, const CanFrame &frame)
 {
     Node &node = nodeAt(number);
     const std::uint64_t foreign = node.client.foreignAnswers();
     const std::uint64_t late = node.client.lateAnswers();
     node.client.take(frame, link.now());
-    figures.lateAnswers += node.client.lateAnswers() - late;
+    const bool isLate = node.client.lateAnswers() != late;
+    if (isLate && (!scan || !scan->take(frame, link.now())))
+        ++figures.lateAnswers;
     if (node.client.foreignAnswers() != foreign) {
         if (node.typedFrames > 0)
             --node.typedFrames;

@@ -176,6 +176,25 @@ TEST_F(CanopenByHand, NodesAreSearchedFor)
     EXPECT_TRUE(bus->encoder(five)->freshness().isLive());
 }
 
+TEST_F(CanopenByHand, ASearchFindsANodeThatWasAskedBeforeWhoItIs)
+{
+    operate();
+    hear();
+    for (const canopen::SdoObject object : {canopen::SdoObject{0x1000, 0}, {0x1018, 1}, {0x1018, 2}})
+        bus->transfer({.node = 7, .object = object});
+    bus->advance(1s);
+    bus->scan();
+    bus->advance(10s);
+    ASSERT_FALSE(scans.empty());
+    const auto &found = scans.back().found;
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[2].node, 7);
+    EXPECT_EQ(found[2].deviceType, 0x0008'0196U);
+    for (const auto &part : found[2].identity)
+        EXPECT_TRUE(part);
+    EXPECT_EQ(bus->latest().figures.lateAnswers, 0U);
+}
+
 TEST_F(CanopenByHand, ASearchIsCancelled)
 {
     operate();
