@@ -315,7 +315,7 @@ TEST_F(WhyInWindowTest, OfAnAdapterThatWasUnpluggedItNamesThePort)
     line.settings.port = adapter.path();
     setLinePlan(planned, firstLine, line);
     shown->project().setProject(planned, {});
-    shown->line().openPort(line);
+    shown->line().open(KindData(line));
     ASSERT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
     ASSERT_EQ(shown->line().session()->state(), BusState::open);
     adapter.unplug();
@@ -357,7 +357,7 @@ TEST_F(WhyInWindowTest, OfAPortThatWasRefusedItSaysWhy)
     advance(50);
     ask(Place{firstLine});
     EXPECT_EQ(told(), QStringLiteral("The bus is not connected. Connect it."));
-    shown->line().openPort(line);
+    shown->line().open(KindData(line));
     EXPECT_TRUE(QTest::qWaitFor([this] { return !shown->line().isOpening(); }));
     advance(50);
     EXPECT_TRUE(told().contains(QStringLiteral("/dev/codewheel-none"))) << told().toStdString();

@@ -60,6 +60,8 @@ void AskedBusAtWork::replace(std::unique_ptr<AskedBus> session, bool isSimulated
     endAccount();
     m_session = std::move(session);
     m_isSimulated = isSimulated;
+    m_openedWith = {};
+    detach();
     attach();
     if (m_session)
         keepAccount(
@@ -67,15 +69,43 @@ void AskedBusAtWork::replace(std::unique_ptr<AskedBus> session, bool isSimulated
     Q_EMIT changed();
 }
 
-void AskedBusAtWork::startAfresh()
+void AskedBusAtWork::simulate(EncoderBus::Start start)
 {
-    beginTraining(m_session->isOperating() ? EncoderBus::Start::operating : EncoderBus::Start::watching);
+    endOpening();
+    forgetSimulated();
+    beginTraining(start);
 }
 
-void AskedBusAtWork::waitUntilOpen(std::unique_ptr<AskedBus> session, Attach attach)
+void AskedBusAtWork::startAfresh()
+{
+    simulate(m_session->isOperating() ? EncoderBus::Start::operating : EncoderBus::Start::watching);
+}
+
+void AskedBusAtWork::open(const KindData &plan)
+{
+    endOpening();
+    beginOpening(plan, false);
+}
+
+void AskedBusAtWork::openAgreed(const KindData &plan)
+{
+    endOpening();
+    beginOpening(plan, true);
+}
+
+KindData AskedBusAtWork::openedPlan() const
+{
+    return m_openedWith == KindData() ? busKind(kind())->usual() : asOpened(m_openedWith);
+}
+
+void AskedBusAtWork::waitUntilOpen(std::unique_ptr<AskedBus> session, const KindData &plan,
+                                   const Attach &attach)
 {
     m_opening = std::move(session);
-    m_attach = std::move(attach);
+    m_attach = [this, plan, attach] {
+        m_openedWith = plan;
+        attach();
+    };
     m_refusal.reset();
     connect(m_opening.get(), &EncoderBus::openRefused, this, [this](const Refusal &why) { m_refusal = why; });
     m_openingTurns.start(betweenLooks);
@@ -118,7 +148,7 @@ void AskedBusAtWork::close()
 {
     endOpening();
     if (m_session)
-        replace(nullptr, false, [this] { detach(); });
+        replace(nullptr, false, [] {});
 }
 
 } // namespace codewheel

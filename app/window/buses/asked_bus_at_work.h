@@ -3,6 +3,8 @@
 
 #include "app/window/buses/bus_at_work.h"
 #include "bus/asked_bus.h"
+#include "links/serial_ports.h"
+#include "vocabulary/kind_data.h"
 
 #include <QTimer>
 
@@ -28,10 +30,21 @@ public:
     bool isOpening() const { return m_opening != nullptr; }
 
     // Each closes the present bus. The simulated one begins in Operate.
-    void connectTraining() { beginTraining(EncoderBus::Start::operating); }
+    void connectTraining() { simulate(EncoderBus::Start::operating); }
     // The simulated one, which is connected, begins anew, in the mode it was in.
     void startAfresh();
     void close();
+
+    // At the link of a plan of its kind. Ends with opened() or openRefused(); refused like its link, in which
+    // case the present bus goes on, unless it is at the same adapter.
+    void open(const KindData &plan);
+    // The same again, once the user agrees to what it was refused for.
+    void openAgreed(const KindData &plan);
+    const KindData &openedWith() const { return m_openedWith; } // empty: not by open()
+    // Where its link is now: an adapter may have been moved, or another one chosen, since it was planned.
+    virtual KindData asOpened(const KindData &plan) const { return plan; }
+    KindData openedPlan() const; // as it is open, or else the usual one
+    virtual std::vector<PortInfo> ports() const { return serialPorts(); } // where an adapter may be
 
 Q_SIGNALS:
     void openingChanged();
@@ -45,18 +58,22 @@ protected:
     EncoderBus::Drive drive() const; // of a simulated bus
     void replace(std::unique_ptr<AskedBus> session, bool isSimulated, const Attach &attach);
     // Its opening has begun; it begins in Watch, with the encoders of the project and no others.
-    void waitUntilOpen(std::unique_ptr<AskedBus> session, Attach attach);
-    void endOpening();
+    void waitUntilOpen(std::unique_ptr<AskedBus> session, const KindData &plan, const Attach &attach);
 
 private:
-    virtual void beginTraining(EncoderBus::Start start) = 0;
+    virtual void beginTraining(EncoderBus::Start start) = 0; // ends with replace()
+    // Ends with waitUntilOpen() or openRefused().
+    virtual void beginOpening(const KindData &plan, bool isAgreed) = 0;
     virtual void detach() = 0; // nothing of the kind belongs to a bus any more
 
+    void simulate(EncoderBus::Start start);
+    void endOpening();
     void followProject();
     void goOnOpening();
 
     std::unique_ptr<AskedBus> m_session;
     bool m_isSimulated = false;
+    KindData m_openedWith;
     bool m_gaveWay = false; // the simulated bus, to that of a project
     std::unique_ptr<AskedBus> m_opening;
     Attach m_attach; // of the one that is opening

@@ -7,18 +7,31 @@
 #include "widgets/project/project_document.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 
-AskedBusKeeper::AskedBusKeeper(const AskedBusAtWork &bus, QObject *parent)
+AskedBusKeeper::AskedBusKeeper(const AskedBusAtWork &bus, Steps steps, QObject *parent)
     : QObject(parent)
     , m_bus(bus)
+    , m_steps(std::move(steps))
 {}
 
 const PlannedBus *AskedBusKeeper::planned() const
 {
     const PlannedBus *planned = findBus(m_bus.project().project(), m_bus.id());
     return planned != nullptr && planned->kind == m_bus.kind() ? planned : nullptr;
+}
+
+KindData AskedBusKeeper::plan() const
+{
+    const PlannedBus *its = planned();
+    return its != nullptr ? its->settings : m_bus.openedPlan();
+}
+
+void AskedBusKeeper::keepLink(const KindData &plan)
+{
+    edit(m_bus.asOpened(plan), m_steps.link);
 }
 
 std::vector<ProjectDevice> AskedBusKeeper::encoders() const
@@ -38,7 +51,7 @@ void AskedBusKeeper::edit(std::vector<ProjectDevice> after, const QString &what)
 {
     Project project = m_bus.project().project();
     if (planned() == nullptr)
-        planBus(project, m_bus.id(), *busKind(m_bus.kind())).settings = asOpened();
+        planBus(project, m_bus.id(), *busKind(m_bus.kind())).settings = m_bus.openedPlan();
     setDevicesOn(project, m_bus.id(), std::move(after));
     m_bus.project().edit(std::move(project), what);
 }
@@ -70,7 +83,7 @@ void AskedBusKeeper::keepEncoders(const std::vector<Place> &places)
     for (const Place place : places)
         if (const EncoderSession *connected = sessionOf(place))
             plannedEncoder(after, *connected);
-    edit(std::move(after), takingEncodersOver());
+    edit(std::move(after), m_steps.encoders);
 }
 
 void AskedBusKeeper::removeEncoder(Place place)

@@ -22,9 +22,17 @@ public:
     // Encoders already in the project stay as they are.
     void keepEncoders(const std::vector<Place> &places);
     void removeEncoder(Place place);
+    KindData plan() const;               // the project's; if it has none, the open one
+    void keepLink(const KindData &plan); // where it is now
 
 protected:
-    AskedBusKeeper(const AskedBusAtWork &bus, QObject *parent); // which must outlive it
+    // Of its kind, as undo steps.
+    struct Steps
+    {
+        QString link;
+        QString encoders; // taken over
+    };
+    AskedBusKeeper(const AskedBusAtWork &bus, Steps steps, QObject *parent); // `bus` must outlive it
 
     const EncoderSession *sessionOf(Place place) const; // also null on the simulated bus
     // The planned encoder at its place; added as it is connected if the bus has none there yet.
@@ -35,11 +43,10 @@ protected:
     std::vector<ProjectDevice> encoders() const; // of the project
 
 private:
-    virtual KindData asOpened() const = 0;          // how it is planned if the project does not have it yet
-    virtual QString takingEncodersOver() const = 0; // as an undo step
     virtual void takeUp(ProjectDevice &, const EncoderSession &) const {} // what only its kind knows
 
     const AskedBusAtWork &m_bus;
+    const Steps m_steps;
 };
 
 } // namespace codewheel

@@ -7,6 +7,7 @@
 #include "app/window/buses/leaving.h"
 #include "app/window/buses/operate_question.h"
 #include "app/window/connect/port_rows.h"
+#include "app/window/connect/trouble_of.h"
 #include "app/window/look/afresh.h"
 #include "app/window/look/status_line.h"
 #include "vocabulary/refusal_text.h"
@@ -34,30 +35,32 @@ struct WorkOnBus
 } // namespace
 
 AskedBusViews::AskedBusViews(AskedBusAtWork &bus, AskedBusActions &actions, const WindowParts &parts,
-                             const Traits &traits, QObject *parent)
+                             Traits traits, QObject *parent)
     : BusViews(parent)
     , m_bus(bus)
     , m_actions(actions)
     , m_parts(parts)
+    , m_traits(std::move(traits))
     , m_state(own(parts.status.addState()))
     , m_notice(own(new InlineMessage(&parts.pages)))
-    , m_operateQuestion(new OperateQuestion(bus, traits.operateWarning, *parts.pages.window(), this))
+    , m_operateQuestion(new OperateQuestion(bus, m_traits.operateWarning, *parts.pages.window(), this))
     , m_connection(own(new ConnectPage(&parts.pages)))
     , m_comparison(own(new ComparisonPage(bus.project(), bus.catalog(), bus.id(), bus.kind(), &parts.pages)))
 {
-    m_notice->setObjectName(traits.name + QStringLiteral("Notice"));
+    m_notice->setObjectName(m_traits.name + QStringLiteral("Notice"));
     parts.notices.insertWidget(0, m_notice);
-    m_connection->setObjectName(traits.name + QStringLiteral("Settings"));
-    setHelpTopic(*m_connection, traits.connecting);
+    m_connection->setObjectName(m_traits.name + QStringLiteral("Settings"));
+    setHelpTopic(*m_connection, m_traits.connecting);
     setHelpTopic(*m_comparison, "project.md#comparing");
     connect(m_connection, &ConnectPage::portsWanted, this, &AskedBusViews::listPorts);
     connect(m_connection, &ConnectPage::connectWanted, this, &AskedBusViews::connectAs);
-    connect(m_connection, &ConnectPage::keepWanted, this, &AskedBusViews::keepLink);
-    connect(m_connection, &ConnectPage::testWanted, this, &AskedBusViews::test);
+    connect(m_connection, &ConnectPage::keepWanted, this,
+            [this](const KindData &plan) { keepLink(wanted(plan)); });
+    connect(m_connection, &ConnectPage::testWanted, this,
+            [this](const KindData &plan) { test(wanted(plan)); });
     connect(m_connection, &ConnectPage::testCancelled, &m_test, &BackgroundSteps::cancel);
     connect(&m_test, &BackgroundSteps::ended, this, [this] { m_connection->setTesting(false); });
     connect(m_connection, &ConnectPage::agreed, this, &AskedBusViews::connectAgreed);
-    connect(m_notice, &InlineMessage::actionTriggered, this, &AskedBusViews::agree);
     onAction(actions.settings, [this] { showSettings(); });
     onAction(actions.search, [this] { showSearch(); });
     onAction(actions.training, [this] { connectSimulated(); });
@@ -114,14 +117,29 @@ void AskedBusViews::follow(AskedBus *bus)
     }
     m_session = bus;
     m_notice->withdraw();
-    if (bus != nullptr)
+    if (bus != nullptr) {
+        connect(bus, &EncoderBus::nodesChanged, this, &AskedBusViews::watchJobs);
         connect(bus, &EncoderBus::nodesChanged, this, &AskedBusViews::showEncoders);
+    }
+    watchJobs();
     setBus(bus);
     m_comparison->setBus(bus);
     using enum ConnectPage::Connected;
     m_connection->setConnected(bus == nullptr ? no : m_bus.isSimulatedHere() ? simulated : real);
     showStatus();
     showEncoders();
+}
+
+void AskedBusViews::watchJobs()
+{
+    if (!m_session)
+        return;
+    for (const Place place : m_session->places())
+        if (const EncoderSession *encoder = m_session->encoder(place)) {
+            disconnect(encoder, &EncoderSession::finished, this, nullptr);
+            connect(encoder, &EncoderSession::finished, this,
+                    [this, encoder](const Outcome &outcome) { jobEnded(*encoder, outcome); });
+        }
 }
 
 void AskedBusViews::showCurrent()
@@ -162,7 +180,7 @@ void AskedBusViews::tellActions()
     const bool isConnected = m_session != nullptr || m_bus.isOpening();
     m_actions.disconnectBus->setEnabled(isMeant() && isConnected);
     if (!isConnected)
-        m_actions.tellWhyNotDisconnected(whyNotDisconnected());
+        m_actions.tellWhyNotDisconnected(m_traits.whyNotDisconnected);
     m_actions.training->setEnabled(isMeant() && !m_bus.isSimulatedHere());
     tellAfresh();
     showChosen();
@@ -217,6 +235,46 @@ void AskedBusViews::showSettings()
     listPorts();
     m_parts.pages.setCurrentWidget(m_connection);
     m_connection->setFocus();
+}
+
+void AskedBusViews::listPorts()
+{
+    const PortRows ports = portRows(m_bus.ports());
+    m_connection->setPorts(ports.rows, ports.trouble);
+}
+
+void AskedBusViews::connectAs(const KindData &plan)
+{
+    if (plan == KindData())
+        connectSimulated();
+    else
+        afterLeaving([this, wish = wanted(plan)] { m_bus.open(wish); });
+}
+
+void AskedBusViews::connectAgreed(const KindData &plan)
+{
+    afterLeaving([this, wish = wanted(plan)] { m_bus.openAgreed(wish); });
+}
+
+void AskedBusViews::keepLink(const KindData &plan)
+{
+    m_keeper->keepLink(plan);
+}
+
+void AskedBusViews::showOpened()
+{
+    m_connection->setProblem({});
+    keepLink(m_bus.openedWith());
+    if (isCurrent())
+        open();
+}
+
+void AskedBusViews::showRefused(const Refusal &why)
+{
+    if (why.id == m_traits.mayAgree)
+        m_connection->ask(refusalText(why), m_traits.agreement);
+    else
+        m_connection->setProblem(troubleOf(why));
 }
 
 void AskedBusViews::showPlanned()

@@ -54,17 +54,20 @@ public:
     void showSearch();
 
 protected:
-    // What its kind calls its pages, and where the manual is about them.
+    // What is of its kind in words only.
     struct Traits
     {
-        QString name; // in object names: "can"
-        const char *connecting;
+        QString name;           // in object names: "can"
+        const char *connecting; // in the manual
         std::function<OperateWarning(const EncoderBus &bus)> operateWarning;
+        QString whyNotDisconnected;
+        RefusalCode mayAgree; // to what its opening was refused for, with this answer
+        QString agreement;
     };
 
     // All of them outlive it.
-    AskedBusViews(AskedBusAtWork &bus, AskedBusActions &actions, const WindowParts &parts,
-                  const Traits &traits, QObject *parent);
+    AskedBusViews(AskedBusAtWork &bus, AskedBusActions &actions, const WindowParts &parts, Traits traits,
+                  QObject *parent);
     // The end of its construction, with what its kind has made for it.
     void begin(AskedBusKeeper &keeper, Page &search);
 
@@ -72,6 +75,8 @@ protected:
     InlineMessage &notice() const { return *m_notice; } // asks the user to agree
     ConnectPage &connection() const { return *m_connection; }
     AskedBus *session() const; // null: none is open
+    virtual void listPorts();
+    virtual void keepLink(const KindData &plan); // in the project
     const std::optional<Place> &chosen() const { return m_chosen; }
     void choose(std::optional<Place> place);
 
@@ -104,25 +109,24 @@ protected:
     }
 
 private:
-    virtual void setBus(AskedBus *bus) = 0;                    // null: it is about to go
-    virtual ShownStatus status() const = 0;                    // of the open bus
-    virtual TrainingArea *training() const { return nullptr; } // its panel; null: it has none
+    virtual void setBus(AskedBus *bus) = 0; // null: it is about to go
+    virtual ShownStatus status() const = 0; // of the open bus
     virtual void showChosen() = 0;
-    virtual void listPorts() = 0;
-    virtual void connectAs(const KindData &plan) = 0;
-    virtual void connectAgreed(const KindData &plan) = 0; // to what the page asked
-    virtual void keepLink(const KindData &plan) = 0;
     virtual void test(const KindData &plan) = 0;
-    virtual void showOpened() = 0;
-    virtual void showRefused(const Refusal &why) = 0;
-    virtual void agree() = 0; // to what the notice asks
+    virtual KindData wanted(const KindData &plan) const { return plan; } // with what its page does not show
+    virtual TrainingArea *training() const { return nullptr; }           // its panel; null: it has none
+    virtual void showOpened();
     virtual void showSimulated() {}
     virtual void showEncoders() { tellActions(); } // some have come or gone, or the bus has
-    virtual QString whyNotDisconnected() const = 0;
-    virtual std::any takeRows() = 0;                 // that its pages have collected
-    virtual void showRows(const std::any &rows) = 0; // those
+    virtual void jobEnded(const EncoderSession &, const Outcome &) {}
+    virtual std::any takeRows() { return {}; } // that its pages have collected
+    virtual void showRows(const std::any &) {} // those
 
     void showCurrent() override;
+    void connectAs(const KindData &plan);
+    void connectAgreed(const KindData &plan); // to what the page asked
+    void showRefused(const Refusal &why);
+    void watchJobs();
     void follow(AskedBus *bus);
     void showStatus();
     void tellAfresh();
@@ -139,6 +143,7 @@ private:
     AskedBusAtWork &m_bus;
     AskedBusActions &m_actions;
     const WindowParts m_parts;
+    const Traits m_traits;
     RoleLabel *m_state; // in the status line
     InlineMessage *m_notice;
     OperateQuestion *m_operateQuestion;

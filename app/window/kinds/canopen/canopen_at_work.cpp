@@ -49,17 +49,8 @@ std::unique_ptr<CanopenSession> CanopenAtWork::makeSession(std::unique_ptr<CanLi
     return session;
 }
 
-void CanopenAtWork::attach(std::shared_ptr<canopen::SimulatedCanopenPlant> training,
-                           const CanopenSettings &openedWith)
-{
-    m_training = std::move(training);
-    m_openedWith = openedWith;
-}
-
 void CanopenAtWork::beginTraining(EncoderBus::Start start)
 {
-    endOpening();
-    forgetSimulated();
     const auto encoders = canopen::trainingEncoders();
     auto plant = std::make_shared<canopen::SimulatedCanopenPlant>(encoders);
     const CanopenSettings settings;
@@ -73,7 +64,7 @@ void CanopenAtWork::beginTraining(EncoderBus::Start start)
     for (const canopen::CanopenEncoderPlan &encoder : encoders)
         if (encoder.node)
             (void)session->add(*encoder.node, trainingDevice(encoder));
-    replace(std::move(session), true, [&] { attach(std::move(plant), settings); });
+    replace(std::move(session), true, [&] { m_training = std::move(plant); });
 }
 
 Result<std::unique_ptr<CanLink>> CanopenAtWork::makeLink(const CanopenSettings &settings) const
@@ -81,31 +72,22 @@ Result<std::unique_ptr<CanLink>> CanopenAtWork::makeLink(const CanopenSettings &
     return canLinkOf(settings).map([this](const CanLinkArgument &at) { return m_make(at); });
 }
 
-void CanopenAtWork::open(const CanopenSettings &settings)
+void CanopenAtWork::beginOpening(const KindData &plan, bool isAgreed)
 {
-    open(settings, false);
-}
-
-void CanopenAtWork::openUnsure(const CanopenSettings &settings)
-{
-    open(settings, true);
-}
-
-void CanopenAtWork::open(const CanopenSettings &settings, bool isUnsure)
-{
-    endOpening();
+    const CanopenSettings &settings = plan.as<CanopenPlan>()->settings;
+    const auto *present = openedWith().as<CanopenPlan>();
     auto link = makeLink(settings);
     if (!link) {
         Q_EMIT openRefused(link.error());
         return;
     }
-    if (session() && leadToSameAdapter(settings, m_openedWith))
+    if (present != nullptr && leadToSameAdapter(settings, present->settings))
         close();
     auto session = makeSession(*std::move(link));
-    if (isUnsure)
+    if (isAgreed)
         session->takeUnsureWatch();
     (void)session->open(settings, EncoderBus::Start::watching, EncoderBus::Drive::byThread);
-    waitUntilOpen(std::move(session), [this, settings] { attach(nullptr, settings); });
+    waitUntilOpen(std::move(session), plan, [] {});
 }
 
 } // namespace codewheel

@@ -7,19 +7,9 @@
 namespace codewheel {
 
 CanopenKeeper::CanopenKeeper(const CanopenAtWork &bus, QObject *parent)
-    : AskedBusKeeper(bus, parent)
+    : AskedBusKeeper(bus, {tr("CAN bus"), tr("Encoders of the CAN bus")}, parent)
     , m_bus(bus)
 {}
-
-KindData CanopenKeeper::asOpened() const
-{
-    return KindData(CanopenPlan{m_bus.openedWith()});
-}
-
-void CanopenKeeper::keepLink(const CanopenSettings &settings)
-{
-    edit(KindData(CanopenPlan{settings}), tr("CAN bus"));
-}
 
 void CanopenKeeper::keepFile(int node, const QString &path)
 {

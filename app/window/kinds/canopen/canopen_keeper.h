@@ -16,16 +16,12 @@ class CanopenKeeper : public AskedBusKeeper
 public:
     explicit CanopenKeeper(const CanopenAtWork &bus, QObject *parent = nullptr); // which must outlive it
 
-    void keepLink(const CanopenSettings &settings);
     // Of an encoder of the project: that its objects are taken from this EDS or DCF.
     void keepFile(int node, const QString &path);
     // Everything planned and known of the encoder moves along.
     void moveEncoder(Place from, Place to);
 
 private:
-    KindData asOpened() const override;
-    QString takingEncodersOver() const override { return tr("Encoders of the CAN bus"); }
-
     const CanopenAtWork &m_bus;
 };
 

@@ -2,7 +2,6 @@
 #include "app/window/kinds/canopen/canopen_views.h"
 
 #include "app/window/buses/operate_question.h"
-#include "app/window/connect/port_rows.h"
 #include "app/window/connect/trouble_of.h"
 #include "app/window/kinds/canopen/can_interface_rows.h"
 #include "app/window/kinds/canopen/canopen_actions.h"
@@ -17,9 +16,9 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_link_check.h"
 #include "kinds/canopen/bus/canopen_session.h"
+#include "kinds/canopen/plan/canopen_plan.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/cob_id.h"
-#include "links/serial_ports.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/connect/connect_page.h"
@@ -65,7 +64,13 @@ OperateWarning canOperateWarning(const EncoderBus &bus)
 
 CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, QObject *parent)
     : AskedBusViews(bus, windowParts.actions.ofKind<CanopenActions>(), windowParts,
-                    {QStringLiteral("can"), "canopen.md#connecting-in-the-window", canOperateWarning}, parent)
+                    {.name = QStringLiteral("can"),
+                     .connecting = "canopen.md#connecting-in-the-window",
+                     .operateWarning = canOperateWarning,
+                     .whyNotDisconnected = tr("The CAN bus is not connected."),
+                     .mayAgree = CanRefusalId::watchNotSure,
+                     .agreement = tr("&Watch all the same")},
+                    parent)
     , m_bus(bus)
     , m_actions(windowParts.actions.ofKind<CanopenActions>())
     , m_keeper(new CanopenKeeper(bus, this))
@@ -93,6 +98,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     windowParts.pages.addWidget(m_setup);
     setHelpTopic(*m_search, "canopen.md#searching-for-nodes");
     setHelpTopic(*m_setup, "canopen.md#number-and-rate");
+    connect(&notice(), &InlineMessage::actionTriggered, this, &CanopenViews::agree);
     connect(m_traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
     connect(m_objects, &DictionaryView::fileChosen, m_keeper, &CanopenKeeper::keepFile);
     connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
@@ -223,12 +229,10 @@ void CanopenViews::setBus(AskedBus *)
         connect(bus, &CanopenSession::watchNotSure, this, [this](const Refusal &why) {
             ask(Asked::unsureWatch, refusalText(why), tr("&Watch all the same"));
         });
-        connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::watchJobs);
         connect(bus, &CanopenSession::nodesChanged, this, &CanopenViews::showPlannedObjects);
         connect(bus, &CanopenSession::frameSent, this, &CanopenViews::tellSent);
     }
     delete m_commandQuestion;
-    watchJobs();
     m_traffic->setBus(bus);
     m_panel->setBus(bus);
     m_objects->setBus(bus);
@@ -271,26 +275,14 @@ void CanopenViews::agree()
     }
 }
 
-void CanopenViews::watchJobs()
-{
-    if (!session())
-        return;
-    for (const Place place : session()->places())
-        if (const EncoderSession *encoder = session()->encoder(place)) {
-            disconnect(encoder, &EncoderSession::finished, this, nullptr);
-            connect(encoder, &EncoderSession::finished, this,
-                    [this, place](const Outcome &outcome) { askToStop(place, outcome); });
-        }
-}
-
 // A running node takes some objects only while it is pre-operational.
-void CanopenViews::askToStop(Place place, const Outcome &outcome)
+void CanopenViews::jobEnded(const EncoderSession &encoder, const Outcome &outcome)
 {
     if (outcome.result || outcome.result.error().id != CanopenRefusalId::nodeWouldStop) {
         withdraw(Asked::stopOfNode);
         return;
     }
-    m_wouldStop = place;
+    m_wouldStop = encoder.place();
     ask(Asked::stopOfNode, refusalText(outcome.result.error()), tr("S&top it for a moment"));
 }
 
@@ -358,35 +350,8 @@ void CanopenViews::showState()
 
 void CanopenViews::listPorts()
 {
-    const PortRows ports = portRows(serialPorts());
-    connection().setPorts(ports.rows, ports.trouble);
+    AskedBusViews::listPorts();
     m_interface->setInterfaces(canInterfaceRows(canInterfaces()));
-}
-
-void CanopenViews::connectAs(const KindData &plan)
-{
-    const auto *its = plan.as<CanopenPlan>();
-    if (its == nullptr) {
-        connectSimulated();
-        return;
-    }
-    afterLeaving([this, settings = its->settings] {
-        m_wanted = settings;
-        m_bus.open(settings);
-    });
-}
-
-void CanopenViews::connectAgreed(const KindData &plan)
-{
-    afterLeaving([this, settings = plan.as<CanopenPlan>()->settings] {
-        m_wanted = settings;
-        m_bus.openUnsure(settings);
-    });
-}
-
-void CanopenViews::keepLink(const KindData &plan)
-{
-    m_keeper->keepLink(plan.as<CanopenPlan>()->settings);
 }
 
 // The planned nodes are listened for; without any, all that are heard are told.
@@ -405,11 +370,6 @@ ShownStatus CanopenViews::status() const
     return CanopenStatus::of(*session());
 }
 
-QString CanopenViews::whyNotDisconnected() const
-{
-    return tr("The CAN bus is not connected.");
-}
-
 std::any CanopenViews::takeRows()
 {
     return m_traffic->takeRows();
@@ -418,22 +378,6 @@ std::any CanopenViews::takeRows()
 void CanopenViews::showRows(const std::any &rows)
 {
     m_traffic->goOn(*std::any_cast<const std::shared_ptr<const TrafficModel> &>(rows));
-}
-
-void CanopenViews::showOpened()
-{
-    connection().setProblem({});
-    m_keeper->keepLink(m_wanted);
-    if (isCurrent())
-        open();
-}
-
-void CanopenViews::showRefused(const Refusal &why)
-{
-    if (why.id == CanRefusalId::watchNotSure)
-        connection().ask(refusalText(why), tr("&Watch all the same"));
-    else
-        connection().setProblem(troubleOf(why));
 }
 
 // Its page says how that went.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/window/buses/asked_bus_views.h"
-#include "kinds/canopen/plan/canopen_plan.h"
 #include "kinds/canopen/protocol/nmt.h"
 #include "vocabulary/refusal.h"
 
@@ -85,23 +84,16 @@ private:
     void setBus(AskedBus *bus) override;
     ShownStatus status() const override;
     void listPorts() override;
-    void connectAs(const KindData &plan) override;
-    void connectAgreed(const KindData &plan) override;
-    void keepLink(const KindData &plan) override;
     void test(const KindData &plan) override;
-    void showOpened() override;
-    void showRefused(const Refusal &why) override;
+    void jobEnded(const EncoderSession &encoder, const Outcome &outcome) override;
     void showSimulated() override { open(); }
     void showChosen() override;
-    void agree() override;
-    QString whyNotDisconnected() const override;
+    void agree(); // to what the notice asks
     std::any takeRows() override;
     void showRows(const std::any &rows) override;
     void showState();
     void ask(Asked what, const QString &sentence, const QString &answer);
     void withdraw(Asked what);
-    void watchJobs();
-    void askToStop(Place place, const Outcome &outcome);
     void askToCommand(int node, canopen::NmtCommand command);
     void sendCommand(int node, canopen::NmtCommand command);
     void tellSent(const FrameSent &sent);
@@ -124,7 +116,6 @@ private:
     NodeSetupPage *m_setup;
     CanSettingsForm *m_interface;
     CanSettingsForm *m_adapter; // at a serial port
-    CanopenSettings m_wanted;   // when an adapter was last to be opened
 };
 
 } // namespace codewheel

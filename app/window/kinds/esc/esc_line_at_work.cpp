@@ -52,18 +52,14 @@ std::unique_ptr<EscLineSession> EscLineAtWork::makeSession(std::unique_ptr<ByteL
     return session;
 }
 
-void EscLineAtWork::attach(std::shared_ptr<SimulatedEscLine> training, const SerialPortLink *port,
-                           const EscLineSettings &openedWith)
+void EscLineAtWork::detach()
 {
-    m_training = std::move(training);
-    m_port = port;
-    m_openedWith = openedWith;
+    m_training.reset();
+    m_port = nullptr;
 }
 
 void EscLineAtWork::beginTraining(EncoderBus::Start start)
 {
-    endOpening();
-    forgetSimulated();
     auto line = std::make_shared<SimulatedEscLine>();
     auto link = std::make_unique<SimulatedEscLineLink>(line, drive() == EncoderBus::Drive::byHand
                                                                  ? SimulatedEscLineLink::Clock()
@@ -74,22 +70,7 @@ void EscLineAtWork::beginTraining(EncoderBus::Start start)
         Q_UNREACHABLE();
     for (const EscLineAddress address : line->addresses())
         (void)session->add(address, simulatedEncoder);
-    replace(std::move(session), true, [&] { attach(std::move(line), nullptr, {}); });
-}
-
-void EscLineAtWork::openPort(const EscLinePlan &line)
-{
-    m_wanted = keptAdapterOf(line);
-    open(line);
-}
-
-void EscLineAtWork::openOtherAdapter(const EscLinePlan &line)
-{
-    if (m_wanted)
-        m_wanted->takeOther();
-    else
-        m_wanted = keptAdapterOf(line);
-    open(line);
+    replace(std::move(session), true, [&] { m_training = std::move(line); });
 }
 
 // A port has many paths, and its adapter may have been moved since it was opened.
@@ -103,9 +84,13 @@ bool EscLineAtWork::holds(const QString &path) const
            (held && wanted && sameAdapter(*held, {*wanted}).kind == AdapterMatch::Kind::found);
 }
 
-void EscLineAtWork::open(const EscLinePlan &line)
+void EscLineAtWork::beginOpening(const KindData &plan, bool isAgreed)
 {
-    endOpening();
+    const EscLinePlan &line = *plan.as<EscLinePlan>();
+    if (isAgreed && m_wanted)
+        m_wanted->takeOther();
+    else
+        m_wanted = keptAdapterOf(line);
     const auto there = m_wanted->find(m_ports());
     if (!there) {
         Q_EMIT openRefused(there.error());
@@ -118,8 +103,7 @@ void EscLineAtWork::open(const EscLinePlan &line)
     auto session = makeSession(std::move(link), line.settings);
     (void)session->open(line.settings.serial, line.settings.timing, EncoderBus::Start::watching,
                         EncoderBus::Drive::byThread);
-    waitUntilOpen(std::move(session),
-                  [this, port, settings = line.settings] { attach(nullptr, port, settings); });
+    waitUntilOpen(std::move(session), plan, [this, port] { m_port = port; });
 }
 
 std::unique_ptr<ByteLink> EscLineAtWork::makeLink(const EscLinePlan &line) const
@@ -136,23 +120,15 @@ void EscLineAtWork::tellByteOrder()
         session()->setSwapsWarningBytes(encoder.place(), encoder.its<EscEncoderSettings>().swapsWarningBytes);
 }
 
-EscLinePlan EscLineAtWork::asOpened(EscLinePlan line) const
+KindData EscLineAtWork::asOpened(const KindData &plan) const
 {
     if (m_port == nullptr)
-        return line;
+        return plan;
+    EscLinePlan line = *plan.as<EscLinePlan>();
     line.adapter = lineAdapter(m_port->adapter());
     if (const QString path = m_port->name(); path != portPath(line.settings.port))
         line.settings.port = path;
-    return line;
-}
-
-EscLinePlan EscLineAtWork::openedPlan() const
-{
-    EscLinePlan line;
-    if (m_port == nullptr)
-        return line;
-    line.settings = m_openedWith;
-    return asOpened(std::move(line));
+    return KindData(std::move(line));
 }
 
 } // namespace codewheel

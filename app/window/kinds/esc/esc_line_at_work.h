@@ -25,34 +25,24 @@ public:
     SimulatedEscLine *training() const { return m_training.get(); } // null: it is no training line
 
     void openTraining() override { connectTraining(); }
-    // At its adapter wherever that is plugged in. Ends with opened() or openRefused(); refused like
-    // ByteLink::open(), in which case the present line goes on, unless it is at the same port.
-    void openPort(const EscLinePlan &line);
-    // The same again, with the adapter that was refused (portOfOther) instead of the line's own.
-    void openOtherAdapter(const EscLinePlan &line);
     // To a line as planned, for testing it.
     std::unique_ptr<ByteLink> makeLink(const EscLinePlan &line) const;
-    // With the port and adapter now open: the adapter may have been moved, or another one chosen, meanwhile.
-    EscLinePlan asOpened(EscLinePlan line) const;
-    // The open port, without its encoders, and how it was opened; factory settings if none is open.
-    EscLinePlan openedPlan() const;
+    KindData asOpened(const KindData &plan) const override;
     // Instead of this computer's ports.
     void setPortList(SerialPortLink::PortList ports) { m_ports = std::move(ports); }
-    std::vector<PortInfo> ports() const { return m_ports(); }
+    std::vector<PortInfo> ports() const override { return m_ports(); }
 
 private:
     void beginTraining(EncoderBus::Start start) override;
-    void detach() override { attach(nullptr, nullptr, {}); }
-    void attach(std::shared_ptr<SimulatedEscLine> training, const SerialPortLink *port,
-                const EscLineSettings &openedWith);
+    // At its adapter wherever that is plugged in; agreed: at the one that was refused (portOfOther) instead.
+    void beginOpening(const KindData &plan, bool isAgreed) override;
+    void detach() override;
     void tellByteOrder();
     std::unique_ptr<EscLineSession> makeSession(std::unique_ptr<ByteLink> link, const EscLineSettings &wish);
-    void open(const EscLinePlan &line); // at m_wanted
     bool holds(const QString &path) const;
 
     std::shared_ptr<SimulatedEscLine> m_training;
     const SerialPortLink *m_port = nullptr; // of the session; null: not at a port
-    EscLineSettings m_openedWith;           // the port
     std::optional<KeptAdapter> m_wanted;    // when a port was last to be opened
     SerialPortLink::PortList m_ports = serialPorts;
 };

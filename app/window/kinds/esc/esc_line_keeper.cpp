@@ -12,31 +12,15 @@
 namespace codewheel {
 
 EscLineKeeper::EscLineKeeper(const EscLineAtWork &line, QObject *parent)
-    : AskedBusKeeper(line, parent)
+    : AskedBusKeeper(line, {tr("Serial line"), tr("Encoders of the serial line")}, parent)
     , m_line(line)
 {}
-
-EscLinePlan EscLineKeeper::line() const
-{
-    const EscLinePlan *planned = linePlan(m_line.project().project(), m_line.id());
-    return planned ? *planned : m_line.openedPlan();
-}
-
-KindData EscLineKeeper::asOpened() const
-{
-    return KindData(m_line.openedPlan());
-}
 
 void EscLineKeeper::takeUp(ProjectDevice &encoder, const EncoderSession &connected) const
 {
     const KindData explained = connected.valueOptions();
     const auto *options = explained.as<EscValueOptions>();
     encoder.set(EscEncoderSettings{.swapsWarningBytes = options != nullptr && options->swapsWarningBytes});
-}
-
-void EscLineKeeper::keepPort(const EscLinePlan &line)
-{
-    edit(KindData(m_line.asOpened(line)), tr("Serial line"));
 }
 
 void EscLineKeeper::keepFractionBits(int bits)

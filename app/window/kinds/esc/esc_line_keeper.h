@@ -16,11 +16,8 @@ class EscLineKeeper : public AskedBusKeeper
 public:
     explicit EscLineKeeper(const EscLineAtWork &line, QObject *parent = nullptr); // which must outlive it
 
-    // The project's line; if it has none, the open one, or else factory settings.
-    EscLinePlan line() const;
+    EscLinePlan line() const { return *plan().as<EscLinePlan>(); }
 
-    // As it is open now, with these settings.
-    void keepPort(const EscLinePlan &line);
     void keepFractionBits(int bits);
     void keepBaudRate(int baudRate);
     // Whether this encoder sends the bytes of its warnings in the other order.
@@ -29,8 +26,6 @@ public:
     void moveEncoder(Place from, Place to);
 
 private:
-    KindData asOpened() const override;
-    QString takingEncodersOver() const override { return tr("Encoders of the serial line"); }
     void takeUp(ProjectDevice &encoder, const EncoderSession &connected) const override;
 
     const EscLineAtWork &m_line;

@@ -2,8 +2,6 @@
 #include "app/window/kinds/esc/esc_line_views.h"
 
 #include "app/window/buses/operate_question.h"
-#include "app/window/connect/port_rows.h"
-#include "app/window/connect/trouble_of.h"
 #include "app/window/kinds/esc/esc_line_actions.h"
 #include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/kinds/esc/esc_line_keeper.h"
@@ -92,7 +90,13 @@ KeyGroup keysOfLines()
 
 EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &windowParts, QObject *parent)
     : AskedBusViews(line, windowParts.actions.ofKind<EscLineActions>(), windowParts,
-                    {QStringLiteral("line"), "serial-line.md#connecting", lineOperateWarning}, parent)
+                    {.name = QStringLiteral("line"),
+                     .connecting = "serial-line.md#connecting",
+                     .operateWarning = lineOperateWarning,
+                     .whyNotDisconnected = tr("The line is not connected."),
+                     .mayAgree = RefusalId::portOfOther,
+                     .agreement = tr("Use this adapter")},
+                    parent)
     , m_line(line)
     , m_actions(windowParts.actions.ofKind<EscLineActions>())
     , m_keeper(new EscLineKeeper(line, this))
@@ -115,6 +119,7 @@ EscLineViews::EscLineViews(EscLineAtWork &line, const WindowParts &windowParts, 
     m_search->setDevices(devicesOnLines(line.catalog()));
     setHelpTopic(*m_search, "serial-line.md#searching-for-encoders");
     setHelpTopic(*m_training, "training.md#the-serial-line");
+    connect(&notice(), &InlineMessage::actionTriggered, this, &EscLineViews::agree);
     m_terminal->setHistory(parts().settings.typedRequests());
     connect(m_terminal, &EscLineTerminal::historyChanged, this,
             [this] { parts().settings.setTypedRequests(m_terminal->history()); });
@@ -220,14 +225,12 @@ void EscLineViews::setBus(AskedBus *)
                 [this](Place, const Result<int> &bits) { takeFractionBits(bits); });
         connect(line, &EscLineSession::stateChanged, this, &EscLineViews::showState);
         connect(line, &EscLineSession::nodesChanged, this, &EscLineViews::explainTerminal);
-        connect(line, &EscLineSession::nodesChanged, this, &EscLineViews::watchBaudRates);
         connect(line, &EscLineSession::moved, m_keeper, &EscLineKeeper::moveEncoder);
         connect(line, &EscLineSession::moved, this, &EscLineViews::explainTerminal);
         connect(line, &EscLineSession::explainOptionsChanged, this, &EscLineViews::explainTerminal);
         connect(line, &EscLineSession::explainOptionsChanged, this, &EscLineViews::showChosen);
     }
     explainTerminal();
-    watchBaudRates();
     m_terminal->setLine(line);
     m_panel->setLine(line);
     m_search->setLine(line);
@@ -248,11 +251,6 @@ TrainingArea *EscLineViews::training() const
 ShownStatus EscLineViews::status() const
 {
     return EscLineStatus::of(*session());
-}
-
-QString EscLineViews::whyNotDisconnected() const
-{
-    return tr("The line is not connected.");
 }
 
 std::any EscLineViews::takeRows()
@@ -277,80 +275,40 @@ void EscLineViews::showFound()
     showSearch();
 }
 
-void EscLineViews::listPorts()
+KindData EscLineViews::wanted(const KindData &plan) const
 {
-    const PortRows ports = portRows(m_line.ports());
-    connection().setPorts(ports.rows, ports.trouble);
-}
-
-EscLinePlan EscLineViews::wanted(const EscLineSettings &wish) const
-{
+    const EscLineSettings &wish = plan.as<EscLinePlan>()->settings;
     EscLinePlan wanted = m_keeper->line();
     if (m_form->isPicked() || wanted.settings.port != wish.port)
         wanted.adapter = {}; // whichever is there
     wanted.settings = wish;
-    return wanted;
-}
-
-void EscLineViews::connectAs(const KindData &plan)
-{
-    const auto *line = plan.as<EscLinePlan>();
-    if (line == nullptr) {
-        connectSimulated();
-        return;
-    }
-    afterLeaving([this, wish = wanted(line->settings)] {
-        m_opened = wish;
-        m_line.openPort(m_opened);
-    });
+    return KindData(std::move(wanted));
 }
 
 // Its encoders are those of the project.
 void EscLineViews::test(const KindData &plan)
 {
-    const EscLinePlan line = wanted(plan.as<EscLinePlan>()->settings);
+    const EscLinePlan &line = *plan.as<EscLinePlan>();
     startTest<EscLineCheck>(m_line.makeLink(line), line.settings, plannedAddresses<EscLineAddress>());
-}
-
-void EscLineViews::connectAgreed(const KindData &plan)
-{
-    afterLeaving([this, wish = plan.as<EscLinePlan>()->settings] {
-        m_opened = m_keeper->line();
-        m_opened.settings = wish;
-        m_line.openOtherAdapter(m_opened);
-    });
 }
 
 void EscLineViews::keepLink(const KindData &plan)
 {
-    keepPort(wanted(plan.as<EscLinePlan>()->settings));
+    AskedBusViews::keepLink(plan);
+    m_form->setPort(m_keeper->line().settings.port);
 }
 
 void EscLineViews::showOpened()
 {
     connection().setProblem({});
     m_form->tellBaudRate({});
-    keepPort(m_opened);
+    keepLink(m_line.openedWith());
     if (!isCurrent())
         return;
     if (std::exchange(m_isFound, false)) // its encoders are taken over there
         showFound();
     else
         open();
-}
-
-void EscLineViews::showRefused(const Refusal &why)
-{
-    if (why.id == RefusalId::portOfOther)
-        connection().ask(refusalText(why), tr("Use this adapter"));
-    else
-        connection().setProblem(troubleOf(why));
-}
-
-void EscLineViews::keepPort(const EscLinePlan &line)
-{
-    m_keeper->keepPort(line);
-    m_form->setPort(m_keeper->line().settings.port);
 }
 
 void EscLineViews::askForOtherAdapter(const Refusal &which)
@@ -373,7 +331,7 @@ void EscLineViews::showState()
         return;
     notice().withdraw();
     if (std::exchange(m_takesOther, false))
-        keepPort(m_keeper->line());
+        keepLink(m_keeper->plan());
 }
 
 void EscLineViews::determineFractionBits()
@@ -396,18 +354,11 @@ void EscLineViews::takeFractionBits(const Result<int> &bits)
 }
 
 // The training line starts anew with each connection, with its encoders at factory settings.
-void EscLineViews::watchBaudRates()
+void EscLineViews::jobEnded(const EncoderSession &encoder, const Outcome &outcome)
 {
-    if (!session() || m_line.training() != nullptr)
-        return;
-    for (const Place place : session()->places())
-        if (const EncoderSession *encoder = session()->encoder(place)) {
-            disconnect(encoder, &EncoderSession::finished, this, nullptr);
-            connect(encoder, &EncoderSession::finished, this, [this, encoder](const Outcome &outcome) {
-                if (const auto rate = valueOf(outcome.written, Parameter::baudRate))
-                    tellBaudRate(encoder->place(), static_cast<int>(*rate));
-            });
-        }
+    const auto rate = valueOf(outcome.written, Parameter::baudRate);
+    if (rate && m_line.training() == nullptr)
+        tellBaudRate(encoder.place(), static_cast<int>(*rate));
 }
 
 void EscLineViews::tellBaudRate(Place encoder, int rate)

@@ -3,7 +3,6 @@
 
 #include "app/window/buses/asked_bus_views.h"
 #include "kinds/esc/line/esc_line_scan.h"
-#include "kinds/esc/plan/esc_line_plan.h"
 #include "vocabulary/refusal.h"
 #include "widgets/help/key_help.h"
 
@@ -22,7 +21,6 @@ class EscLineSettingsForm;
 class EscLineTerminal;
 class EscLineTrainingPanel;
 class EscLineAtWork;
-struct EscLineSettings;
 
 inline constexpr Panel terminalPanel{"terminalDock", QT_TRANSLATE_NOOP("codewheel::Panels", "Line terminal"),
                                      Qt::ALT | Qt::Key_0, "serial-line.md#the-terminal",
@@ -61,17 +59,14 @@ private:
     void setBus(AskedBus *bus) override;
     TrainingArea *training() const override;
     ShownStatus status() const override;
-    void listPorts() override;
-    void connectAs(const KindData &plan) override;
-    void connectAgreed(const KindData &plan) override;
+    KindData wanted(const KindData &plan) const override;
     void keepLink(const KindData &plan) override;
     void test(const KindData &plan) override;
     void showOpened() override;
-    void showRefused(const Refusal &why) override;
+    void jobEnded(const EncoderSession &encoder, const Outcome &outcome) override;
     void showChosen() override;
     void showEncoders() override;
-    void agree() override; // to another adapter
-    QString whyNotDisconnected() const override;
+    void agree(); // to another adapter
     std::any takeRows() override;
     void showRows(const std::any &rows) override;
     void showTerminal();
@@ -79,13 +74,10 @@ private:
     // From now on its warnings are read with their two bytes swapped, or as they come.
     void swapWarningBytes(bool on);
     void showFound();
-    EscLinePlan wanted(const EscLineSettings &wish) const;
-    void keepPort(const EscLinePlan &line);
     void showState();
     void takeOver(const std::vector<FoundEncoder> &found, const QString &deviceKey);
     void askForOtherAdapter(const Refusal &which);
     void takeFractionBits(const Result<int> &bits);
-    void watchBaudRates();
     void tellBaudRate(Place encoder, int rate);
     void explainTerminal();
 
@@ -100,7 +92,6 @@ private:
     EscLineTrainingPanel *m_training;
     bool m_isFound = false; // its port, by the finder
     std::vector<FoundEncoder> m_foundThere;
-    EscLinePlan m_opened; // when a port was last to be opened
 };
 
 } // namespace codewheel

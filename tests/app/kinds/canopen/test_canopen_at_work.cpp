@@ -12,6 +12,11 @@ using test::nodeSix;
 
 const QString atInterface = QStringLiteral("can:can0");
 
+KindData canPlanOf(const CanopenSettings &settings)
+{
+    return KindData(CanopenPlan{settings});
+}
+
 class CanopenAtWorkTest : public test::CanopenWindowTest
 {};
 
@@ -49,7 +54,7 @@ TEST_F(CanopenAtWorkTest, TheWindowGoesOnWhileAnAdapterIsOpened)
 {
     plan(atInterface, {nodeFive, nodeSix});
     bench.mayOpen.acquire(1'000);
-    canBus().open({.link = atInterface, .rate = 125'000});
+    canBus().open(canPlanOf({.link = atInterface, .rate = 125'000}));
     advance(500);
     EXPECT_TRUE(canBus().isOpening());
     EXPECT_EQ(canBus().session(), nullptr);
@@ -71,12 +76,12 @@ TEST_F(CanopenAtWorkTest, WhatIsRefusedLeavesTheBusThatIsOpen)
     std::vector<Refusal> refused;
     QObject::connect(&canBus(), &CanopenAtWork::openRefused, &window(),
                      [&](const Refusal &why) { refused.push_back(why); });
-    canBus().open({.link = atInterface, .rate = 125'000});
+    canBus().open(canPlanOf({.link = atInterface, .rate = 125'000}));
     ASSERT_TRUE(comes([&] { return !refused.empty(); }));
     EXPECT_EQ(refused.front().id, CanRefusalId::interfaceMissing);
     EXPECT_TRUE(canBus().isOpen());
     EXPECT_NE(canBus().training(), nullptr);
-    canBus().open({.link = QStringLiteral("gone:x"), .rate = 125'000});
+    canBus().open(canPlanOf({.link = QStringLiteral("gone:x"), .rate = 125'000}));
     EXPECT_EQ(refused.back().id, CanRefusalId::linkNotUnderstood);
 }
 
@@ -86,13 +91,13 @@ TEST_F(CanopenAtWorkTest, WithoutAPromiseToListenOnlyItIsOpenedOnceTheUserAgrees
     std::vector<Refusal> refused;
     QObject::connect(&canBus(), &CanopenAtWork::openRefused, &window(),
                      [&](const Refusal &why) { refused.push_back(why); });
-    const CanopenSettings settings{.link = atInterface, .rate = 125'000};
-    canBus().open(settings);
+    const KindData unsure = canPlanOf({.link = atInterface, .rate = 125'000});
+    canBus().open(unsure);
     ASSERT_TRUE(comes([&] { return !refused.empty(); }));
     EXPECT_EQ(refused.front().id, CanRefusalId::watchNotSure);
-    canBus().openUnsure(settings);
+    canBus().openAgreed(unsure);
     ASSERT_TRUE(hasOpened());
-    EXPECT_EQ(canBus().openedWith(), settings);
+    EXPECT_EQ(canBus().openedWith(), unsure);
 }
 
 TEST_F(CanopenAtWorkTest, TheSimulatedEncodersGiveWayToTheBusOfAProject)

@@ -153,7 +153,7 @@ TEST_F(CanopenViewsTest, WhatASearchFindsIsTakenOver)
 TEST_F(CanopenViewsTest, AnEncoderIsRemovedFromTheBusAndFromTheProject)
 {
     plan(QStringLiteral("can:can0"), {nodeFive, nodeSix});
-    canBus().open({.link = QStringLiteral("can:can0"), .rate = 125'000});
+    canBus().open(KindData(CanopenPlan{{.link = QStringLiteral("can:can0"), .rate = 125'000}}));
     ASSERT_TRUE(hasOpened());
     tree().choose(nodeSix);
     advance(50);
