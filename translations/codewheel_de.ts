@@ -7584,14 +7584,6 @@
         <translation>Knoten</translation>
     </message>
     <message>
-        <source>Not tested: the test was ended.</source>
-        <translation>Nicht geprüft: Die Prüfung wurde beendet.</translation>
-    </message>
-    <message>
-        <source>Not tested, because of what failed before.</source>
-        <translation>Nicht geprüft, wegen des Fehlers davor.</translation>
-    </message>
-    <message>
         <source>%1 is open at %2 kBit/s, and listens only.</source>
         <translation>%1 ist mit %2 kBit/s offen und hört nur mit.</translation>
     </message>
@@ -13875,14 +13867,6 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
         <translation>Geber %1</translation>
     </message>
     <message>
-        <source>Not tested: the test was ended.</source>
-        <translation>Nicht geprüft: Der Test wurde beendet.</translation>
-    </message>
-    <message>
-        <source>Not tested, because of what failed before.</source>
-        <translation>Nicht geprüft, weil etwas davor fehlgeschlagen ist.</translation>
-    </message>
-    <message>
         <source>The port %1 is there.</source>
         <translation>Der Anschluss %1 ist da.</translation>
     </message>
@@ -17456,6 +17440,17 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>%1: no.</source>
         <translation>%1: nein.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::LinkCheckTexts</name>
+    <message>
+        <source>Not tested: the test was ended.</source>
+        <translation>Nicht geprüft: Der Test wurde beendet.</translation>
+    </message>
+    <message>
+        <source>Not tested, because of what failed before.</source>
+        <translation>Nicht geprüft, weil etwas davor fehlgeschlagen ist.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,8 @@
 #include "bus/check_outcome.h"
 #include "vocabulary/refusal_text.h"
 
+#include <QCoreApplication>
+
 #include <atomic>
 #include <optional>
 #include <vector>
@@ -23,6 +25,16 @@ struct LinkFinding
     friend bool operator==(const LinkFinding &, const LinkFinding &) = default;
 };
 
+// What each of them says of a step that was not made.
+class LinkCheckTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(codewheel::LinkCheckTexts)
+
+public:
+    static QString stopped() { return tr("Not tested: the test was ended."); }
+    static QString notTested() { return tr("Not tested, because of what failed before."); }
+};
+
 // The course of a test of the link to a bus whose encoders are asked, step by step. Each next() does one
 // step, so its caller can show what was found so far; interrupt() ends a step that waits. A kind says what
 // its steps do.
@@ -38,8 +50,9 @@ public:
     bool isDone() const { return m_next == m_steps.size(); }
     Finding next()
     {
-        Finding finding = m_isOver || m_isStopped ? told(CheckOutcome::skipped, notTested(m_isStopped))
-                                                  : found(m_steps[m_next].step, m_steps[m_next].address);
+        Finding finding = m_isStopped ? stopped()
+                          : m_isOver  ? told(CheckOutcome::skipped, LinkCheckTexts::notTested())
+                                      : found(m_steps[m_next].step, m_steps[m_next].address);
         ++m_next;
         if (isDone())
             m_link.close();
@@ -70,6 +83,7 @@ protected:
         finding.sentence = sentence;
         return finding;
     }
+    Finding stopped() const { return told(CheckOutcome::skipped, LinkCheckTexts::stopped()); }
     Finding refused(const Refusal &why)
     {
         m_isOver = true;
@@ -80,7 +94,6 @@ protected:
 
 private:
     virtual Finding found(Step step, Address address) = 0;
-    virtual QString notTested(bool isStopped) const = 0; // or because of what failed before
 
     Link &m_link;
     std::vector<Finding> m_steps; // not made yet

@@ -46,12 +46,6 @@ QString CanopenLinkCheck::stepText(CanopenLinkStep step, CanopenAddress address)
     return address.isNode() ? codewheel::sentence(tr("Node %1"), {address.shown()}) : tr("Nodes");
 }
 
-QString CanopenLinkCheck::notTested(bool isStopped) const
-{
-    return isStopped ? tr("Not tested: the test was ended.")
-                     : tr("Not tested, because of what failed before.");
-}
-
 CanopenLinkFinding CanopenLinkCheck::found(CanopenLinkStep step, CanopenAddress address)
 {
     switch (step) {

@@ -41,7 +41,6 @@ public:
 
 private:
     CanopenLinkFinding found(CanopenLinkStep step, CanopenAddress address) override;
-    QString notTested(bool isStopped) const override;
     // What a node has sent meanwhile.
     struct Heard
     {

@@ -51,12 +51,6 @@ QString EscLineCheck::stepText(EscLineStep step, EscLineAddress address)
     return address.isMaster() ? tr("Any encoder") : sentence(tr("Encoder %1"), {address.shown()});
 }
 
-QString EscLineCheck::notTested(bool isStopped) const
-{
-    return isStopped ? tr("Not tested: the test was ended.")
-                     : tr("Not tested, because of what failed before.");
-}
-
 EscLineFinding EscLineCheck::found(EscLineStep step, EscLineAddress address)
 {
     switch (step) {
@@ -135,7 +129,7 @@ EscLineFinding EscLineCheck::ask(EscLineAddress address)
     if (!exchanged)
         return refused(exchanged.error());
     if (isStopped())
-        return told(CheckOutcome::skipped, tr("Not tested: the test was ended."));
+        return stopped();
     const esc::ExchangeResult &result = exchanged->result;
     const auto &answer = result.answer;
     if (!answer)

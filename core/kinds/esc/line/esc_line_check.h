@@ -40,7 +40,6 @@ public:
 
 private:
     EscLineFinding found(EscLineStep step, EscLineAddress address) override;
-    QString notTested(bool isStopped) const override;
     EscLineFinding find();
     EscLineFinding open();
     EscLineFinding listen();
