@@ -13,10 +13,9 @@ namespace codewheel {
 
 BusViews::~BusViews()
 {
-    for (QWidget *widget : m_own) {
+    for (QWidget *widget : m_own) // all first: one that goes may bring another to the front
         widget->disconnect(this);
-        delete widget;
-    }
+    qDeleteAll(m_own);
 }
 
 bool BusViews::owns(const QWidget *page) const

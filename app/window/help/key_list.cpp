@@ -3,6 +3,7 @@
 
 #include "app/window/help/menu_list.h"
 #include "app/window/kinds/window_kinds.h"
+#include "app/window/look/page_place.h"
 #include "app/window/main_window.h"
 #include "widgets/cams/cam_program_strip.h"
 #include "widgets/cams/cam_ruler.h"
@@ -128,6 +129,7 @@ std::vector<KeyGroup> keysOf(const QMainWindow &window)
 {
     std::vector<KeyGroup> groups;
     std::set<const QAction *> seen;
+    PagePlace::wantAll(window);
     addMenus(groups, seen, window);
     addViews(groups, seen, window);
     addAnswered(groups);

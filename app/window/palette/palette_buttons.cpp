@@ -2,6 +2,7 @@
 #include "app/window/palette/palette_buttons.h"
 
 #include "app/window/help/menu_list.h"
+#include "app/window/look/page_place.h"
 #include "app/window/palette/palette_action.h"
 #include "other_language.h"
 #include "widgets/look/label_text.h"
@@ -76,6 +77,7 @@ std::vector<PaletteEntry> PaletteButtons::next()
     if (std::exchange(m_isGiven, true))
         return entries;
     const std::vector<ListedMenu> menus = menusOf(m_window);
+    PagePlace::wantAll(m_window);
     if (const auto *page = qobject_cast<Page *>(m_pages.currentWidget()))
         add(*page, {page->title(), nullptr}, menus, entries);
     for (const auto *panel : m_window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))

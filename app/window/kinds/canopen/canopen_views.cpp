@@ -10,6 +10,7 @@
 #include "app/window/kinds/canopen/canopen_status.h"
 #include "app/window/kinds/canopen/node_recognition.h"
 #include "app/window/kinds/canopen/planned_objects.h"
+#include "app/window/look/page_place.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "can/can_refusals.h"
@@ -47,6 +48,8 @@
 namespace codewheel {
 namespace {
 
+constexpr char nodeSetupTopic[] = "canopen.md#number-and-rate";
+
 OperateWarning canOperateWarning(const EncoderBus &bus)
 {
     const QString name = nameAmongOthers(bus.id());
@@ -75,11 +78,8 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     , m_actions(windowParts.actions.ofKind<CanopenActions>())
     , m_keeper(new CanopenKeeper(bus, this))
     , m_recognition(new NodeRecognition(bus.project(), this))
-    , m_traffic(own(new CanTrafficView(&windowParts.pages)))
-    , m_panel(own(new CanBusPanel(&windowParts.pages)))
-    , m_objects(own(new DictionaryView(&windowParts.pages)))
     , m_search(own(new CanSearchPage(&windowParts.pages)))
-    , m_setup(own(new NodeSetupPage(&windowParts.pages)))
+    , m_places{makePlace(), makePlace(), makePlace(), makePlace()}
     , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, &connection()))
     , m_adapter(new CanSettingsForm(CanSettingsForm::Adapter::serial, &connection()))
 {
@@ -94,18 +94,10 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
             return planned != nullptr && planned->settings.isSimulated();
         }));
     m_search->setObjectName(QStringLiteral("canSearch"));
-    m_setup->setObjectName(QStringLiteral("canSetup"));
-    windowParts.pages.addWidget(m_setup);
+    windowParts.pages.addWidget(m_places.setup);
+    setHelpTopic(*m_places.setup, nodeSetupTopic);
     setHelpTopic(*m_search, "canopen.md#searching-for-nodes");
-    setHelpTopic(*m_setup, "canopen.md#number-and-rate");
     connect(&notice(), &InlineMessage::actionTriggered, this, &CanopenViews::agree);
-    connect(m_traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
-    connect(m_objects, &DictionaryView::fileChosen, m_keeper, &CanopenKeeper::keepFile);
-    connect(m_panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
-    connect(m_panel, &CanBusPanel::setupWanted, this, &CanopenViews::showSetup);
-    connect(m_panel, &CanBusPanel::searchWanted, this, [this] { showSetup({}); });
-    connect(&m_setup->view(), &NodeSetupView::numbered, this, &CanopenViews::takeNumbered);
-    connect(&m_setup->view(), &NodeSetupView::messaged, this, &CanopenViews::told);
     connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
     connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showPlannedObjects);
     connect(m_recognition, &NodeRecognition::recognised, this, &CanopenViews::tellRecognised);
@@ -118,6 +110,56 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     begin(*m_keeper, *m_search);
 }
 
+PagePlace *CanopenViews::makePlace()
+{
+    auto *its = own(new PagePlace(&parts().pages));
+    connect(its, &PagePlace::pageWanted, this, &CanopenViews::made);
+    return its;
+}
+
+CanopenViews::Made &CanopenViews::made()
+{
+    if (m_made)
+        return *m_made;
+    QWidget *window = &parts().pages;
+    m_made = Made{.traffic = own(new CanTrafficView(window)),
+                  .panel = own(new CanBusPanel(window)),
+                  .objects = own(new DictionaryView(window)),
+                  .setup = own(new NodeSetupPage(window))};
+    m_made->setup->setObjectName(QStringLiteral("canSetup"));
+    setHelpTopic(*m_made->setup, nodeSetupTopic);
+    connectMade();
+    useSettings(parts().settings.choices());
+    setRecordingChosen(m_isRecordingChosen);
+    tellBus();
+    setChosen(chosen());
+    m_places.traffic->giveWay(m_made->traffic);
+    m_places.panel->giveWay(m_made->panel);
+    m_places.objects->giveWay(m_made->objects);
+    m_places.setup->giveWay(m_made->setup);
+    return *m_made;
+}
+
+void CanopenViews::connectMade()
+{
+    connect(m_made->traffic, &CanTrafficView::goToWanted, this, &CanopenViews::goToWanted);
+    connect(m_made->objects, &DictionaryView::fileChosen, m_keeper, &CanopenKeeper::keepFile);
+    connect(m_made->panel, &CanBusPanel::commandWanted, this, &CanopenViews::askToCommand);
+    connect(m_made->panel, &CanBusPanel::setupWanted, this, &CanopenViews::showSetup);
+    connect(m_made->panel, &CanBusPanel::searchWanted, this, [this] { showSetup({}); });
+    connect(&m_made->setup->view(), &NodeSetupView::numbered, this, &CanopenViews::takeNumbered);
+    connect(&m_made->setup->view(), &NodeSetupView::messaged, this, &CanopenViews::told);
+}
+
+void CanopenViews::tellBus()
+{
+    m_made->traffic->setBus(session());
+    m_made->panel->setBus(session());
+    m_made->objects->setBus(session());
+    m_made->setup->setBus(session());
+    showPlannedObjects();
+}
+
 CanopenSession *CanopenViews::session() const
 {
     return static_cast<CanopenSession *>(AskedBusViews::session());
@@ -125,7 +167,9 @@ CanopenSession *CanopenViews::session() const
 
 std::vector<std::pair<const Panel *, QWidget *>> CanopenViews::pages() const
 {
-    return {{&canTrafficPanel, m_traffic}, {&canBusPanel, m_panel}, {&canObjectsPanel, m_objects}};
+    return {{&canTrafficPanel, m_places.traffic->page()},
+            {&canBusPanel, m_places.panel->page()},
+            {&canObjectsPanel, m_places.objects->page()}};
 }
 
 void CanopenViews::showChosen()
@@ -136,15 +180,17 @@ void CanopenViews::showChosen()
 
 void CanopenViews::setChosen(std::optional<Place> place)
 {
-    if (place)
-        m_panel->chooseNode(CanopenAddress::of(place->node).node);
-    m_objects->setNode(place ? std::optional(CanopenAddress::of(place->node).node) : std::nullopt);
+    if (m_made && place)
+        m_made->panel->chooseNode(CanopenAddress::of(place->node).node);
+    if (m_made)
+        m_made->objects->setNode(place ? std::optional(CanopenAddress::of(place->node).node) : std::nullopt);
     choose(place);
 }
 
 void CanopenViews::showPlannedObjects()
 {
-    m_objects->setPlanned(plannedObjectsOn(m_bus));
+    if (m_made)
+        m_made->objects->setPlanned(plannedObjectsOn(m_bus));
 }
 
 void CanopenViews::showFrame()
@@ -161,40 +207,45 @@ void CanopenViews::tellRecognised(Place place, const QString &device)
 
 void CanopenViews::setRecordingChosen(bool isChosen)
 {
-    m_traffic->setRecordingChosen(isChosen);
-    m_objects->setRecordingChosen(isChosen);
+    m_isRecordingChosen = isChosen;
+    if (!m_made)
+        return;
+    m_made->traffic->setRecordingChosen(isChosen);
+    m_made->objects->setRecordingChosen(isChosen);
 }
 
 void CanopenViews::useSettings(const ProgramSettings &settings)
 {
-    m_traffic->setMostRows(settings.traceRows);
+    if (m_made)
+        m_made->traffic->setMostRows(settings.traceRows);
 }
 
 void CanopenViews::open()
 {
     Q_EMIT panelRequested(canBusPanel);
-    m_panel->setFocus();
+    made().panel->setFocus();
 }
 
 bool CanopenViews::open(Place place)
 {
     open();
-    m_panel->chooseNode(CanopenAddress::of(place.node).node);
+    made().panel->chooseNode(CanopenAddress::of(place.node).node);
     return true;
 }
 
 // Nothing is sent before a button of the page is pressed.
 void CanopenViews::showSetup(std::optional<int> node)
 {
-    m_setup->setAbout(nameAmongOthers(m_bus.id()));
-    m_setup->showNode(node);
-    parts().pages.setCurrentWidget(m_setup);
-    m_setup->setFocus();
+    NodeSetupPage *setup = made().setup;
+    setup->setAbout(nameAmongOthers(m_bus.id()));
+    setup->showNode(node);
+    parts().pages.setCurrentWidget(setup);
+    setup->setFocus();
 }
 
 bool CanopenViews::isWriting() const
 {
-    return m_setup->view().isBusy();
+    return m_made && m_made->setup->view().isBusy();
 }
 
 ReplaceStepsOfKind CanopenViews::replaceSteps(Replacing &replacing)
@@ -233,12 +284,11 @@ void CanopenViews::setBus(AskedBus *)
         connect(bus, &CanopenSession::frameSent, this, &CanopenViews::tellSent);
     }
     delete m_commandQuestion;
-    m_traffic->setBus(bus);
-    m_panel->setBus(bus);
-    m_objects->setBus(bus);
-    showPlannedObjects();
+    if (m_made)
+        tellBus();
+    else if (bus != nullptr)
+        made();
     m_search->setBus(bus);
-    m_setup->setBus(bus);
     m_recognition->setBus(bus);
 }
 
@@ -372,12 +422,13 @@ ShownStatus CanopenViews::status() const
 
 std::any CanopenViews::takeRows()
 {
-    return m_traffic->takeRows();
+    return m_made ? std::any(m_made->traffic->takeRows()) : std::any();
 }
 
 void CanopenViews::showRows(const std::any &rows)
 {
-    m_traffic->goOn(*std::any_cast<const std::shared_ptr<const TrafficModel> &>(rows));
+    if (rows.has_value())
+        made().traffic->goOn(*std::any_cast<const std::shared_ptr<const TrafficModel> &>(rows));
 }
 
 // Its page says how that went.

@@ -25,6 +25,7 @@ class CanopenSession;
 class DictionaryView;
 class NodeRecognition;
 class NodeSetupPage;
+class PagePlace;
 struct CanFoundRow;
 struct FrameSent;
 struct Outcome;
@@ -80,6 +81,26 @@ private:
         stopOfNode,  // that a job stops its node for a moment
     };
 
+    // Made once the bus is connected, or one of them is shown.
+    struct Made
+    {
+        CanTrafficView *traffic;
+        CanBusPanel *panel;
+        DictionaryView *objects;
+        NodeSetupPage *setup;
+    };
+    struct Places
+    {
+        PagePlace *traffic;
+        PagePlace *panel;
+        PagePlace *objects;
+        PagePlace *setup;
+    };
+
+    PagePlace *makePlace();
+    Made &made();
+    void connectMade();
+    void tellBus();
     CanopenSession *session() const;
     void setBus(AskedBus *bus) override;
     ShownStatus status() const override;
@@ -109,11 +130,10 @@ private:
     std::optional<Place> m_wouldStop; // the node that a job asks to stop
     QPointer<QMessageBox> m_commandQuestion;
     NodeRecognition *m_recognition;
-    CanTrafficView *m_traffic;
-    CanBusPanel *m_panel;
-    DictionaryView *m_objects;
     CanSearchPage *m_search;
-    NodeSetupPage *m_setup;
+    Places m_places;
+    std::optional<Made> m_made;
+    bool m_isRecordingChosen = false;
     CanSettingsForm *m_interface;
     CanSettingsForm *m_adapter; // at a serial port
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Panels, search and actions of a CAN bus in the window.
+#include "app/window/help/key_list.h"
 #include "app/window/window_actions.h"
 #include "tests/app/kinds/canopen/canopen_window_test.h"
 #include "widgets/dial/code_disc.h"
@@ -17,6 +18,7 @@
 #include <QPushButton>
 #include <QTableView>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace codewheel {
@@ -68,6 +70,44 @@ protected:
         return *window().findChild<QDockWidget *>(QString::fromLatin1(name));
     }
 };
+
+// Before a CAN bus is connected.
+class CanopenViewsBeforeTest : public test::CanopenWindowTest
+{
+protected:
+    CanBusPanel *panel() { return window().findChild<CanBusPanel *>(); }
+};
+
+TEST_F(CanopenViewsBeforeTest, AreMadeWhenOneIsShown)
+{
+    EXPECT_EQ(panel(), nullptr);
+    QTest::keyClick(&window(), Qt::Key_N, Qt::AltModifier | Qt::ShiftModifier);
+    advance(50);
+    ASSERT_NE(panel(), nullptr);
+    EXPECT_FALSE(panel()->visibleRegion().isEmpty());
+    EXPECT_TRUE(panel()->isAncestorOf(window().focusWidget()));
+    EXPECT_EQ(panel()->accessibleName(), QStringLiteral("CAN bus"));
+}
+
+TEST_F(CanopenViewsBeforeTest, TheirKeysAreListed)
+{
+    const auto groups = keysOf(window());
+    EXPECT_TRUE(std::ranges::any_of(
+        groups, [](const KeyGroup &group) { return group.title == QStringLiteral("CAN traffic"); }));
+    EXPECT_NE(panel(), nullptr);
+}
+
+TEST_F(CanopenViewsBeforeTest, TheyFollowABusThatIsConnectedLater)
+{
+    QTest::keyClick(&window(), Qt::Key_T, Qt::AltModifier | Qt::ShiftModifier);
+    canActions().training->trigger();
+    advance(1'500);
+    EXPECT_FALSE(panel()->visibleRegion().isEmpty());
+    EXPECT_TRUE(panel()->findChild<QTableView *>()->model()->rowCount() > 0);
+    window().findChild<QDockWidget *>(QStringLiteral("canTrafficDock"))->raise();
+    advance(100);
+    EXPECT_GT(window().findChild<CanTrafficView *>()->findChild<QTableView *>()->model()->rowCount(), 0);
+}
 
 TEST_F(CanopenViewsTest, TheKeysOpenItsPanels)
 {
