@@ -3,6 +3,7 @@
 
 #include "can/can_state.h"
 #include "kinds/canopen/bus/other_master.h"
+#include "kinds/canopen/protocol/nmt.h"
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/port_text.h"
 #include "vocabulary/refusal_text.h"
@@ -54,14 +55,25 @@ constexpr auto canopenBusMessageRows = std::to_array<SentenceRow>({
     {CanopenBusMessageId::objectInDoubt, "canopenObjectInDoubt",
      QT_TRANSLATE_NOOP("Message", "%1 was sent: %2. No answer came, so whether the node has taken "
                                   "it is not known.")},
+    {CanopenBusMessageId::nmtSent, "canopenNmtSent", QT_TRANSLATE_NOOP("Message", "NMT was sent: %1.")},
 });
 
-static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::objectInDoubt));
+static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::nmtSent));
 
 QString linkText(const RefusalArgument &link)
 {
     const QString text = argumentText(link);
     return text == trainingPort ? QCoreApplication::translate("SimulatedCan", "simulated bus") : text;
+}
+
+QString nmtText(const Message &message)
+{
+    const auto number = [&](std::size_t i) {
+        const auto *its =
+            i < message.arguments.size() ? std::get_if<std::int64_t>(&message.arguments[i]) : nullptr;
+        return its != nullptr ? static_cast<int>(*its) : 0;
+    };
+    return canopen::NmtRequest{static_cast<canopen::NmtCommand>(number(0)), number(1)}.text();
 }
 
 QString canopenBusMessageText(const Message &message)
@@ -77,6 +89,8 @@ QString canopenBusMessageText(const Message &message)
         parts.back() = inKilobits(static_cast<int>(*rate));
     else if (id == CanopenBusMessageId::otherMasterHeard)
         parts.front() = OtherMaster::textOf(message.arguments.front());
+    else if (id == CanopenBusMessageId::nmtSent)
+        parts.front() = nmtText(message);
     return rowText(message, parts);
 }
 

@@ -24,6 +24,7 @@ enum class CanopenBusMessageId : std::uint8_t {
     nodeRateStored,   // kBit/s
     objectWritten,    // object, value
     objectInDoubt,    // object, value
+    nmtSent,          // NmtCommand, node; 0: all
 };
 extern const MessageFamily canopenBusMessages;
 constexpr const MessageFamily &familyOf(CanopenBusMessageId)

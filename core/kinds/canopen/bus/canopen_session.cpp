@@ -81,6 +81,7 @@ void CanopenSession::takeOther(const CanopenEvent &event)
         tellTraffic(std::move(told));
     } else if (const auto *sent = std::get_if<FrameSent>(&event.what)) {
         Q_EMIT frameSent(*sent);
+        tellNmt(*sent);
         tellEnd(storing(sent->frame), sent->fate != CanFate::refused);
     } else if (const auto *ended = std::get_if<TransferEnded>(&event.what)) {
         using Kind = canopen::SdoOutcome::Kind;
@@ -97,6 +98,21 @@ void CanopenSession::takeOther(const CanopenEvent &event)
     } else if (const auto *unsure = std::get_if<WatchNotSure>(&event.what)) {
         Q_EMIT watchNotSure(unsure->why);
     }
+}
+
+void CanopenSession::tellNmt(const FrameSent &sent)
+{
+    const CanFrame &frame = sent.frame;
+    const bool isNmt = frame.id == 0 && !frame.isExtended && !frame.isRemote;
+    const auto request = isNmt ? canopen::NmtRequest::read(frame.data()) : std::nullopt;
+    if (!request || sent.refused || sent.fate == CanFate::refused)
+        return;
+    const NodeId node = request->node != 0 ? CanopenAddress{request->node}.place() : NodeId();
+    Q_EMIT messaged(
+        {.at = now(),
+         .place = placeOf(node),
+         .id = CanopenBusMessageId::nmtSent,
+         .arguments = {static_cast<std::int64_t>(request->command), std::int64_t{request->node}}});
 }
 
 // An object by hand. What was refused, the answer to whoever wrote it says.

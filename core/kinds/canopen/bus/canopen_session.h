@@ -78,6 +78,7 @@ private:
     void startAsking(NodeId node, const DeviceDescription &device) override;
     Result<void> mayAdd(NodeId node) const override;
     void takeOther(const CanopenEvent &event) override;
+    void tellNmt(const FrameSent &sent);
     void tellWritten(const TransferEnded &ended);
     void accountFor(const std::optional<TypedWrite> &write);
     void tellEnd(const std::optional<TypedWrite> &write, bool mayBeDone);

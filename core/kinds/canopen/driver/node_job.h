@@ -97,8 +97,6 @@ private:
     ParameterValues m_toStore;             // in force, found by reading
 };
 
-// The encoder does not have the object.
-bool isMissing(const SdoOutcome &outcome);
 // A step that changes what the encoder has.
 bool changesSomething(const NodeStep &step);
 

@@ -4,19 +4,12 @@
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
+#include "kinds/canopen/protocol/sdo_abort.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace codewheel::canopen {
-
-bool isMissing(const SdoOutcome &outcome)
-{
-    constexpr std::uint32_t noObject = 0x0602'0000;
-    constexpr std::uint32_t noSubindex = 0x0609'0011;
-    return outcome.kind == SdoOutcome::Kind::aborted &&
-           (outcome.abortCode == noObject || outcome.abortCode == noSubindex);
-}
 
 void NodeJob::answered(const SdoOutcome &outcome, Instant now)
 {

@@ -9,6 +9,7 @@ namespace codewheel::canopen::object {
 inline constexpr SdoObject store{0x1010, 1};
 inline constexpr SdoObject restore{0x1011, 1};
 inline constexpr SdoObject vendor{0x1018, 1};
+inline constexpr SdoObject product{0x1018, 2};
 inline constexpr SdoObject operatingParameters{0x6000, 0};
 inline constexpr SdoObject preset{0x6003, 0};
 inline constexpr SdoObject position{0x6004, 0};

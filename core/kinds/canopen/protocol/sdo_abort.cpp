@@ -63,4 +63,12 @@ QString sdoAbortText(std::uint32_t code)
     return found == sdoAborts.end() ? QString() : QCoreApplication::translate("CanopenSdoAbort", found->text);
 }
 
+bool isMissing(const SdoOutcome &outcome)
+{
+    constexpr std::uint32_t noObject = 0x0602'0000;
+    constexpr std::uint32_t noSubindex = 0x0609'0011;
+    return outcome.kind == SdoOutcome::Kind::aborted &&
+           (outcome.abortCode == noObject || outcome.abortCode == noSubindex);
+}
+
 } // namespace codewheel::canopen

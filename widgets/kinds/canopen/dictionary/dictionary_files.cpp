@@ -182,6 +182,8 @@ void DictionaryView::showDoubt()
 {
     const QString doubt = m_node && known().isRead ? doubtOf(known().file, known().path) : QString();
     m_writing->setDoubt(doubt);
+    m_writing->setAsksWho(m_node && known().isRead && known().file.identity.vendor.value_or(0) != 0 &&
+                          !m_heard->identityOf(*m_node)[0]);
     if (std::exchange(m_doubt, doubt) != doubt && !doubt.isEmpty())
         m_message->showMessage(Role::attention, doubt);
 }

@@ -5,6 +5,7 @@
 #include "kinds/canopen/eds/typed_value.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
+#include "kinds/canopen/protocol/sdo_abort.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "widgets/kinds/canopen/dictionary/object_texts.h"
@@ -177,12 +178,18 @@ void ObjectWriteBar::begin()
         return;
     Q_EMIT begun();
     m_before = {};
-    if (isRead()) {
-        m_step = Step::readsBefore;
-        m_transfers.read({m_object->object});
-    } else {
+    std::vector<canopen::SdoObject> before;
+    if (m_asksWho)
+        before = {canopen::object::vendor, canopen::object::product};
+    if (isRead())
+        before.push_back(m_object->object);
+    if (before.empty()) {
         ask();
+        return;
     }
+    m_step = Step::readsBefore;
+    m_lastBefore = before.back();
+    m_transfers.read(before);
 }
 
 void ObjectWriteBar::ask()
@@ -251,19 +258,28 @@ void ObjectWriteBar::writeNow()
 
 void ObjectWriteBar::takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome)
 {
-    if (!m_object || request.object != m_object->object)
-        return;
     const bool isWrite = request.value.has_value();
-    if (m_step == Step::readsBefore && !isWrite) {
-        m_before = outcome;
-        if (outcome.kind == OutcomeKind::noAnswer || outcome.kind == OutcomeKind::notSent)
-            reset();
-        else
-            ask();
-    } else if (m_step == Step::writes && isWrite) {
+    const bool isOfObject = m_object && request.object == m_object->object;
+    if (m_step == Step::readsBefore && !isWrite)
+        takeBefore(request.object, outcome);
+    else if (m_step == Step::writes && isWrite && isOfObject)
         takeWritten(outcome);
-    } else if (m_step == Step::readsBack && !isWrite) {
+    else if (m_step == Step::readsBack && !isWrite && isOfObject)
         tellReadBack(outcome);
+}
+
+void ObjectWriteBar::takeBefore(canopen::SdoObject object, const canopen::SdoOutcome &outcome)
+{
+    const bool isOfObject = object == m_object->object;
+    if (isOfObject)
+        m_before = outcome;
+    if (outcome.kind == OutcomeKind::noAnswer || outcome.kind == OutcomeKind::notSent) {
+        reset();
+    } else if (isOfObject && canopen::isMissing(outcome)) {
+        reset();
+        tellAborted(outcome);
+    } else if (object == m_lastBefore) {
+        ask();
     }
 }
 

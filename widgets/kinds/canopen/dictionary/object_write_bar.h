@@ -29,6 +29,8 @@ public:
     void setWhyNot(const QString &whyNot); // empty: frames can be sent to the node
     // Why the file may be that of another device, which the question says; empty: nothing speaks for that.
     void setDoubt(const QString &doubt) { m_doubt = doubt; }
+    // The file names its device, and the node has not told yet who it is: it is asked that as well.
+    void setAsksWho(bool asks) { m_asksWho = asks; }
     // What was to be agreed to is not true any more.
     void takeWrittenByOther(const canopen::HeardObject &heard);
 
@@ -51,6 +53,7 @@ private:
     void writeNow();
     void takeEnd(const canopen::SdoRequest &request, const canopen::SdoOutcome &outcome);
     void takeRefused();
+    void takeBefore(canopen::SdoObject object, const canopen::SdoOutcome &outcome);
     void takeWritten(const canopen::SdoOutcome &outcome);
     void tellReadBack(const canopen::SdoOutcome &outcome);
     void tellAborted(const canopen::SdoOutcome &outcome);
@@ -60,7 +63,9 @@ private:
     std::optional<int> m_node;
     QString m_whyNot;
     QString m_doubt;
+    bool m_asksWho = false;
     Step m_step = Step::nothing;
+    std::optional<canopen::SdoObject> m_lastBefore; // that is read before the question
     canopen::SdoOutcome m_before;
     bool m_isAcknowledged = false; // the write
     std::vector<std::uint8_t> m_octets;

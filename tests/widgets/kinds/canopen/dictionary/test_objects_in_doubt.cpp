@@ -108,6 +108,28 @@ TEST_F(ObjectsInDoubt, AFileOfAnotherDeviceIsSaidOnceTheNodeHasToldWhatItIs)
     EXPECT_TRUE(message->sentence().contains(doubt)) << message->sentence().toStdString();
 }
 
+TEST_F(ObjectsInDoubt, WhoTheNodeIsIsAskedBeforeAWriteByAFileThatNamesItsDevice)
+{
+    ASSERT_TRUE(view.openFile(fileOf(fileOfAnother(), "other.eds")));
+    choose("6001h:0");
+    enter("2048");
+    EXPECT_TRUE(question->sentence().contains(
+        QStringLiteral("other.eds is for another device: vendor 1A2h, product 7h. Node 6 says vendor 10Dh, "
+                       "product 25h.")))
+        << question->sentence().toStdString();
+}
+
+TEST_F(ObjectsInDoubt, WhatTheNodeDoesNotHaveIsNotAskedAbout)
+{
+    ASSERT_TRUE(view.openFile(
+        fileOf(test::rotorFile + "[6005]\nParameterName=Not there\nDataType=7\nAccessType=rw\n")));
+    choose("6005h:0");
+    enter("1");
+    EXPECT_EQ(question->sentence(), QString());
+    EXPECT_TRUE(written->sentence().contains(QStringLiteral("no such object")))
+        << written->sentence().toStdString();
+}
+
 TEST_F(ObjectsInDoubt, AComparedFileOfAnotherDeviceIsSaid)
 {
     read("1018h:1");
