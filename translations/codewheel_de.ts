@@ -14096,20 +14096,8 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
         <translation>Der Anschluss ist weg, bis er wieder eingesteckt ist</translation>
     </message>
     <message>
-        <source>%1, of 1000</source>
-        <translation>%1, von 1000</translation>
-    </message>
-    <message>
-        <source>Delay in ms</source>
-        <translation>Verzögerung in ms</translation>
-    </message>
-    <message>
         <source>How much later a delayed byte comes, in ms</source>
         <translation>Wie viel später ein verzögertes Byte kommt, in ms</translation>
-    </message>
-    <message>
-        <source>Delay, ms</source>
-        <translation>Verzögerung, ms</translation>
     </message>
 </context>
 <context>
@@ -20711,6 +20699,21 @@ Er lässt sich eintragen, sobald der Geber verbunden ist.</translation>
     </message>
 </context>
 <context>
+    <name>codewheel::RateFields</name>
+    <message>
+        <source>%1, of 1000</source>
+        <translation>%1, von 1000</translation>
+    </message>
+    <message>
+        <source>Delay in ms</source>
+        <translation>Verzögerung in ms</translation>
+    </message>
+    <message>
+        <source>Delay, ms</source>
+        <translation>Verzögerung, ms</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::RecentList</name>
     <message>
         <source>it is not there any more</source>
@@ -25100,7 +25103,30 @@ Worte: IN %3, OUT %4</translation>
     </message>
 </context>
 <context>
-    <name>codewheel::ShaftControls</name>
+    <name>codewheel::ShaftDial</name>
+    <message>
+        <source>Not known: %1. The disc needs it to turn.</source>
+        <translation>Unbekannt: %1. Ohne das dreht sich die Scheibe nicht.</translation>
+    </message>
+    <message>
+        <source>The steps per turn of this encoder are not described: the disc cannot turn.</source>
+        <translation>Die Schritte je Umdrehung dieses Gebers sind nicht beschrieben: Die Scheibe kann sich nicht drehen.</translation>
+    </message>
+    <message>
+        <source>The position comes in Gray code.</source>
+        <translation>Die Position kommt im Gray-Code.</translation>
+    </message>
+    <message>
+        <source>The position is signed.</source>
+        <translation>Die Position hat ein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>No speed: positions come so seldom that the shaft may make a whole turn between two.</source>
+        <translation>Keine Drehzahl: Die Positionen kommen so selten, dass die Welle zwischen zweien eine ganze Umdrehung machen kann.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::ShaftFields</name>
     <message>
         <source>Raw position</source>
         <translation>Rohposition</translation>
@@ -25140,29 +25166,6 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Speed, rpm</source>
         <translation>Drehzahl, U/min</translation>
-    </message>
-</context>
-<context>
-    <name>codewheel::ShaftDial</name>
-    <message>
-        <source>Not known: %1. The disc needs it to turn.</source>
-        <translation>Unbekannt: %1. Ohne das dreht sich die Scheibe nicht.</translation>
-    </message>
-    <message>
-        <source>The steps per turn of this encoder are not described: the disc cannot turn.</source>
-        <translation>Die Schritte je Umdrehung dieses Gebers sind nicht beschrieben: Die Scheibe kann sich nicht drehen.</translation>
-    </message>
-    <message>
-        <source>The position comes in Gray code.</source>
-        <translation>Die Position kommt im Gray-Code.</translation>
-    </message>
-    <message>
-        <source>The position is signed.</source>
-        <translation>Die Position hat ein Vorzeichen.</translation>
-    </message>
-    <message>
-        <source>No speed: positions come so seldom that the shaft may make a whole turn between two.</source>
-        <translation>Keine Drehzahl: Die Positionen kommen so selten, dass die Welle zwischen zweien eine ganze Umdrehung machen kann.</translation>
     </message>
 </context>
 <context>

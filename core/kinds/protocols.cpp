@@ -14,6 +14,7 @@
 #include "kinds/canopen/protocol/canopen_profile.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/canopen_rules.h"
+#include "kinds/canopen/simulator/can_training_acts.h"
 #include "kinds/esc/driver/esc_protocol.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_line_address.h"
@@ -151,7 +152,7 @@ const ProtocolRules &protocolRules(Profile profile)
 
 std::optional<QString> textOfTrainingAct(const TrainingAct &act)
 {
-    for (const auto textOf : {ringActText, lineActText})
+    for (const auto textOf : {ringActText, lineActText, canActText})
         if (auto text = textOf(act))
             return text;
     return std::nullopt;

@@ -65,7 +65,7 @@ void TrainingArea::setDevices(std::vector<Place> devices, const QString &bus)
     m_devices = std::move(devices);
     m_device->clear();
     for (const Place place : m_devices)
-        m_device->addItem(place.isEmpty() ? bus : place.toString());
+        m_device->addItem(place.isEmpty() ? bus : nameOf(place));
     if (m_lastChosen)
         choose(*m_lastChosen);
     content()->setEnabled(!m_devices.empty());

@@ -45,6 +45,7 @@ protected:
     std::optional<Place> chosen() const { return m_chosen; }
     void act(const TrainingAct &what);
     virtual void leave() {} // another device is about to be chosen
+    virtual QString nameOf(Place place) const { return place.toString(); } // of a device
 
 private:
     void choose();

@@ -5,6 +5,7 @@
 #include "can/slcan_codec.h"
 #include "cli/bus/serve_options.h"
 #include "cli/call/texts.h"
+#include "kinds/canopen/simulator/node_quirks.h"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +14,6 @@ namespace codewheel {
 namespace {
 
 using canopen::CanopenEncoderPlan;
-using canopen::NodeQuirks;
-
-constexpr Instant silenceOfStore = std::chrono::milliseconds(400); // as Gotting's
 
 constexpr std::array canServiceOptions{
     Option{"--slcan", nullptr,
@@ -40,26 +38,6 @@ constexpr std::array canServiceOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "canopen: what makers do otherwise, on all encoders; several as "
                              "autostart,fixed-mapping")},
-};
-
-struct Quirk
-{
-    const char *name;
-    void (*put)(NodeQuirks &quirks);
-};
-constexpr std::array servedQuirks{
-    Quirk{"autostart", [](NodeQuirks &its) { its.startsItself = true; }},
-    Quirk{"fixed-mapping", [](NodeQuirks &its) { its.hasFixedMapping = true; }},
-    Quirk{"highest-range", [](NodeQuirks &its) { its.rangeIsHighest = true; }},
-    Quirk{"keeps-identifiers", [](NodeQuirks &its) { its.keepsIdentifiers = true; }},
-    Quirk{"keeps-preset", [](NodeQuirks &its) { its.keepsPreset = true; }},
-    Quirk{"lss-forgets", [](NodeQuirks &its) { its.lssForgets = true; }},
-    Quirk{"lss-stopped", [](NodeQuirks &its) { its.lssOnlyWhenStopped = true; }},
-    Quirk{"restore-at-once", [](NodeQuirks &its) { its.restore = NodeQuirks::Restore::atOnce; }},
-    Quirk{"silent-store", [](NodeQuirks &its) { its.silenceWhileStoring = silenceOfStore; }},
-    Quirk{"speed-off", [](NodeQuirks &its) { its.speedIsOff = true; }},
-    Quirk{"switches", [](NodeQuirks &its) { its.hasSwitches = true; }},
-    Quirk{"writes-pre-operational", [](NodeQuirks &its) { its.writesOnlyPreOperational = true; }},
 };
 
 tl::unexpected<Complaint> valueNotAllowed(const char *option, const QString &typed, const QString &allowed)
@@ -103,13 +81,14 @@ Checked<void> takeRate(const Arguments &arguments, ServeCanPlan &plan)
 Checked<void> takeQuirks(const Arguments &arguments, ServeCanPlan &plan)
 {
     const QString given = arguments.value("--quirk").value_or(QString());
+    const auto quirks = canopen::namedQuirks();
     for (const QString &typed : given.split(u',', Qt::SkipEmptyParts)) {
         const auto quirk = std::ranges::find_if(
-            servedQuirks, [&](const Quirk &one) { return typed == QLatin1String(one.name); });
-        if (quirk == servedQuirks.end())
+            quirks, [&](const canopen::NamedQuirk &one) { return typed == QLatin1String(one.key); });
+        if (quirk == quirks.end())
             return valueNotAllowed("--quirk", typed, quirkNames());
         for (CanopenEncoderPlan &encoder : plan.encoders)
-            quirk->put(encoder.quirks);
+            quirk->put(encoder.quirks, true);
     }
     return {};
 }
@@ -142,7 +121,8 @@ std::span<const Option> serveCanOptions()
 
 QString quirkNames()
 {
-    return listed(servedQuirks, [](const Quirk &one) { return QString::fromLatin1(one.name); });
+    return listed(canopen::namedQuirks(),
+                  [](const canopen::NamedQuirk &one) { return QString::fromLatin1(one.key); });
 }
 
 Checked<ServeCanPlan> serveCanPlan(const Arguments &arguments)

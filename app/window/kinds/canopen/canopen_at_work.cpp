@@ -54,17 +54,22 @@ void CanopenAtWork::beginTraining(EncoderBus::Start start)
     const auto encoders = canopen::trainingEncoders();
     auto plant = std::make_shared<canopen::SimulatedCanopenPlant>(encoders);
     const CanopenSettings settings;
-    auto session = makeSession(std::make_unique<SimulatedCanLink>(plant->bus(), settings.rate,
-                                                                  drive() == EncoderBus::Drive::byHand
-                                                                      ? SimulatedCanLink::Clock()
-                                                                      : SimulatedCanLink::Clock(steadyTime)));
+    auto link = std::make_unique<SimulatedCanLink>(plant->bus(), settings.rate,
+                                                   drive() == EncoderBus::Drive::byHand
+                                                       ? SimulatedCanLink::Clock()
+                                                       : SimulatedCanLink::Clock(steadyTime));
+    auto adapter = link->adapter();
+    auto session = makeSession(std::move(link));
     // a simulated link always opens
     if (!session->open(settings, start, drive()))
         Q_UNREACHABLE();
     for (const canopen::CanopenEncoderPlan &encoder : encoders)
         if (encoder.node)
             (void)session->add(*encoder.node, trainingDevice(encoder));
-    replace(std::move(session), true, [&] { m_training = std::move(plant); });
+    replace(std::move(session), true, [&] {
+        m_training = std::move(plant);
+        m_trainingAdapter = std::move(adapter);
+    });
 }
 
 Result<std::unique_ptr<CanLink>> CanopenAtWork::makeLink(const CanopenSettings &settings) const

@@ -13,6 +13,7 @@ namespace codewheel {
 namespace canopen {
 class SimulatedCanopenPlant;
 }
+class SimulatedCanAdapter;
 
 // A CAN bus of the program: the simulated one, or one at an interface or a serial adapter. The simulated bus
 // is connected only when it is asked for: the training plant goes without it.
@@ -26,6 +27,7 @@ public:
     QString kind() const override;
     CanopenSession *session() const { return static_cast<CanopenSession *>(present()); } // null: none is open
     canopen::SimulatedCanopenPlant *training() const { return m_training.get(); } // null: not simulated
+    const std::shared_ptr<SimulatedCanAdapter> &trainingAdapter() const { return m_trainingAdapter; } // to it
 
     // Refused like canLinkOf().
     Result<std::unique_ptr<CanLink>> makeLink(const CanopenSettings &settings) const;
@@ -37,10 +39,15 @@ private:
     void beginTraining(EncoderBus::Start start) override;
     // Agreed: watching may acknowledge frames (CanRefusalId::watchNotSure).
     void beginOpening(const KindData &plan, bool isAgreed) override;
-    void detach() override { m_training.reset(); }
+    void detach() override
+    {
+        m_training.reset();
+        m_trainingAdapter.reset();
+    }
     std::unique_ptr<CanopenSession> makeSession(std::unique_ptr<CanLink> link);
 
     std::shared_ptr<canopen::SimulatedCanopenPlant> m_training;
+    std::shared_ptr<SimulatedCanAdapter> m_trainingAdapter; // null: not simulated
     MakeLink m_make;
 };
 

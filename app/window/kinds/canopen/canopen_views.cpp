@@ -34,6 +34,7 @@
 #include "widgets/kinds/canopen/setup/node_setup_page.h"
 #include "widgets/kinds/canopen/setup/node_setup_view.h"
 #include "widgets/kinds/canopen/traffic/can_traffic_view.h"
+#include "widgets/kinds/canopen/training/can_training_panel.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/project/project_document.h"
 
@@ -80,6 +81,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     , m_recognition(new NodeRecognition(bus.project(), this))
     , m_search(own(new CanSearchPage(&windowParts.pages)))
     , m_places{makePlace(), makePlace(), makePlace(), makePlace()}
+    , m_training(own(new CanTrainingPanel(bus.id(), &windowParts.pages)))
     , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, &connection()))
     , m_adapter(new CanSettingsForm(CanSettingsForm::Adapter::serial, &connection()))
 {
@@ -98,7 +100,11 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     setHelpTopic(*m_places.setup, nodeSetupTopic);
     setHelpTopic(*m_search, "canopen.md#searching-for-nodes");
     connect(&notice(), &InlineMessage::actionTriggered, this, &CanopenViews::agree);
+    setHelpTopic(*m_training, "training.md#the-can-bus");
     connect(m_search, &CanSearchPage::takeOverWanted, this, &CanopenViews::takeOver);
+    connect(m_training, &CanTrainingPanel::acted, this,
+            [this](Place place, const TrainingAct &what) { tellTraining(place, what); });
+    connect(m_training, &CanTrainingPanel::afreshWanted, this, &CanopenViews::startAfresh);
     connect(&bus.project(), &ProjectDocument::changed, this, &CanopenViews::showPlannedObjects);
     connect(m_recognition, &NodeRecognition::recognised, this, &CanopenViews::tellRecognised);
     onAction(m_actions.nodes, [this] { open(); });
@@ -167,7 +173,8 @@ CanopenSession *CanopenViews::session() const
 
 std::vector<std::pair<const Panel *, QWidget *>> CanopenViews::pages() const
 {
-    return {{&canTrafficPanel, m_places.traffic->page()},
+    return {{&panel::training, m_training},
+            {&canTrafficPanel, m_places.traffic->page()},
             {&canBusPanel, m_places.panel->page()},
             {&canObjectsPanel, m_places.objects->page()}};
 }
@@ -184,6 +191,7 @@ void CanopenViews::setChosen(std::optional<Place> place)
         m_made->panel->chooseNode(CanopenAddress::of(place->node).node);
     if (m_made)
         m_made->objects->setNode(place ? std::optional(CanopenAddress::of(place->node).node) : std::nullopt);
+    m_training->setDevice(place.value_or(Place{m_bus.id(), {}}));
     choose(place);
 }
 
@@ -196,6 +204,7 @@ void CanopenViews::showPlannedObjects()
 void CanopenViews::showFrame()
 {
     m_recognition->goOn();
+    m_training->refresh();
     AskedBusViews::showFrame();
 }
 
@@ -290,6 +299,12 @@ void CanopenViews::setBus(AskedBus *)
         made();
     m_search->setBus(bus);
     m_recognition->setBus(bus);
+    m_training->setPlant(bus != nullptr ? m_bus.training() : nullptr, m_bus.trainingAdapter());
+}
+
+TrainingArea *CanopenViews::training() const
+{
+    return m_training;
 }
 
 void CanopenViews::ask(Asked what, const QString &sentence, const QString &answer)

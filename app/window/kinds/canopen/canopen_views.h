@@ -18,6 +18,7 @@ class CanBusPanel;
 class CanSearchPage;
 class CanSettingsForm;
 class CanTrafficView;
+class CanTrainingPanel;
 class CanopenActions;
 class CanopenAtWork;
 class CanopenKeeper;
@@ -103,6 +104,7 @@ private:
     void tellBus();
     CanopenSession *session() const;
     void setBus(AskedBus *bus) override;
+    TrainingArea *training() const override;
     ShownStatus status() const override;
     void listPorts() override;
     void test(const KindData &plan) override;
@@ -134,6 +136,7 @@ private:
     Places m_places;
     std::optional<Made> m_made;
     bool m_isRecordingChosen = false;
+    CanTrainingPanel *m_training;
     CanSettingsForm *m_interface;
     CanSettingsForm *m_adapter; // at a serial port
 };

@@ -14,6 +14,7 @@ public:
 
     TurningShaft &shaft() { return m_shaft; }
     const TurningShaft &shaft() const { return m_shaft; }
+    void setQuirks(const NodeQuirks &quirks) { m_plan.quirks = quirks; }
 
     // Puts it into the objects.
     void refresh(ObjectDictionary &objects);

@@ -325,6 +325,16 @@ void SimulatedNode::setOn(bool on)
     m_out.clear();
 }
 
+void SimulatedNode::setQuirks(const NodeQuirks &quirks)
+{
+    m_plan.quirks = quirks;
+    m_measurement.setQuirks(quirks);
+    if (m_isOn) {
+        setOn(false);
+        setOn(true);
+    }
+}
+
 tl::expected<std::vector<std::uint8_t>, AbortCode> SimulatedNode::read(SdoObject object)
 {
     measure();

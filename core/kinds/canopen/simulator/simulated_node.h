@@ -36,6 +36,12 @@ public:
     const ObjectDictionary &objects() const { return m_objects; }
     std::uint64_t eepromWrites() const { return m_eepromWrites; }
     const TurningShaft &shaft() const { return m_measurement.shaft(); }
+    // The number that it has, or has stored where it is off; empty: none.
+    std::optional<int> plannedNode() const { return m_node ? m_node : m_storedSettings.node; }
+    std::uint16_t alarms() const { return m_alarms; }
+    std::uint16_t warnings() const { return m_warnings; }
+    bool isEepromBroken() const { return m_isEepromBroken; }
+    const NodeQuirks &quirks() const { return m_plan.quirks; }
 
     // For the trainer. What it leads to is seen after the next proceed(), which wakesAt() asks for at once.
     TurningShaft &shaft();
@@ -43,6 +49,7 @@ public:
     void setAlarms(std::uint16_t alarms); // 6503h; each that is new is an EMCY
     void setWarnings(std::uint16_t warnings); // 6505h, those that its shaft does not make
     void setEepromBroken(bool broken) { m_isEepromBroken = broken; }
+    void setQuirks(const NodeQuirks &quirks); // as of another make: it begins anew, with what is stored
 
 private:
     using Written = tl::expected<void, AbortCode>;

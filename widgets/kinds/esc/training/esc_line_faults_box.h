@@ -3,17 +3,16 @@
 
 #include "kinds/esc/simulator/line_training_acts.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
-#include "widgets/input/number_fields.h"
 
 #include <QWidget>
 
-#include <array>
 #include <optional>
 
 class QCheckBox;
-class QGridLayout;
 
 namespace codewheel {
+
+class RateFields;
 
 // What can happen to the simulated serial line: bytes lost, wrong, doubled or late, an adapter that hears its
 // own echo, encoders that fall silent, an adapter that is unplugged. Part of the training panel.
@@ -31,17 +30,7 @@ Q_SIGNALS:
     void acted(const codewheel::TrainingAct &what);
 
 private:
-    struct Rate
-    {
-        int EscLineFaults::*count;
-        QString name;
-        QString toolTip;
-        LineAct act;
-        IntegerField *field = nullptr;
-    };
-
-    void makeRates(QGridLayout &grid);
-    void setRate(const Rate &rate, int count);
+    void setRate(std::size_t row, int count);
     void setDelay(int milliseconds);
     void setEcho(bool on);
     void setSilent(bool on);
@@ -49,8 +38,7 @@ private:
     void showFaults(const EscLineFaults &faults);
 
     SimulatedEscLine *m_line = nullptr;
-    std::array<Rate, 4> m_rates;
-    IntegerField *m_delay;
+    RateFields *m_rates;
     QCheckBox *m_echo = nullptr;
     QCheckBox *m_silent = nullptr;
     QCheckBox *m_unplugged = nullptr;

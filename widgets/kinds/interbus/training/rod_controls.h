@@ -3,8 +3,8 @@
 
 #include "vocabulary/training_act.h"
 #include "widgets/input/number_fields.h"
-#include "widgets/kinds/interbus/training/left_alone.h"
 #include "widgets/kinds/interbus/training/shared_controls.h"
+#include "widgets/training/left_alone.h"
 
 #include <QWidget>
 

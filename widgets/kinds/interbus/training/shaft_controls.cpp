@@ -2,130 +2,45 @@
 #include "widgets/kinds/interbus/training/shaft_controls.h"
 
 #include "kinds/interbus/simulator/ring_training_acts.h"
-#include "widgets/input/number_fields.h"
-#include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
-#include "widgets/training/hand_wheel.h"
-#include "widgets/training/training_fields.h"
+#include "widgets/training/shaft_fields.h"
 
-#include <QDoubleSpinBox>
-#include <QGridLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QLocale>
-#include <QSignalBlocker>
-#include <QSpinBox>
-#include <QToolButton>
-
-#include <algorithm>
-#include <limits>
+#include <QVBoxLayout>
 
 namespace codewheel {
-
-using namespace training_fields;
 
 ShaftControls::ShaftControls(const SharedControls &controls, QWidget *parent)
     : QWidget(parent)
     , m_controls(controls)
-    , m_wheel(new HandWheel(this))
-    , m_raw(numberLabel(tr("Raw position"), this))
-    , m_turn(numberLabel(tr("Turn"), this))
-    , m_target(new IntegerField(this))
-    , m_speed(new DecimalField(this))
+    , m_fields(new ShaftFields(TrainingControls::fastest, this))
 {
-    auto *numbers = new QGridLayout;
-    numbers->setVerticalSpacing(grid::unit / 2);
-    numbers->setColumnStretch(1, 1);
-    addNumber(numbers, 0, tr("Raw position"), m_raw);
-    addNumber(numbers, 1, tr("Turn"), m_turn);
-    QGridLayout *fields = fieldGrid();
-    makePosition(fields);
-    makeSpeed(fields);
-    auto *column = layOut<QVBoxLayout>(this, grid::unit);
-    column->addWidget(m_wheel);
-    column->addLayout(numbers);
-    column->addLayout(fields);
-    connect(m_wheel, &HandWheel::turned, this, &ShaftControls::turnBy);
-}
-
-void ShaftControls::makePosition(QGridLayout *grid)
-{
-    prepare(m_target, 8);
-    m_target->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    m_target->setAccessibleName(tr("Raw position to turn to"));
-    m_target->setToolTip(tr("Raw position, in the encoder's own steps; Enter turns the shaft to it"));
-    auto *go = buttonBeside(Icon::shaft, tr("Turn to the raw position"), this);
-    addCaption(grid, 0, tr("Turn to"), m_target);
-    grid->addWidget(m_target, 0, 1);
-    grid->addWidget(go, 0, 2);
-    connect(go, &QToolButton::clicked, this, &ShaftControls::turnTo);
-    connect(m_target->findChild<QLineEdit *>(), &QLineEdit::returnPressed, this, &ShaftControls::turnTo);
-}
-
-void ShaftControls::makeSpeed(QGridLayout *grid)
-{
-    m_speed->setAccessibleName(tr("Speed in revolutions per minute"));
-    m_speed->setToolTip(tr("Revolutions per minute; positive is clockwise, looking at the shaft"));
-    addSpeed(grid, 1, tr("Speed, rpm"), m_speed, TrainingControls::fastest, tr("Stop the shaft"));
-    connect(m_speed, &QDoubleSpinBox::valueChanged, this, &ShaftControls::setSpeed);
+    layOut<QVBoxLayout>(this, 0)->addWidget(m_fields);
+    connect(m_fields, &ShaftFields::turned, this,
+            [this](qint64 steps) { m_controls->turnBy(m_number, steps); });
+    connect(m_fields, &ShaftFields::turnedTo, this, [this](int raw) {
+        m_controls->turnTo(m_number, raw);
+        Q_EMIT acted(ringAct(RingAct::shaftTurnedTo, {std::int64_t{raw}}));
+    });
+    connect(m_fields, &ShaftFields::speedSet, this, [this](double rpm) {
+        m_controls->setSpeed(m_number, rpm);
+        Q_EMIT acted(rpm == 0 ? ringAct(RingAct::shaftStopped) : ringAct(RingAct::shaftTurns, {rpm}));
+    });
+    connect(m_fields, &ShaftFields::leftAlone, this,
+            [this](qint64 raw) { Q_EMIT acted(ringAct(RingAct::shaftTurnedByHand, {std::int64_t{raw}})); });
 }
 
 void ShaftControls::showShaft(const TrainingControls::Shaft &shaft)
 {
-    const bool isNew = !m_shown;
-    const TrainingControls::Shaft before = std::exchange(m_shown, shaft).value_or(TrainingControls::Shaft{});
-    if (isNew) {
-        const std::int64_t last = std::int64_t{shaft.stepsPerTurn} * shaft.turns - 1;
-        m_target->setRange(0,
-                           static_cast<int>(std::min<std::int64_t>(last, std::numeric_limits<int>::max())));
-        m_target->setValue(static_cast<int>(shaft.raw));
-        m_wheel->setStepsPerTurn(shaft.stepsPerTurn);
-    }
-    if (isNew || shaft.raw != before.raw) {
-        m_raw->setText(QLocale().toString(qint64{shaft.raw}));
-        m_turn->setText(QLocale().toString(qint64{shaft.raw / shaft.stepsPerTurn}));
-        m_wheel->showRaw(shaft.raw);
-    }
-    if (isNew || shaft.revolutionsPerMinute != before.revolutionsPerMinute) {
-        const QSignalBlocker silent(m_speed);
-        m_speed->setValue(shaft.revolutionsPerMinute);
-    }
-    if (m_leftAlone.frame())
-        tellOfTurning();
+    m_number = shaft.number;
+    m_fields->showShaft({.raw = shaft.raw,
+                         .stepsPerTurn = shaft.stepsPerTurn,
+                         .turns = shaft.turns,
+                         .revolutionsPerMinute = shaft.revolutionsPerMinute});
 }
 
 void ShaftControls::leave()
 {
-    if (m_leftAlone.isMoving())
-        tellOfTurning();
-    m_shown.reset();
-}
-
-void ShaftControls::turnBy(qint64 steps)
-{
-    m_controls->turnBy(m_shown->number, steps);
-    m_leftAlone.moved();
-}
-
-void ShaftControls::turnTo()
-{
-    if (!m_target->takeTyped().isEmpty())
-        return; // the field says why
-    m_controls->turnTo(m_shown->number, m_target->value());
-    m_leftAlone.forget();
-    Q_EMIT acted(ringAct(RingAct::shaftTurnedTo, {std::int64_t{m_target->value()}}));
-}
-
-void ShaftControls::setSpeed(double rpm)
-{
-    m_controls->setSpeed(m_shown->number, rpm);
-    Q_EMIT acted(rpm == 0 ? ringAct(RingAct::shaftStopped) : ringAct(RingAct::shaftTurns, {rpm}));
-}
-
-void ShaftControls::tellOfTurning()
-{
-    m_leftAlone.forget();
-    Q_EMIT acted(ringAct(RingAct::shaftTurnedByHand, {std::int64_t{m_shown->raw}}));
+    m_fields->leave();
 }
 
 } // namespace codewheel
