@@ -31,6 +31,9 @@ std::optional<CanInterface> canInterface(const QString &name, const Computer &co
 std::vector<CanInterface> canInterfaces(const Computer &computer = Computer(),
                                         const CanStatusOf &statusOf = canStatus);
 
+// For a command, where nobody has said which rate the bus has; Bd.
+inline constexpr int proposedCanRate = 250'000;
+
 // Commands for the user, never run by the program: to switch an interface on, to have it listen only or
 // send, and to bring it back after bus off.
 QString switchOnCommand(const CanInterface &interface, int rate);

@@ -25,7 +25,6 @@ using std::chrono::steady_clock;
 
 constexpr Instant lookInterval = 200ms; // Qt's device does not say that its interface is gone
 constexpr Instant echoTimeOut = 1s;     // assumed
-constexpr int proposedRate = 250'000;
 
 bool isError(const QString &text, std::initializer_list<int> errorNumbers)
 {
@@ -125,14 +124,14 @@ std::optional<Refusal> SocketCanLink::openingRefusal(const std::optional<CanInte
     if (!found->isUp)
         return Refusal{RefusalKind::link,
                        CanRefusalId::interfaceDown,
-                       {m_interface, switchOnCommand(*found, proposedRate)}};
+                       {m_interface, switchOnCommand(*found, proposedCanRate)}};
     if (found->status.state == CanState::busOff)
         return Refusal{RefusalKind::link, CanRefusalId::busOff, {m_interface, restartCommand(m_interface)}};
     const bool isSure = found->status.listensOnly.value_or(false) || found->isVirtual;
     if (use == CanUse::watch && !isSure && !m_takesUnsureWatch)
         return Refusal{RefusalKind::link,
                        CanRefusalId::watchNotSure,
-                       {m_interface, listenOnlyCommand(*found, proposedRate)}};
+                       {m_interface, listenOnlyCommand(*found, proposedCanRate)}};
     return std::nullopt;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/kinds/canopen/can_interface_rows.h"
+#include "app/window/kinds/window_kinds.h"
 #include "kinds/interbus/plan/gateway_plan.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "tests/app/kinds/esc/esc_line_at_port_test.h"
@@ -9,6 +11,7 @@
 #include "widgets/kinds/esc/line/esc_line_search.h"
 #include "widgets/kinds/esc/line/found_encoder_model.h"
 
+#include <QListWidget>
 #include <QSpinBox>
 #include <QTableView>
 
@@ -103,6 +106,101 @@ TEST_F(FinderInWindowTest, ASearchCanBeCancelled)
     click(page(), QStringLiteral("Cancel"));
     ASSERT_TRUE(comes([&] { return !page().isSearching(); }));
     EXPECT_EQ(said(), QString()) << "nothing is asked after that";
+}
+
+// What the test kind of bus can listen to.
+struct Interfaces
+{
+    PortRows rows;
+    int listenedTo = 0;
+};
+Interfaces &interfaces()
+{
+    static Interfaces all;
+    return all;
+}
+
+class InterfaceListener final : public PlaceFinder
+{
+public:
+    bool isDone() const override { return m_isDone; }
+    FinderNews next() override
+    {
+        m_isDone = true;
+        return {FinderNews::Kind::nobody, QStringLiteral("bus0"), QStringLiteral("Nobody is heard.")};
+    }
+    void interrupt() override {}
+
+private:
+    bool m_isDone = false;
+};
+
+std::unique_ptr<PlaceFinder> listenAtInterface(const QString &name)
+{
+    if (name != QStringLiteral("bus0"))
+        return nullptr;
+    ++interfaces().listenedTo;
+    return std::make_unique<InterfaceListener>();
+}
+
+class FinderAtInterfaces : public FinderInWindowTest
+{
+protected:
+    FinderAtInterfaces()
+    {
+        static const bool isAdded = [] {
+            WindowKind kind{.bus = QStringLiteral("interfaces"), .make = nullptr};
+            kind.interfaces = [] { return interfaces().rows; };
+            kind.listenAt = listenAtInterface;
+            addWindowKind(kind);
+            return true;
+        }();
+        EXPECT_TRUE(isAdded);
+        interfaces().rows = {
+            {{QStringLiteral("bus0"), QStringLiteral("switched off"), {}}},
+            {QStringLiteral("bus0 is switched off."), QStringLiteral("ip link set bus0 up")}};
+        actions().findEncoders->trigger();
+        advance(50);
+    }
+    ~FinderAtInterfaces() override { interfaces().rows = {}; }
+
+    QString trouble() // the command against it
+    {
+        for (const auto *message : page().findChildren<InlineMessage *>())
+            if (message->isVisibleTo(&page()))
+                return message->command();
+        return {};
+    }
+};
+
+TEST_F(FinderAtInterfaces, AreListedWithWhatIsInTheirWayAndListenedTo)
+{
+    auto &list = *page().findChild<QListWidget *>();
+    const auto found = list.findItems(QStringLiteral("bus0, switched off"), Qt::MatchExactly);
+    ASSERT_EQ(found.size(), 1);
+    if (serialPorts().empty()) // what is in the way of a port goes first
+        EXPECT_EQ(trouble(), QStringLiteral("ip link set bus0 up"));
+    for (int row = 0; row < list.count(); ++row)
+        list.item(row)->setCheckState(Qt::Unchecked);
+    found.front()->setCheckState(Qt::Checked);
+    click(page(), QStringLiteral("Search"));
+    ASSERT_TRUE(comes([&] { return !page().isSearching(); }));
+    EXPECT_EQ(interfaces().listenedTo, 1);
+    EXPECT_EQ(page().news().rowCount(), 1);
+    EXPECT_EQ(said(), QString()) << "an interface is not asked";
+}
+
+TEST(CanInterfacesToHear, ThatAreOffAreListedWithTheCommandThatSwitchesThemOn)
+{
+    const PortRows listed = canInterfacesToHear(
+        {{.name = QStringLiteral("can0"), .isUp = true, .status = {.rate = 250'000, .listensOnly = true}},
+         {.name = QStringLiteral("can1")}});
+    ASSERT_EQ(listed.rows.size(), 2U);
+    EXPECT_EQ(listed.rows[0].name, QStringLiteral("can0"));
+    EXPECT_EQ(listed.rows[0].description, QStringLiteral("CAN interface, on, 250 kBit/s, listens only"));
+    EXPECT_EQ(listed.rows[1].description, QStringLiteral("CAN interface, switched off"));
+    EXPECT_TRUE(listed.trouble.sentence.contains(QStringLiteral("can1")));
+    EXPECT_EQ(listed.trouble.command, QStringLiteral("sudo ip link set can1 up type can bitrate 250000"));
 }
 
 } // namespace

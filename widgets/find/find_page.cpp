@@ -48,8 +48,8 @@ QString wholeName(const PortRow &port)
 
 FindPage::FindPage(QWidget *parent)
     : Page(parent)
-    , m_ports(describe(new QListWidget(this), "findPorts", tr("Ports"),
-                       tr("Space ticks a port or leaves it out")))
+    , m_ports(describe(new QListWidget(this), "findPorts", tr("Ports and interfaces"),
+                       tr("Space ticks a port or an interface, or leaves it out")))
     , m_refresh(new QPushButton(lineIcon(Icon::refresh), tr("&Refresh"), this))
     , m_otherPort(describe(new TextField(this), "findOtherPort", tr("Port by name"),
                            tr("A port that is not in the list, such as a pseudo terminal; empty: none")))
@@ -117,7 +117,7 @@ QWidget *FindPage::makePlaces()
     form->setHorizontalSpacing(grid::groupGap);
     form->setVerticalSpacing(grid::unit);
     m_ports->setMaximumHeight(portsInSight * (m_ports->fontMetrics().height() + grid::unit) + grid::margin);
-    m_refresh->setToolTip(tr("Looks for serial ports again (Alt+R)"));
+    m_refresh->setToolTip(tr("Looks for serial ports and interfaces again (Alt+R)"));
     connect(m_refresh, &QPushButton::clicked, this, &FindPage::portsWanted);
     form->addRow(tr("&Ports"),
                  layOutRow({{m_ports, 1}, {m_refresh, 0, Qt::AlignTop}}, {.spacing = grid::unit}));

@@ -33,8 +33,9 @@ struct FindWish
     friend bool operator==(const FindWish &, const FindWish &) = default;
 };
 
-// "Who is there?": looks for whoever is at the ports of this computer and at a host, on any kind of bus. It
-// listens; what would be sent beyond that is shown and agreed to. Others carry the search out.
+// "Who is there?": looks for whoever is at the ports and interfaces of this computer and at a host, on any
+// kind of bus. It listens; what would be sent beyond that is shown and agreed to. Others carry the search
+// out.
 class FindPage : public Page
 {
     Q_OBJECT
@@ -49,7 +50,8 @@ public:
         return tr("Listens first. What would be sent after that is asked before. Nothing is written.");
     }
 
-    // One on its own is ticked, and one that has been plugged in since; the others stay as they are.
+    // Serial ports, and what else of this computer can be listened to. One on its own is ticked, and one that
+    // has been plugged in since; the others stay as they are.
     void setPorts(const std::vector<PortRow> &ports, const Trouble &trouble);
     FindWish wish() const; // fields must have been taken
 

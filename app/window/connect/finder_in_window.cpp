@@ -52,6 +52,32 @@ std::vector<HostSearch> searchesAt(const QString &host, int port)
     return searches;
 }
 
+// Serial ports, and what kinds of buses can listen to besides. That there are no ports is said only where
+// there is nothing else, either.
+PortRows placesToHear()
+{
+    PortRows listed = portRows(serialPorts());
+    for (const WindowKind *kind : windowKinds()) {
+        if (kind->interfaces == nullptr)
+            continue;
+        const PortRows its = kind->interfaces();
+        const bool isOnlyOfPorts = listed.trouble.sentence == noSerialPortsText();
+        if (!its.rows.empty() && (listed.trouble.sentence.isEmpty() || isOnlyOfPorts))
+            listed.trouble = its.trouble;
+        listed.rows.insert(listed.rows.end(), its.rows.begin(), its.rows.end());
+    }
+    return listed;
+}
+
+std::unique_ptr<PlaceFinder> listenerAt(const QString &place)
+{
+    for (const WindowKind *kind : windowKinds())
+        if (kind->listenAt != nullptr)
+            if (auto listener = kind->listenAt(place))
+                return listener;
+    return std::make_unique<PortSearch>(place, false);
+}
+
 } // namespace
 
 FinderInWindow::FinderInWindow(FindPage &page)
@@ -70,8 +96,8 @@ FinderInWindow::FinderInWindow(FindPage &page)
 
 void FinderInWindow::listPorts()
 {
-    const PortRows ports = portRows(serialPorts());
-    m_page.setPorts(ports.rows, ports.trouble);
+    const PortRows listed = placesToHear();
+    m_page.setPorts(listed.rows, listed.trouble);
 }
 
 void FinderInWindow::listen(const FindWish &wish)
@@ -82,7 +108,7 @@ void FinderInWindow::listen(const FindWish &wish)
     m_isListening = true;
     std::vector<std::unique_ptr<PlaceFinder>> finders;
     for (const QString &port : wish.ports)
-        finders.push_back(std::make_unique<PortSearch>(port, false));
+        finders.push_back(listenerAt(port));
     search(std::move(finders));
 }
 

@@ -53,7 +53,7 @@ std::vector<WindowKind> &kinds()
         {QString::fromLatin1(escKind), &make<EscLineAtWork>, &makeViews<EscLineViews, EscLineAtWork>,
          linePanels, &adapterRows, nullptr, &keysOfLines},
         {QString::fromLatin1(canopenKind), &make<CanopenAtWork>, &makeViews<CanopenViews, CanopenAtWork>,
-         canPanels, &canAdapterRows},
+         canPanels, &canAdapterRows, nullptr, nullptr, &canInterfacesToHear, &canInterfaceFinder},
         {ReplayAtWork::kindKey(), nullptr, &makeViews<ReplayViews, ReplayAtWork>}};
     return all;
 }

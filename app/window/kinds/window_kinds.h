@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/buses/bus_views.h"
+#include "app/window/connect/port_rows.h"
 #include "finder/place_finder.h"
 #include "widgets/help/key_help.h"
 
@@ -22,6 +23,11 @@ struct WindowKind
     // Looks who is at a host, on a bus of this kind; null: it is at no host.
     HostSearch (*hostSearch)(const QString &host, int port) = nullptr;
     KeyGroup (*keys)() = nullptr; // that its views answer without actions; null: none
+    // What of this computer, beside its serial ports, can be listened to, and why something cannot; null:
+    // nothing.
+    PortRows (*interfaces)() = nullptr;
+    // Listens at such an interface; null: it is none of this kind.
+    std::unique_ptr<PlaceFinder> (*listenAt)(const QString &interface) = nullptr;
 };
 
 // Those of the program, and the added ones; in the order of the panels.

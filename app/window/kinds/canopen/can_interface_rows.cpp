@@ -4,6 +4,8 @@
 #include "app/window/connect/trouble_of.h"
 #include "can/can_refusals.h"
 #include "can/can_state.h"
+#include "kinds/canopen/finder/can_interface_finder.h"
+#include "links/can_link_to.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -69,6 +71,30 @@ CanInterfaceRows canInterfaceRows(const std::vector<CanInterface> &interfaces)
         listed.rows.push_back({interface.name, stateOf(interface),
                                [interface](int rate) { return troubleWith(interface, rate); }});
     return listed;
+}
+
+PortRows canInterfacesToHear(const std::vector<CanInterface> &interfaces)
+{
+    PortRows listed;
+    for (const CanInterface &interface : interfaces) {
+        listed.rows.push_back(
+            {interface.name, sentence(CanInterfaceText::tr("CAN interface, %1"), {stateOf(interface)}), {}});
+        if (listed.trouble.sentence.isEmpty())
+            listed.trouble = troubleWith(interface, proposedCanRate);
+    }
+    return listed;
+}
+
+PortRows canInterfacesToHear()
+{
+    return canInterfacesToHear(canInterfaces());
+}
+
+std::unique_ptr<PlaceFinder> canInterfaceFinder(const QString &interface)
+{
+    if (!canInterface(interface, Computer(), {}))
+        return nullptr;
+    return std::make_unique<CanInterfaceFinder>(canLinkTo({.where = interface}));
 }
 
 QStringList canAdapterRows()
