@@ -122,6 +122,18 @@ void MainWindow::attach(Plant &plant, MessageModel &messages)
     m_messageModel = &messages;
     m_buses = &plant.buses();
     m_leaving->setBuses(*m_buses);
+    m_leaving->setOtherWork({.underWay =
+                                 [this](BusId bus) {
+                                     const BusViews *views = viewsOf(bus);
+                                     return views != nullptr ? views->underWay() : std::nullopt;
+                                 },
+                             .breakOff =
+                                 [this](BusId bus, const std::function<void(bool)> &then) {
+                                     if (BusViews *views = viewsOf(bus))
+                                         views->breakOff(then);
+                                     else
+                                         then(true);
+                                 }});
     m_files->setBeforeSaving([&plant](Project project) {
         return withLastPositions(std::move(project), plant.positions(), plant.buses());
     });

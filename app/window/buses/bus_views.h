@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/buses/bus_at_work.h"
+#include "app/window/buses/work_under_way.h"
 #include "app/window/look/panels.h"
 #include "bus/data_check.h"
 #include "vocabulary/kind_data.h"
@@ -14,6 +15,7 @@
 
 #include <any>
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QMenu;
@@ -94,6 +96,10 @@ public:
     virtual FaultBanner::Offer offer(const Fault &, FaultAction) const { return {}; }
     virtual void act(const Fault &, FaultAction) {}
     virtual bool isWriting() const { return false; } // a page of it: the window stays until that has ended
+    // What leaving the bus would cut off; empty: nothing.
+    virtual std::optional<WorkUnderWay> underWay() const { return {}; }
+    // Ends that in good order, then says whether nothing of it is left in doubt; otherwise it is shown.
+    virtual void breakOff(const std::function<void(bool isSettled)> &then) { then(true); }
     // What its kind adds to the replacement of an encoder at a place of it.
     virtual ReplaceStepsOfKind replaceSteps(Replacing &) { return {}; }
     // The action of its kind for what a check proposes; null: it has none for that.

@@ -101,7 +101,7 @@ void Leaving::ask(Why why, const std::vector<EncoderBus *> &left, std::function<
 // Called again whenever something it was waiting for has happened.
 void Leaving::goOn()
 {
-    if (!m_then || m_asks)
+    if (!m_then || m_asks || m_breaksOff)
         return;
     const QScopedValueRollback asks(m_asks, true);
     if (const QPointer<EncoderSession> encoder = busyEncoder()) {
@@ -112,6 +112,10 @@ void Leaving::goOn()
         else if (!encoder || !encoder->runningJob())
             QTimer::singleShot(0, this, &Leaving::goOn);
         return; // otherwise finished() calls this again
+    }
+    if (const EncoderBus *bus = busWithOtherWork()) {
+        askToBreakOff(bus->id());
+        return;
     }
     if (m_why != Why::stop && !m_zerosAnswered && waitsForZeros() && !askAboutZeros())
         return;
@@ -126,6 +130,50 @@ void Leaving::goOn()
         return;
     m_waitsForZero = false;
     std::exchange(m_then, nullptr)();
+}
+
+// A bus that is stopped only goes on with it.
+const EncoderBus *Leaving::busWithOtherWork() const
+{
+    if (m_why != Why::stop && m_otherWork.underWay)
+        for (const EncoderBus *bus : buses())
+            if (m_otherWork.underWay(bus->id()))
+                return bus;
+    return nullptr;
+}
+
+// If it ends while this is asked, nobody has answered: the user stays, and sees how it ended.
+void Leaving::askToBreakOff(BusId bus)
+{
+    const WorkUnderWay work = m_otherWork.underWay(bus).value_or(WorkUnderWay());
+    QMessageBox box(QMessageBox::Warning, title(), work.what, QMessageBox::NoButton, &m_window);
+    setHelpTopic(box, "README.md#leaving");
+    box.setInformativeText(work.atStake);
+    QPushButton *go = box.addButton(tr("&Break it off, and go on"), QMessageBox::DestructiveRole);
+    go->setToolTip(
+        tr("What was not sent yet is not sent. If anything is in doubt then, you stay, and see it"));
+    QPushButton *wait = box.addButton(QMessageBox::Cancel);
+    wait->setText(tr("&Stay"));
+    wait->setToolTip(tr("It goes on (Esc)"));
+    box.setDefaultButton(wait);
+    const QObject whileOpen;
+    connect(m_buses, &Buses::updated, &whileOpen, [&] {
+        if (!m_otherWork.underWay(bus))
+            box.reject();
+    });
+    box.exec();
+    if (box.clickedButton() != go) {
+        stay();
+        return;
+    }
+    m_breaksOff = true;
+    m_otherWork.breakOff(bus, [this](bool isSettled) {
+        m_breaksOff = false;
+        if (isSettled)
+            QTimer::singleShot(0, this, &Leaving::goOn);
+        else
+            stay();
+    });
 }
 
 bool Leaving::waitsForZeros() const

@@ -10,6 +10,7 @@
 #include "app/window/kinds/canopen/canopen_status.h"
 #include "app/window/kinds/canopen/node_recognition.h"
 #include "app/window/kinds/canopen/planned_objects.h"
+#include "app/window/kinds/canopen/setups_under_way.h"
 #include "app/window/look/page_place.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
@@ -82,6 +83,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     , m_search(own(new CanSearchPage(&windowParts.pages)))
     , m_places{makePlace(), makePlace(), makePlace(), makePlace()}
     , m_training(own(new CanTrainingPanel(bus.id(), &windowParts.pages)))
+    , m_setups(new SetupsUnderWay(this))
     , m_interface(new CanSettingsForm(CanSettingsForm::Adapter::interface, &connection()))
     , m_adapter(new CanSettingsForm(CanSettingsForm::Adapter::serial, &connection()))
 {
@@ -155,6 +157,7 @@ void CanopenViews::connectMade()
     connect(m_made->panel, &CanBusPanel::searchWanted, this, [this] { showSetup({}); });
     connect(&m_made->setup->view(), &NodeSetupView::numbered, this, &CanopenViews::takeNumbered);
     connect(&m_made->setup->view(), &NodeSetupView::messaged, this, &CanopenViews::told);
+    m_setups->add(m_made->setup->view());
 }
 
 void CanopenViews::tellBus()
@@ -257,10 +260,26 @@ bool CanopenViews::isWriting() const
     return m_made && m_made->setup->view().isBusy();
 }
 
+std::optional<WorkUnderWay> CanopenViews::underWay() const
+{
+    return m_setups->now();
+}
+
+void CanopenViews::breakOff(const std::function<void(bool isSettled)> &then)
+{
+    const bool isOnPage = m_made && m_made->setup->view().isBusy();
+    m_setups->breakOff([this, isOnPage, then](bool isSettled) {
+        if (!isSettled && isOnPage)
+            parts().pages.setCurrentWidget(m_made->setup);
+        then(isSettled);
+    });
+}
+
 ReplaceStepsOfKind CanopenViews::replaceSteps(Replacing &replacing)
 {
     auto *number = new CanReplaceNumberStep(replacing);
     connect(number, &CanReplaceNumberStep::messaged, this, &CanopenViews::told);
+    m_setups->add(number->view());
     return {.begin = number, .end = new CanReplaceProofStep(replacing, *number)};
 }
 

@@ -27,6 +27,7 @@ class DictionaryView;
 class NodeRecognition;
 class NodeSetupPage;
 class PagePlace;
+class SetupsUnderWay;
 struct CanFoundRow;
 struct FrameSent;
 struct Outcome;
@@ -69,6 +70,8 @@ public:
     void useSettings(const ProgramSettings &settings) override;
     void showFrame() override;
     bool isWriting() const override;
+    std::optional<WorkUnderWay> underWay() const override;
+    void breakOff(const std::function<void(bool isSettled)> &then) override;
     ReplaceStepsOfKind replaceSteps(Replacing &replacing) override;
 
     void showSetup(std::optional<int> node); // empty: of a device without a number, to be found
@@ -137,6 +140,7 @@ private:
     std::optional<Made> m_made;
     bool m_isRecordingChosen = false;
     CanTrainingPanel *m_training;
+    SetupsUnderWay *m_setups;
     CanSettingsForm *m_interface;
     CanSettingsForm *m_adapter; // at a serial port
 };

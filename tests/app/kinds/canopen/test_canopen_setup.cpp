@@ -2,6 +2,7 @@
 // A device on a CAN bus gets its number and rate in the window.
 #include "app/window/window_actions.h"
 #include "tests/app/kinds/canopen/canopen_window_test.h"
+#include "tests/app/question.h"
 #include "widgets/kinds/canopen/setup/node_setup_page.h"
 #include "widgets/kinds/canopen/setup/node_setup_view.h"
 #include "widgets/kinds/canopen/setup/setup_steps.h"
@@ -287,6 +288,70 @@ TEST_F(CanopenSetup, ARateIsStoredAndCheckedAtThatRateOnly)
     advance(5'000);
     EXPECT_FALSE(view().isProven());
     EXPECT_TRUE(told().contains(QStringLiteral("Connect it at 250 kBit/s first"))) << told().toStdString();
+}
+
+class CanopenSetupIsLeft : public CanopenSetup
+{
+protected:
+    // The first requests of writing number 9 to node 6 are out.
+    CanopenSetupIsLeft()
+    {
+        openFor(nodeSix);
+        wantNumber(9);
+        click("nodeSetupWrite");
+        agree();
+        EXPECT_TRUE(view().isBusy());
+    }
+};
+
+TEST_F(CanopenSetupIsLeft, TheWindowStaysUnlessTheUserBreaksTheWritingOff)
+{
+    test::Question question = test::Question::answeredBy(QStringLiteral("Stay"));
+    window().close();
+    EXPECT_TRUE(question.text().contains(QStringLiteral("Node 6 (06h)"))) << question.text().toStdString();
+    EXPECT_TRUE(question.text().contains(QStringLiteral("old number or the new one")));
+    EXPECT_TRUE(window().isVisible());
+    advance(20'000);
+    EXPECT_EQ(numberOf(encoderSix), 9) << "it has gone on";
+}
+
+TEST_F(CanopenSetupIsLeft, BrokenOffInTimeTheDeviceKeepsItsNumberAndTheWindowCloses)
+{
+    test::Question question = test::Question::answeredBy(QStringLiteral("Break it off"));
+    window().close();
+    EXPECT_TRUE(question.wasAsked());
+    advance(10'000);
+    EXPECT_FALSE(window().isVisible());
+    EXPECT_EQ(writesOf(encoderSix), 0);
+}
+
+TEST_F(CanopenSetupIsLeft, WhatIsInDoubtAfterwardsIsSeenBeforeTheBusIsLeft)
+{
+    const QString taken = QStringLiteral("done: It takes the number 9 (09h)");
+    for (int i = 0; i < 2'000 && !steps().contains(taken); ++i)
+        advance(1);
+    ASSERT_TRUE(view().isBusy() && steps().contains(taken)) << steps().join(u'\n').toStdString();
+    canActions().settings->trigger();
+    advance(1);
+    test::Question question = test::Question::answeredBy(QStringLiteral("Break it off"));
+    canActions().disconnectBus->trigger();
+    EXPECT_TRUE(question.wasAsked());
+    advance(10'000);
+    EXPECT_NE(canBus().session(), nullptr) << "the user sees it first";
+    EXPECT_EQ(page(), &widget<NodeSetupPage>());
+    EXPECT_FALSE(told().isEmpty());
+    canActions().disconnectBus->trigger();
+    advance(200);
+    EXPECT_EQ(canBus().session(), nullptr) << "and is not asked once more";
+}
+
+TEST_F(CanopenSetup, WhatOnlyReadsIsNotAskedAbout)
+{
+    openFor(nodeSix);
+    click("nodeSetupRead");
+    canActions().disconnectBus->trigger();
+    advance(200);
+    EXPECT_EQ(canBus().session(), nullptr);
 }
 
 } // namespace

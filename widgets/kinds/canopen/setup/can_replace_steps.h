@@ -34,6 +34,7 @@ public:
     QString effect() const override;
     QString doneSoFar() const override;
 
+    NodeSetupView &view() const { return *m_view; }
     // Of the new encoder, once it was read.
     const std::optional<canopen::NodeIdentity> &identity() const;
 

@@ -187,6 +187,31 @@ QString consequences(const NodeSetupWish &wish)
     return joined(sentences);
 }
 
+AtStake ofSearch()
+{
+    return {SetupText::tr("A device without a number is being looked for by LSS."),
+            SetupText::tr("If the bus is left now, the device may stay in the configuration of LSS until its "
+                          "supply was off.")};
+}
+
+AtStake ofWriting(const NodeSetupWish &wish)
+{
+    return {
+        sentence(SetupText::tr("Number and rate are being written: %1."), {device(wish.nodeBefore)}),
+        SetupText::tr("If the bus is left now, nobody knows whether the device has its old number or the "
+                      "new one, and whether that is stored; it may stay in the configuration of LSS until "
+                      "its supply was off. Broken off, it is left as it should be, but perhaps with half "
+                      "of what was to be written.")};
+}
+
+AtStake ofChecking(const NodeSetupWish &wish)
+{
+    return {sentence(SetupText::tr("The device that got the number %1 is being looked for."),
+                     {shownNode(wish.nodeAfter())}),
+            SetupText::tr("If the bus is left now, its encoder keeps the old number in the bus structure and "
+                          "in the project.")};
+}
+
 QString end(const NodeSetup &setup)
 {
     const QString stays = setup.mayStayInConfiguration()

@@ -7,6 +7,8 @@
 
 #include <QString>
 
+#include <optional>
+
 // What is said of a device that gets its number and rate.
 namespace codewheel::node_setup_text {
 
@@ -16,6 +18,16 @@ QString device(std::optional<int> node);
 QString step(canopen::NodeSetup::Step step, const canopen::NodeSetupWish &wish);
 // What will happen, before anything is sent.
 QString consequences(const canopen::NodeSetupWish &wish);
+
+// What runs, and what it leads to that it is cut off.
+struct AtStake
+{
+    QString what{};
+    QString consequence{};
+};
+AtStake ofSearch(); // for a device without a number
+AtStake ofWriting(const canopen::NodeSetupWish &wish);
+AtStake ofChecking(const canopen::NodeSetupWish &wish); // for the device at its new number
 
 // How it ended: what is known of it, and what to do.
 QString end(const canopen::NodeSetup &setup);

@@ -236,6 +236,33 @@ void NodeSetupView::takeSearched()
                        "then search again."));
 }
 
+std::optional<node_setup_text::AtStake> NodeSetupView::atStake() const
+{
+    if (!isBusy())
+        return std::nullopt;
+    switch (m_stage) {
+    case Stage::searching:
+        return node_setup_text::ofSearch();
+    case Stage::writing:
+        return node_setup_text::ofWriting(m_wanted);
+    case Stage::checking:
+        return node_setup_text::ofChecking(m_wanted);
+    default:
+        return std::nullopt; // it only reads
+    }
+}
+
+bool NodeSetupView::isSettled() const
+{
+    if (isBusy())
+        return false;
+    if (!m_setup)
+        return !m_search || !m_search->mayStayInConfiguration();
+    if (m_setup->trouble())
+        return m_setup->isUntouched() && !m_setup->mayStayInConfiguration();
+    return m_isFound || m_isRateStored;
+}
+
 std::optional<canopen::SdoObject> NodeSetupView::nodeObject() const
 {
     const EncoderSession *encoder =

@@ -7,6 +7,7 @@
 #include "kinds/canopen/setup/node_task_run.h"
 #include "vocabulary/message.h"
 #include "vocabulary/role.h"
+#include "widgets/kinds/canopen/setup/node_setup_texts.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -54,6 +55,13 @@ public:
     QString about() const;                                                              // it, in short
 
     void search(); // for a device without a number
+
+    // What would be cut off if the bus were left now, and what that leads to; empty: nothing.
+    std::optional<node_setup_text::AtStake> atStake() const;
+    // What was not sent yet is not, apart from what leaves the device as it should be.
+    void breakOff() { m_run.cancel(); }
+    // Nothing of it is under way or in doubt: what was written was found, or nothing was written.
+    bool isSettled() const;
 
 Q_SIGNALS:
     void changed(); // any of the above
