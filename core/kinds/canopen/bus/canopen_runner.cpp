@@ -85,6 +85,7 @@ void CanopenWork::complete(CanopenSnapshot &made)
              .secondAnswers = watch.secondAnswers(),
              .sendsPdos = node->sendsPdos,
              .bootUps = watch.bootUps(),
+             .unaskedBootUps = watch.unaskedBootUps(),
              .error = watch.standing().empty() ? std::nullopt : std::optional(watch.standing().back()),
              .position = node->device ? canopen::termsOf(driver(*node->device)->transmitPdos(),
                                                          canopen::object::position)

@@ -310,10 +310,15 @@ void CanopenWork::wasSent(const Outgoing &sent)
     }
 }
 
-// Whose answer may come before it is told that the request was sent.
+// Whose answer, or the boot-up behind which, may come before it is told that the request was sent.
 void CanopenWork::noteRequest(const Outgoing &request)
 {
     const auto cob = canopen::CobId::of(request.frame.id);
+    if (const auto command = canopen::NmtRequest::read(request.frame.data());
+        command && cob && cob->service == canopen::CobId::Service::nmt)
+        for (const auto &node : nodes)
+            if (node)
+                node->watch.mayBeReset(*command, request.at);
     if (!cob || cob->service != canopen::CobId::Service::sdoRequest)
         return;
     Node &node = nodeAt(cob->node);

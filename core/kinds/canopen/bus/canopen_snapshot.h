@@ -58,6 +58,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
         int secondAnswers = 0; // more SDO answers than requests
         bool sendsPdos = false;
         int bootUps = 0;
+        int unaskedBootUps = 0;                      // without a reset before
         std::optional<canopen::Emcy> error{};        // the newest that stands
         std::optional<canopen::PdoTerms> position{}; // when the PDO with its position comes, as read
         Instant heardAt{};

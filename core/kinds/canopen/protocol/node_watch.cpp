@@ -3,6 +3,7 @@
 
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/frames.h"
+#include "kinds/canopen/protocol/nmt_job.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,8 @@ constexpr std::size_t statesCompared = 3;
 // Assumed: one device does not go to and fro so fast, nor boot twice.
 constexpr Instant statesTime = std::chrono::seconds(3);
 constexpr Instant bootUpsTime = std::chrono::milliseconds(500);
+// Assumed: nobody switches a supply off and on so soon behind a reset.
+constexpr Instant resetTime = std::chrono::seconds(2);
 
 std::uint32_t identifierOf(CobId::Service service, int node, int number = 0)
 {
@@ -57,6 +60,11 @@ bool isGone(const Emcy &error, std::uint8_t errorRegister)
                return (error.code & each.mask) == each.errors && (error.errorRegister >> each.bit & 1) != 0 &&
                       (errorRegister >> each.bit & 1) == 0;
            });
+}
+
+bool isFor(const NmtRequest &request, int node)
+{
+    return request.node == 0 || request.node == node;
 }
 
 bool saysTheSame(const SdoFrame &one, const SdoFrame &other)
@@ -116,13 +124,16 @@ void NodeWatch::take(const CanFrame &frame, Instant now)
     } else if (std::ranges::count(m_tpdos, frame.id) != 0)
         takeTpdo(at);
     else
-        takeSdo(frame);
+        takeSdo(frame, at);
 }
 
 void NodeWatch::takeCommand(const CanFrame &frame, Instant at)
 {
     const auto request = NmtRequest::read(frame.data());
-    if (!request || (request->node != 0 && request->node != m_node))
+    if (!request)
+        return;
+    mayBeReset(*request, at);
+    if (!isFor(*request, m_node))
         return;
     m_command = request->command;
     m_commandAt = at;
@@ -146,10 +157,32 @@ void NodeWatch::takeErrorControl(const CanFrame &frame, Instant now)
         takeBeat(*told, frame.time, now);
 }
 
+void NodeWatch::mayBeReset(const NmtRequest &request, Instant at)
+{
+    if (!isReset(request.command))
+        return;
+    m_resetAt = at;
+    m_isResetUnderWay = m_isResetUnderWay || isFor(request, m_node);
+}
+
+bool NodeWatch::isAskedFor(Instant bootUpAt) const
+{
+    return m_isResetUnderWay || (m_resetAt && bootUpAt - *m_resetAt <= resetTime);
+}
+
+// It has been through its reset, and its boot-up was not heard.
+void NodeWatch::isAtWork(Instant at)
+{
+    if (m_resetAt && at - *m_resetAt > resetTime)
+        m_isResetUnderWay = false;
+}
+
 // What was set and not stored is lost, the heartbeat with it.
 void NodeWatch::takeBootUp(Instant at)
 {
     ++m_bootUps;
+    m_unaskedBootUps += isAskedFor(at) ? 0 : 1;
+    m_isResetUnderWay = false;
     m_hasTwoBootUps = m_bootedAt && at - *m_bootedAt < bootUpsTime;
     m_bootedAt = at;
     m_statesTold.clear();
@@ -166,6 +199,7 @@ void NodeWatch::takeBeat(const NodeState &told, std::optional<Instant> at, Insta
 {
     m_state = told.state == NmtState::bootUp ? std::nullopt : std::optional(told.state);
     m_command.reset();
+    isAtWork(at.value_or(now));
     m_isGuarded = m_isGuarded || told.toggle;
     compareStates(told.state, at.value_or(now));
     if (m_isGuarded)
@@ -204,6 +238,7 @@ void NodeWatch::takeTpdo(Instant at)
         return;
     m_state = NmtState::operational;
     m_command.reset();
+    isAtWork(at);
 }
 
 void NodeWatch::takeEmcy(const Emcy &emcy)
@@ -221,11 +256,14 @@ void NodeWatch::takeEmcy(const Emcy &emcy)
 }
 
 // Within a block transfer requests and answers are not one to one; a log may have no requests at all.
-void NodeWatch::takeSdo(const CanFrame &frame)
+void NodeWatch::takeSdo(const CanFrame &frame, Instant at)
 {
     const bool counts = m_isAskingHeard && !m_isInBlocks;
-    if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node) && counts)
-        takeSdoAnswer(frame);
+    if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node)) {
+        isAtWork(at);
+        if (counts)
+            takeSdoAnswer(frame);
+    }
     if (frame.id != identifierOf(CobId::Service::sdoRequest, m_node))
         return;
     const auto request = SdoFrame::request(frame.data());

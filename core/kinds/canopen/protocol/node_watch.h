@@ -45,6 +45,10 @@ public:
     // When the heartbeat will be late or lost, if none comes.
     std::optional<Instant> wakesAt(Instant now) const;
     int bootUps() const { return m_bootUps; }
+    // Those behind which there was no reset: its supply was off.
+    int unaskedBootUps() const { return m_unaskedBootUps; }
+    // A command that the link has taken, and may tell only later that it has gone out.
+    void mayBeReset(const NmtRequest &request, Instant at);
 
     const std::deque<Emcy> &errors() const { return m_errors; }      // that came, the last one at the end
     const std::vector<Emcy> &standing() const { return m_standing; } // that did not go yet
@@ -57,12 +61,14 @@ private:
     void takeCommand(const CanFrame &frame, Instant at);
     void takeErrorControl(const CanFrame &frame, Instant now);
     void takeBootUp(Instant at);
+    bool isAskedFor(Instant bootUpAt) const;
+    void isAtWork(Instant at);
     void takeBeat(const NodeState &told, std::optional<Instant> at, Instant now);
     void compareBeats(Instant at);
     void compareStates(NmtState state, Instant at);
     void takeTpdo(Instant at);
     void takeEmcy(const Emcy &emcy);
-    void takeSdo(const CanFrame &frame);
+    void takeSdo(const CanFrame &frame, Instant at);
     void takeSdoAnswer(const CanFrame &frame);
     bool isSupervised() const;
 
@@ -80,6 +86,9 @@ private:
     std::deque<std::pair<NmtState, Instant>> m_statesTold{}; // since the last command
     bool m_hasTwoStates = false;
     int m_bootUps = 0;
+    int m_unaskedBootUps = 0;
+    bool m_isResetUnderWay = false;      // until it reports
+    std::optional<Instant> m_resetAt{};  // of any node: one whose number is new reports under another one
     std::optional<Instant> m_bootedAt{}; // since the last command
     bool m_hasTwoBootUps = false;
     bool m_isGuarded = false; // by another master

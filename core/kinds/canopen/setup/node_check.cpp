@@ -11,6 +11,12 @@ constexpr Instant untilAskedAgain = std::chrono::milliseconds(200);
 
 } // namespace
 
+BootUps BootUps::of(const CanopenSnapshot &bus, int node)
+{
+    const CanopenSnapshot::Node *heard = bus.heard(node);
+    return heard != nullptr ? BootUps{heard->bootUps, heard->unaskedBootUps} : BootUps();
+}
+
 NodeCheck::NodeCheck(const Wanted &wanted)
     : m_wanted(wanted)
     , m_reading(wanted.node)
@@ -23,10 +29,11 @@ std::optional<NodeTask::Request> NodeCheck::next(const CanopenSnapshot &bus)
         m_until = m_now + longestBoot;
         m_dueAt = m_now + untilAskedAgain; // it may be about to boot
     }
-    if (const CanopenSnapshot::Node *heard = bus.heard(m_wanted.node)) {
-        m_hasBooted = m_hasBooted || heard->bootUps > m_wanted.bootUpsBefore;
+    const BootUps bootUps = BootUps::of(bus, m_wanted.node);
+    m_wasWithoutSupply = m_wasWithoutSupply || bootUps.unasked > m_wanted.before.unasked;
+    m_wasReset = m_wasReset || bootUps.all > m_wanted.before.all;
+    if (const CanopenSnapshot::Node *heard = bus.heard(m_wanted.node))
         m_isDoubled = m_isDoubled || heard->isDoubled;
-    }
     if (m_isAsked || isEnded() || m_now < m_dueAt)
         return std::nullopt;
     const auto request = m_reading.next(bus);

@@ -5,6 +5,15 @@
 
 namespace codewheel::canopen {
 
+// How often a node has reported.
+struct BootUps
+{
+    int all = 0;
+    int unasked = 0; // by a reset
+
+    static BootUps of(const CanopenSnapshot &bus, int node);
+};
+
 // Looks for a device at the number it should have, once it was reset or was without supply; if nobody
 // answers there, at the number it had before.
 class NodeCheck final : public NodeTask
@@ -15,7 +24,7 @@ public:
         int node = 0;
         NodeIdentity identity{};
         std::optional<int> nodeBefore{};
-        int bootUpsBefore = 0; // heard of `node` before the reset
+        BootUps before{}; // its supply was to be switched, heard of `node`
     };
     enum class Result : std::uint8_t {
         found,
@@ -37,7 +46,8 @@ public:
 
     const Wanted &wanted() const { return m_wanted; }
     const std::optional<Result> &result() const { return m_result; } // empty: it goes on
-    bool hasBooted() const { return m_hasBooted; }                   // as was heard
+    bool wasWithoutSupply() const { return m_wasWithoutSupply; }     // it has reported, asked by nobody
+    bool wasOnlyReset() const { return m_wasReset && !m_wasWithoutSupply; }
 
 private:
     void takeAtNew(IdentityReading::Result result);
@@ -50,7 +60,8 @@ private:
     Instant m_now{};
     std::optional<Instant> m_until{}; // it is waited for
     Instant m_dueAt{};                // it is asked again
-    bool m_hasBooted = false;
+    bool m_wasWithoutSupply = false;
+    bool m_wasReset = false;
     bool m_isDoubled = false;
     std::optional<Result> m_result{};
 };

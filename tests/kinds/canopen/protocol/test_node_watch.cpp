@@ -246,6 +246,33 @@ TEST_F(NodeWatchTest, TwoBootUpsAtOnceAreTwoNodes)
     EXPECT_TRUE(watch.isDoubled());
 }
 
+TEST_F(NodeWatchTest, ABootUpBehindAResetWasAskedFor)
+{
+    comes("705# 00");
+    EXPECT_EQ(watch.unaskedBootUps(), 1);
+    for (const char *reset : {"000# 81 05", "000# 82 05", "000# 81 00"}) {
+        comes(reset);
+        now += 10s; // it takes its time
+        comes("705# 00");
+    }
+    EXPECT_EQ(watch.unaskedBootUps(), 1);
+    now += 10s;
+    comes("000# 81 06");
+    now += 100ms;
+    comes("705# 00"); // it was node 6 until then
+    EXPECT_EQ(watch.unaskedBootUps(), 1);
+    comes("000# 81 05");
+    now += 10s;
+    comes("705# 05"); // its boot-up was not heard
+    now += 10s;
+    comes("705# 00");
+    EXPECT_EQ(watch.unaskedBootUps(), 2);
+    watch.mayBeReset({NmtCommand::resetNode, 5}, now); // and it is not known yet that this has gone out
+    comes("705# 00");
+    EXPECT_EQ(watch.unaskedBootUps(), 2);
+    EXPECT_EQ(watch.bootUps(), 7);
+}
+
 TEST_F(NodeWatchTest, ADoubledFrameNowAndThenIsNoSecondNode)
 {
     for (int each = 0; each < 100; ++each) {

@@ -51,11 +51,10 @@ protected:
     }
     NodeCheck check(int node, Instant within = 60s)
     {
-        const CanopenSnapshot::Node *heard = bus->latest().heard(node);
         NodeCheck task({.node = node,
                         .identity = identityOfSix,
                         .nodeBefore = 6,
-                        .bootUpsBefore = heard != nullptr ? heard->bootUps : 0});
+                        .before = canopen::BootUps::of(bus->latest(), node)});
         carryOut(task, within);
         return task;
     }
@@ -105,12 +104,14 @@ TEST_F(NodeSetupOnBus, ANodeHasItsNewNumberAfterTheResetAndKeepsItWithoutSupply)
     EXPECT_EQ(setup.store(), Fate::done);
     EXPECT_TRUE(setup.isReset());
     EXPECT_EQ(check(9).result(), NodeCheck::Result::found);
-    const int bootUps = bus->latest().heard(9)->bootUps;
+    const auto before = canopen::BootUps::of(bus->latest(), 9);
+    bus->advance(2s);
     switchOffAndOn(encoderSix);
-    NodeCheck proof({.node = 9, .identity = identityOfSix, .nodeBefore = 6, .bootUpsBefore = bootUps});
+    NodeCheck proof({.node = 9, .identity = identityOfSix, .nodeBefore = 6, .before = before});
     carryOut(proof);
     EXPECT_EQ(proof.result(), NodeCheck::Result::found);
-    EXPECT_TRUE(proof.hasBooted());
+    EXPECT_TRUE(proof.wasWithoutSupply());
+    EXPECT_FALSE(proof.wasOnlyReset());
     EXPECT_EQ(numberOf(encoderSix), 9);
 }
 
@@ -119,7 +120,33 @@ TEST_F(NodeSetupOnBus, WithoutSupplyBeingSwitchedNoBootUpIsHeard)
     operate();
     const NodeCheck proof = check(6);
     EXPECT_EQ(proof.result(), NodeCheck::Result::found);
-    EXPECT_FALSE(proof.hasBooted());
+    EXPECT_FALSE(proof.wasWithoutSupply());
+    EXPECT_FALSE(proof.wasOnlyReset());
+}
+
+// Whoever has asked for it, and whether the node itself or all were told to.
+TEST_F(NodeSetupOnBus, AResetIsNoProofThatItsSupplyWasOff)
+{
+    operate();
+    const auto before = canopen::BootUps::of(bus->latest(), 6);
+    const auto proof = [&] {
+        NodeCheck task({.node = 6, .identity = identityOfSix, .nodeBefore = 6, .before = before});
+        carryOut(task);
+        EXPECT_EQ(task.result(), NodeCheck::Result::found);
+        return task;
+    };
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::resetNode, 6}.frame());
+    bus->advance(3s);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::resetCommunication, 0}.frame());
+    bus->advance(3s);
+    bus->sendBesideOthers();
+    say(canopen::NmtRequest{canopen::NmtCommand::resetNode, 6}.frame());
+    bus->advance(3s);
+    EXPECT_EQ(canopen::BootUps::of(bus->latest(), 6).all, before.all + 3);
+    EXPECT_FALSE(proof().wasWithoutSupply());
+    EXPECT_TRUE(proof().wasOnlyReset());
+    switchOffAndOn(encoderSix);
+    EXPECT_TRUE(proof().wasWithoutSupply());
 }
 
 TEST_F(NodeSetupOnBus, ANumberThatAnotherNodeHasIsNotGiven)

@@ -106,6 +106,32 @@ TEST(NodeSetupTexts, WhoDoesNotTakePartIsNotCalledChanged)
     EXPECT_TRUE(text.contains(QStringLiteral("Nothing was changed."))) << text.toStdString();
 }
 
+// The node is there, has reported behind a reset, and then with the supply on again.
+TEST(NodeSetupTexts, OnlyABootUpThatNobodyAskedForIsCalledProof)
+{
+    const auto told = [](int bootUps, int unasked) {
+        canopen::NodeCheck check({.node = 9, .identity = setUpIdentity, .before = {.all = 2, .unasked = 1}});
+        CanopenSnapshot bus;
+        bus.nodes.push_back({.node = 9, .bootUps = bootUps, .unaskedBootUps = unasked});
+        while (!check.isEnded()) {
+            if (const auto request = check.next(bus)) {
+                SdoOutcome outcome{.kind = SdoOutcome::Kind::read};
+                const auto word = setUpIdentity.words.at(std::get<canopen::SdoRequest>(*request).object.sub -
+                                                         std::size_t{1});
+                for (unsigned shift = 0; shift < 32; shift += 8)
+                    outcome.value.push_back(static_cast<std::uint8_t>(word >> shift));
+                check.answered(outcome);
+            }
+            bus.at += std::chrono::milliseconds(100);
+        }
+        return node_setup_text::end(check, true);
+    };
+    EXPECT_TRUE(told(3, 2).startsWith(QStringLiteral("Proven"))) << told(3, 2).toStdString();
+    EXPECT_TRUE(told(3, 1).contains(QStringLiteral("was reset, not switched off")))
+        << told(3, 1).toStdString();
+    EXPECT_TRUE(told(2, 1).contains(QStringLiteral("has not reported"))) << told(2, 1).toStdString();
+}
+
 TEST(NodeSetupTexts, WhatIsStoredAndNotResetIsInForceAfterItsSupplyWasOff)
 {
     const QString text = HalfSetup(6, Kind::operateAll, LssOutcome::Kind::notSent).end();

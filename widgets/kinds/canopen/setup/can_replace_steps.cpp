@@ -170,9 +170,8 @@ CanopenSession *CanReplaceProofStep::bus() const
 void CanReplaceProofStep::enter()
 {
     const CanopenSession *connected = bus();
-    const CanopenSnapshot::Node *heard =
-        connected != nullptr ? connected->latest().heard(nodeOf(m_replacing)) : nullptr;
-    m_bootUps = heard != nullptr ? heard->bootUps : 0;
+    m_bootUps = connected != nullptr ? canopen::BootUps::of(connected->latest(), nodeOf(m_replacing))
+                                     : canopen::BootUps();
     m_result->setText(
         sentence(tr("Some makes say that they have stored, and do not. Switch the supply of the new encoder "
                     "off and on, then check it: as node %1 it has to tell its identity and the values that "
@@ -191,7 +190,7 @@ void CanReplaceProofStep::check()
         std::make_unique<canopen::NodeCheck>(canopen::NodeCheck::Wanted{.node = nodeOf(m_replacing),
                                                                         .identity = *m_number.identity(),
                                                                         .nodeBefore = std::nullopt,
-                                                                        .bootUpsBefore = m_bootUps});
+                                                                        .before = m_bootUps});
     m_run.setBus(connected);
     m_run.start(*m_check);
     Q_EMIT changed();
@@ -200,7 +199,8 @@ void CanReplaceProofStep::check()
 void CanReplaceProofStep::takeChecked()
 {
     const QString refused = m_run.whyRefused() ? refusalText(*m_run.whyRefused()) + u' ' : QString();
-    const bool isThere = m_check->result() == canopen::NodeCheck::Result::found && m_check->hasBooted();
+    const bool isThere =
+        m_check->result() == canopen::NodeCheck::Result::found && m_check->wasWithoutSupply();
     if (isThere)
         readValues();
     else

@@ -83,7 +83,7 @@ private:
     const CanReplaceNumberStep &m_number;
     NodeTaskRun m_run;
     std::unique_ptr<canopen::NodeCheck> m_check;
-    int m_bootUps = 0; // heard before its supply was to be switched
+    canopen::BootUps m_bootUps{}; // heard before its supply was to be switched
     bool m_isReading = false;
     QLabel *m_result;
     QPushButton *m_checkNow;

@@ -241,7 +241,12 @@ QString end(const NodeCheck &check, bool wasWithoutSupply)
                                           "they have stored, and do not. Switch its supply off and on, then "
                                           "check it."),
                             {node});
-        return check.hasBooted()
+        if (check.wasOnlyReset())
+            return sentence(SetupText::tr("The device is there as node %1. It was reset, not switched off, "
+                                          "which proves nothing: switch its supply off and on, then check "
+                                          "it again."),
+                            {node});
+        return check.wasWithoutSupply()
                    ? sentence(SetupText::tr("Proven: it has begun anew, and is still node %1."), {node})
                    : sentence(SetupText::tr("The device is there as node %1, but has not reported since: it "
                                             "was not switched off. Switch its supply off and on, then check "

@@ -122,7 +122,7 @@ void NodeSetupView::setBus(CanopenSession *bus)
         connect(bus, &CanopenSession::stateChanged, this, &NodeSetupView::showWhatIsPossible);
         connect(bus, &CanopenSession::nodesChanged, this, &NodeSetupView::showConsequences);
     }
-    m_bootUps = 0;
+    m_bootUps = {};
     if (m_stage == Stage::read) {
         m_identity.reset();
         m_message->withdraw();
@@ -387,7 +387,7 @@ void NodeSetupView::check()
         canopen::NodeCheck::Wanted{.node = wanted.nodeAfter(),
                                    .identity = wanted.identity,
                                    .nodeBefore = wanted.nodeBefore,
-                                   .bootUpsBefore = isProof ? m_bootUps : 0});
+                                   .before = isProof ? m_bootUps : canopen::BootUps()});
     m_message->withdraw();
     setStage(isProof ? Stage::proving : Stage::checking);
     m_run.start(*m_check);
@@ -399,10 +399,10 @@ void NodeSetupView::takeChecked()
     const bool isProof = m_stage == Stage::proving;
     const bool isThere = m_check->result() == Result::found;
     // At its new rate it has begun anew, or would not be there.
-    const bool isProven = isProof && isThere && (m_check->hasBooted() || m_isRateStored);
+    const bool isProven = isProof && isThere && (m_check->wasWithoutSupply() || m_isRateStored);
     const int after = m_check->wanted().node;
-    if (const CanopenSnapshot::Node *heard = m_bus && !isProof ? m_bus->latest().heard(after) : nullptr)
-        m_bootUps = heard->bootUps;
+    if (m_bus && !isProof)
+        m_bootUps = canopen::BootUps::of(m_bus->latest(), after);
     const bool wasFound = std::exchange(m_isFound, m_isFound || isThere);
     setStage(isProven ? Stage::proven : Stage::toBeProven);
     tell(isProven ? Role::running : Role::attention,

@@ -115,7 +115,7 @@ private:
     canopen::NodeSetupWish m_wanted;                 // as asked about
     bool m_isFound = false;
     bool m_isRateStored = false;
-    int m_bootUps = 0; // heard at its number when its supply was to be switched
+    canopen::BootUps m_bootUps{}; // heard at its number when its supply was to be switched
     std::unique_ptr<canopen::IdentityReading> m_reading;
     std::unique_ptr<canopen::LssSearch> m_search;
     std::unique_ptr<canopen::NodeSetup> m_setup;
