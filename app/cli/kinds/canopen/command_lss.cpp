@@ -466,6 +466,12 @@ Checked<Answer> lssNode(const Call &call, CanopenAccess &bus)
         return badInput(QStringLiteral("nodeNumberTaken"),
                         CommandLine::tr("Another device has the number %1 already. Choose another number."),
                         {CanopenAddress{node}.shown()});
+    if (bus.session().latest().isStopped(node))
+        return badInput(QStringLiteral("nodeNumberStopped"),
+                        CommandLine::tr("Node %1 was stopped, and a stopped node answers nothing: it has to "
+                                        "be taken for present. Switch it off if it is to go, start the "
+                                        "number (codewheel-cli nmt start), and try again."),
+                        {CanopenAddress{node}.shown()});
     auto answer =
         writeByLss(call, bus, {.kind = LssRequest::Kind::setNode, .number = node},
                    sentence(CommandLine::tr("Give it the number %1?"), {CanopenAddress{node}.shown()}));

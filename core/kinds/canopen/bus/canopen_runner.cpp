@@ -74,9 +74,13 @@ void CanopenWork::complete(CanopenSnapshot &made)
     made.figures = figures;
     for (int number = 1; number <= canopen::lastNode; ++number) {
         const auto &node = nodes.at(static_cast<std::size_t>(number));
-        if (!node || !node->heardAt)
+        if (!node)
             continue;
         const canopen::NodeWatch &watch = node->watch;
+        if (watch.isStopped() && node->heartbeat != canopen::Heartbeat::lost)
+            made.stopped.push_back(number);
+        if (!node->heardAt)
+            continue;
         made.nodes.push_back(
             {.node = number,
              .state = watch.state(),

@@ -75,7 +75,7 @@ void CanopenWork::forget()
 {
     for (int number = 1; number <= canopen::lastNode; ++number)
         if (auto &node = nodes.at(static_cast<std::size_t>(number))) {
-            node->watch = canopen::NodeWatch(number);
+            node->watch.forget();
             node->pdos.clear();
         }
     started.clear();

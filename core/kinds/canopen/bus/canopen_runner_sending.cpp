@@ -326,9 +326,11 @@ void CanopenWork::noteRequest(const Outgoing &request)
     node.typedFrames += request.by == Outgoing::By::typed ? 1 : 0;
 }
 
-// Which nodes an ALARM STOP stops.
+// Which nodes an ALARM STOP stops. What a node was told to is kept even if it was never heard.
 void CanopenWork::noteCommand(const canopen::NmtRequest &command, bool isOurs)
 {
+    if (command.node >= 1 && command.node <= canopen::lastNode)
+        nodeAt(command.node);
     if (command.command == canopen::NmtCommand::start) {
         if (isOurs)
             started.insert(command.node);

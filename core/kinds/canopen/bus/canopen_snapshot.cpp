@@ -35,4 +35,9 @@ const CanopenSnapshot::Node *CanopenSnapshot::heard(int node) const
     return found == nodes.end() ? nullptr : &*found;
 }
 
+bool CanopenSnapshot::isStopped(int node) const
+{
+    return std::ranges::count(stopped, node) != 0;
+}
+
 } // namespace codewheel

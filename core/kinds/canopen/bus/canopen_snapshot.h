@@ -66,9 +66,12 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
 
     CanStatus status{};
     CanopenFigures figures{};
-    std::vector<Node> nodes; // by number
+    std::vector<Node> nodes;  // by number
+    std::vector<int> stopped; // last known as such, whether they were heard or not
 
     const Node *heard(int node) const; // null: it was not
+    // It answers nothing, and is there all the same.
+    bool isStopped(int node) const;
     void giveWayTo(const CanopenSnapshot &newer) { *this = newer; }
 };
 

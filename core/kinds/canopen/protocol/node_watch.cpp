@@ -20,6 +20,7 @@ constexpr std::size_t statesCompared = 3;
 // Assumed: one device does not go to and fro so fast, nor boot twice.
 constexpr Instant statesTime = std::chrono::seconds(3);
 constexpr Instant bootUpsTime = std::chrono::milliseconds(500);
+constexpr Instant underWay = std::chrono::milliseconds(50); // what was sent before a command was taken
 // Assumed: nobody switches a supply off and on so soon behind a reset.
 constexpr Instant resetTime = std::chrono::seconds(2);
 
@@ -81,6 +82,17 @@ NodeWatch::NodeWatch(int node)
         m_tpdos.push_back(identifierOf(CobId::Service::tpdo, node, number));
 }
 
+void NodeWatch::forget()
+{
+    NodeWatch anew(m_node);
+    anew.m_isStopped = m_isStopped;
+    anew.m_bootUps = m_bootUps;
+    anew.m_unaskedBootUps = m_unaskedBootUps;
+    anew.m_isResetUnderWay = m_isResetUnderWay;
+    anew.m_resetAt = m_resetAt;
+    *this = std::move(anew);
+}
+
 void NodeWatch::setTpdos(std::vector<std::uint32_t> identifiers)
 {
     m_tpdos = std::move(identifiers);
@@ -137,6 +149,7 @@ void NodeWatch::takeCommand(const CanFrame &frame, Instant at)
         return;
     m_command = request->command;
     m_commandAt = at;
+    m_isStopped = request->command == NmtCommand::stop;
     m_state.reset();
     m_statesTold.clear();
     m_bootedAt.reset();
@@ -182,7 +195,7 @@ void NodeWatch::takeBootUp(Instant at)
 {
     ++m_bootUps;
     m_unaskedBootUps += isAskedFor(at) ? 0 : 1;
-    m_isResetUnderWay = false;
+    m_isResetUnderWay = m_isStopped = false;
     m_hasTwoBootUps = m_bootedAt && at - *m_bootedAt < bootUpsTime;
     m_bootedAt = at;
     m_statesTold.clear();
@@ -199,6 +212,7 @@ void NodeWatch::takeBeat(const NodeState &told, std::optional<Instant> at, Insta
 {
     m_state = told.state == NmtState::bootUp ? std::nullopt : std::optional(told.state);
     m_command.reset();
+    m_isStopped = told.state == NmtState::stopped;
     isAtWork(at.value_or(now));
     m_isGuarded = m_isGuarded || told.toggle;
     compareStates(told.state, at.value_or(now));
@@ -234,10 +248,11 @@ void NodeWatch::compareStates(NmtState state, Instant at)
 
 void NodeWatch::takeTpdo(Instant at)
 {
-    if (m_command && at <= m_commandAt) // it was under way
+    if (m_command && at <= m_commandAt + (m_command == NmtCommand::start ? Instant() : underWay))
         return;
     m_state = NmtState::operational;
     m_command.reset();
+    m_isStopped = false;
     isAtWork(at);
 }
 
@@ -275,7 +290,7 @@ void NodeWatch::takeSdo(const CanFrame &frame, Instant at)
         m_asked.clear();
         return;
     }
-    m_asked.push_back(request->namedObject());
+    m_asked.push_back({request->namedObject(), at});
     if (m_asked.size() > mostAsked)
         m_asked.pop_front();
     if (m_lastAnswer && m_lastAnswer->namedObject() == request->namedObject())
@@ -288,10 +303,11 @@ void NodeWatch::takeSdoAnswer(const CanFrame &frame)
     const auto answer = SdoFrame::answer(frame.data());
     if (!answer)
         return;
-    auto asked = std::ranges::find(m_asked, answer->namedObject());
+    auto asked = std::ranges::find(m_asked, answer->namedObject(), &Asked::object);
     if (asked == m_asked.end() && answer->kind == SdoFrame::Kind::abort) // within segments
-        asked = std::ranges::find(m_asked, std::optional<SdoObject>());
+        asked = std::ranges::find(m_asked, std::optional<SdoObject>(), &Asked::object);
     if (asked != m_asked.end()) {
+        hasAnswered(asked->at);
         m_asked.erase(asked);
         if (++m_firstInARow >= firstAnswersOfOne) {
             m_secondInARow = 0;
@@ -306,6 +322,15 @@ void NodeWatch::takeSdoAnswer(const CanFrame &frame)
         m_hasOtherAnswer = m_hasOtherAnswer || (isOfSame && !saysTheSame(*answer, *m_lastAnswer));
     }
     m_lastAnswer = answer;
+}
+
+// A stopped node does not.
+void NodeWatch::hasAnswered(Instant askedAt)
+{
+    if (!m_isStopped || askedAt <= m_commandAt)
+        return;
+    m_isStopped = false;
+    m_command.reset();
 }
 
 bool NodeWatch::isDoubled() const

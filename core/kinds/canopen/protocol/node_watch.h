@@ -26,6 +26,8 @@ public:
     static constexpr std::size_t mostErrors = 64; // that are kept
 
     explicit NodeWatch(int node);
+    // The link was lost: what the node does now is not known.
+    void forget();
 
     int node() const { return m_node; }
     // As read from the node. Predefined until then.
@@ -41,6 +43,9 @@ public:
     std::optional<NmtState> state() const { return m_state; }
     // The last command to it, until the node shows its state.
     std::optional<NmtCommand> command() const { return m_command; }
+    // It was last known as stopped, by what it told or by a command, and has shown nothing else since: it
+    // answers nothing, and is there all the same.
+    bool isStopped() const { return m_isStopped; }
     Heartbeat heartbeat(Instant now) const;
     // When the heartbeat will be late or lost, if none comes.
     std::optional<Instant> wakesAt(Instant now) const;
@@ -70,7 +75,14 @@ private:
     void takeEmcy(const Emcy &emcy);
     void takeSdo(const CanFrame &frame, Instant at);
     void takeSdoAnswer(const CanFrame &frame);
+    void hasAnswered(Instant askedAt);
     bool isSupervised() const;
+
+    struct Asked
+    {
+        std::optional<SdoObject> object; // empty: for a segment
+        Instant at;
+    };
 
     int m_node;
     std::vector<std::uint32_t> m_tpdos;
@@ -80,6 +92,7 @@ private:
     std::optional<NmtState> m_state{};
     std::optional<NmtCommand> m_command{};
     Instant m_commandAt{};
+    bool m_isStopped = false;
     std::optional<Instant> m_countsFrom{}; // the last heartbeat, or the end of a silence
     std::deque<Instant> m_beats{};
     bool m_hasTooManyBeats = false;
@@ -94,8 +107,8 @@ private:
     bool m_isGuarded = false; // by another master
     std::deque<Emcy> m_errors{};
     std::vector<Emcy> m_standing{};
-    std::deque<std::optional<SdoObject>> m_asked{}; // by SDO, not answered yet; empty: for a segment
-    bool m_isAskingHeard = false;                   // requests, as well as answers
+    std::deque<Asked> m_asked{};  // by SDO, not answered yet
+    bool m_isAskingHeard = false; // requests, as well as answers
     bool m_isInBlocks = false;
     std::optional<SdoFrame> m_lastAnswer{}; // unless its object was asked for again
     int m_firstInARow = 0;

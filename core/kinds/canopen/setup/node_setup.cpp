@@ -80,6 +80,8 @@ std::optional<NodeTask::Request> NodeSetup::next(const CanopenSnapshot &bus)
         fail(Trouble::cancelled);
     if (!isEnded() && step() == Step::free && isHeardLately(bus, *m_wish.node))
         fail(Trouble::numberTaken);
+    if (!isEnded() && step() == Step::free && bus.isStopped(*m_wish.node))
+        fail(Trouble::numberStopped);
     if (isEnded())
         return std::nullopt;
     m_isAsked = true;

@@ -48,6 +48,7 @@ public:
     };
     enum class Trouble : std::uint8_t {
         numberTaken,
+        numberStopped, // by a node that answers nothing, and may be there
         identityNotTold,
         isOther, // the one that answers is not the one that was read
         nobody,  // takes part in LSS

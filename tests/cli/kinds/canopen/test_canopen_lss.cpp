@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/protocol/nmt.h"
 #include "tests/cli/kinds/canopen/shared_can_bus.h"
 
 #include <QTemporaryDir>
@@ -10,6 +11,20 @@ namespace codewheel {
 namespace {
 
 using testing::HasSubstr;
+
+// Stops node 16 as soon as it is asked for, as another master would.
+class StopsSixteen final : public CanParticipant
+{
+public:
+    int rate() const override { return 125'000; }
+    const CanFrame *toSend() const override { return m_isToStop ? &m_stop : nullptr; }
+    void sent(const CanFrame & /*frame*/, Instant /*now*/) override { m_isToStop = false; }
+    void take(const CanFrame &frame, Instant /*now*/) override { m_isToStop = frame.id == 0x610; }
+
+private:
+    CanFrame m_stop = canopen::NmtRequest{canopen::NmtCommand::stop, 16}.frame();
+    bool m_isToStop = false;
+};
 
 constexpr auto identityOfNew = "vendor 10Dh, product 25h, revision 10001h, serial number 1245205 (130015h)";
 
@@ -43,6 +58,13 @@ TEST(CliLss, ANumberThatIsTakenIsRefused)
     SharedCanBus bus;
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("lss node 5 --yes --json"))), "nodeNumberTaken");
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("lss node 128 --yes --json"))), "canopenNodeNumberWrong");
+}
+
+TEST(CliLss, ANumberWhoseNodeWasStoppedIsRefused)
+{
+    SharedCanBus bus;
+    bus.plant().bus()->add(std::make_shared<StopsSixteen>());
+    EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("lss node 16 --yes --json"))), "nodeNumberStopped");
 }
 
 TEST(CliLss, OfANodeItIsSelectedByItsIdentity)

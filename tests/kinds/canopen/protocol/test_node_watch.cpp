@@ -82,6 +82,37 @@ TEST_F(NodeWatchTest, ACommandIsNoState)
     EXPECT_FALSE(watch.command());
 }
 
+TEST_F(NodeWatchTest, AStoppedNodeIsStoppedUntilItShowsSomethingElse)
+{
+    EXPECT_FALSE(watch.isStopped());
+    for (const char *told : {"705# 7F", "705# 00", "185# 88 13 00 00", "000# 01 05"}) {
+        comes("000# 02 00");
+        now += 1s;
+        EXPECT_TRUE(watch.isStopped());
+        comes(told);
+        EXPECT_FALSE(watch.isStopped()) << told;
+        comes("705# 04");
+        now += 1s;
+        EXPECT_TRUE(watch.isStopped());
+        comes(told);
+        EXPECT_FALSE(watch.isStopped()) << told;
+    }
+    comes("605# 40 04 60 00 ..");
+    now += 1ms;
+    comes("000# 02 05");
+    now += 1ms;
+    comes("185# 88 13 00 00"); // both were under way
+    comes("585# 43 04 60 00 88 13 00 00");
+    EXPECT_TRUE(watch.isStopped());
+    EXPECT_EQ(watch.command(), NmtCommand::stop);
+    watch.forget();
+    EXPECT_TRUE(watch.isStopped()) << "the link was lost, not the node";
+    comes("605# 40 04 60 00 ..");
+    now += 1ms;
+    comes("585# 43 04 60 00 88 13 00 00");
+    EXPECT_FALSE(watch.isStopped());
+}
+
 TEST_F(NodeWatchTest, AHeartbeatIsLateAndThenLost)
 {
     watch.setProducerTime(100ms, now);

@@ -170,6 +170,39 @@ TEST_F(NodeSetupOnBus, ANumberThatIsHeardIsNotGiven)
     EXPECT_EQ(setup.trouble(), Trouble::numberTaken);
 }
 
+// One without heartbeat is stopped in silence.
+TEST_F(NodeSetupOnBus, TheNumberOfANodeThatWasStoppedIsNotGivenUntilItWasStartedAgain)
+{
+    operate();
+    bus->transfer({.node = 7, .object = {0x1017, 0}, .value = std::vector<std::uint8_t>{0, 0}});
+    bus->advance(200ms);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::stop, 7}.frame());
+    bus->advance(20s);
+    const auto troubleWithSeven = [this] {
+        NodeSetup setup(toNode(7));
+        carryOut(setup);
+        return setup.trouble();
+    };
+    EXPECT_EQ(troubleWithSeven(), Trouble::numberStopped);
+    EXPECT_EQ(sentTo(0x7E5), 0);
+    link->isGone = true; // the bus goes on meanwhile
+    bus->advance(1s);
+    link->isGone = false;
+    bus->advance(3s);
+    bus->setOperate(true);
+    bus->advance(1s);
+    EXPECT_EQ(troubleWithSeven(), Trouble::numberStopped);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 7}.frame());
+    bus->advance(20s);
+    EXPECT_EQ(troubleWithSeven(), Trouble::numberTaken);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::stop, 7}.frame());
+    bus->advance(20s);
+    plant->withEncoder(2, [](canopen::SimulatedNode &node) { node.setOn(false); });
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 7}.frame());
+    bus->advance(20s);
+    EXPECT_FALSE(troubleWithSeven());
+}
+
 TEST_F(NodeSetupOnBus, OfTwoWithTheSameNumberTheOneThatWasReadIsMeant)
 {
     auto encoders = canopen::trainingEncoders();

@@ -64,6 +64,12 @@ QString troubleText(const NodeSetup &setup)
         return sentence(SetupText::tr("Another device has the number %1 already. Choose another number, or "
                                       "take that device off the bus first."),
                         {shownNode(setup.wish().nodeAfter())});
+    case Trouble::numberStopped:
+        return sentence(SetupText::tr("Node %1 was stopped, and a stopped node answers nothing: it has to be "
+                                      "taken for present. If it is to go, switch it off or take it off the "
+                                      "bus. Then Start node %1 in the panel CAN bus, and try again: whoever "
+                                      "still has the number answers."),
+                        {shownNode(setup.wish().nodeAfter())});
     case Trouble::identityNotTold:
         return SetupText::tr("The device does not tell its whole identity, without which nothing is written. "
                              "Two devices with the same identity may have answered at once.");
