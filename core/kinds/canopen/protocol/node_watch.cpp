@@ -15,7 +15,9 @@ constexpr std::size_t beatsCompared = 5; // of one node in four times its time, 
 constexpr int beatsTime = 3;
 constexpr int secondAnswersOfTwo = 3; // to requests in a row: a single one may be a doubled frame
 constexpr int firstAnswersOfOne = 3;  // without a second one between
-constexpr std::size_t mostAsked = 8;
+constexpr std::size_t mostAsked = 4096;
+// Assumed: who has answered nothing for so long answers nothing any more that was asked before.
+constexpr Instant longestLateness = std::chrono::seconds(10);
 constexpr std::size_t statesCompared = 3;
 // Assumed: one device does not go to and fro so fast, nor boot twice.
 constexpr Instant statesTime = std::chrono::seconds(3);
@@ -205,7 +207,6 @@ void NodeWatch::takeBootUp(Instant at)
     m_beats.clear();
     m_isGuarded = false;
     m_standing.clear();
-    m_asked.clear();
 }
 
 void NodeWatch::takeBeat(const NodeState &told, std::optional<Instant> at, Instant now)
@@ -277,7 +278,7 @@ void NodeWatch::takeSdo(const CanFrame &frame, Instant at)
     if (frame.id == identifierOf(CobId::Service::sdoAnswer, m_node)) {
         isAtWork(at);
         if (counts)
-            takeSdoAnswer(frame);
+            takeSdoAnswer(frame, at);
     }
     if (frame.id != identifierOf(CobId::Service::sdoRequest, m_node))
         return;
@@ -286,19 +287,26 @@ void NodeWatch::takeSdo(const CanFrame &frame, Instant at)
         return;
     m_isAskingHeard = true;
     m_isInBlocks = request->kind == SdoFrame::Kind::block;
-    if (request->kind == SdoFrame::Kind::abort) {
-        m_asked.clear();
+    if (request->kind == SdoFrame::Kind::abort)
         return;
-    }
+    forgetUnanswered(at);
     m_asked.push_back({request->namedObject(), at});
-    if (m_asked.size() > mostAsked)
-        m_asked.pop_front();
     if (m_lastAnswer && m_lastAnswer->namedObject() == request->namedObject())
         m_lastAnswer.reset();
 }
 
-// That of the second node may come only after the next request.
-void NodeWatch::takeSdoAnswer(const CanFrame &frame)
+void NodeWatch::forgetUnanswered(Instant now)
+{
+    if (now - m_answeredAt > longestLateness)
+        std::erase_if(m_asked, [&](const Asked &each) { return now - each.at > longestLateness; });
+    if (m_asked.size() >= mostAsked)
+        m_asked.pop_front();
+}
+
+// That of the second node may come only after the next request. That of one that is late may come after many,
+// and after an abort: one node alone never sends more answers than there were requests. It answers them in
+// turn, so that what was asked before the one that it answers has got none.
+void NodeWatch::takeSdoAnswer(const CanFrame &frame, Instant at)
 {
     const auto answer = SdoFrame::answer(frame.data());
     if (!answer)
@@ -306,9 +314,10 @@ void NodeWatch::takeSdoAnswer(const CanFrame &frame)
     auto asked = std::ranges::find(m_asked, answer->namedObject(), &Asked::object);
     if (asked == m_asked.end() && answer->kind == SdoFrame::Kind::abort) // within segments
         asked = std::ranges::find(m_asked, std::optional<SdoObject>(), &Asked::object);
+    m_answeredAt = at;
     if (asked != m_asked.end()) {
         hasAnswered(asked->at);
-        m_asked.erase(asked);
+        m_asked.erase(m_asked.begin(), asked + 1);
         if (++m_firstInARow >= firstAnswersOfOne) {
             m_secondInARow = 0;
             m_hasOtherAnswer = m_hasTwoBootUps = false;

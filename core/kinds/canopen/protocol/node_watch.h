@@ -74,7 +74,8 @@ private:
     void takeTpdo(Instant at);
     void takeEmcy(const Emcy &emcy);
     void takeSdo(const CanFrame &frame, Instant at);
-    void takeSdoAnswer(const CanFrame &frame);
+    void takeSdoAnswer(const CanFrame &frame, Instant at);
+    void forgetUnanswered(Instant now);
     void hasAnswered(Instant askedAt);
     bool isSupervised() const;
 
@@ -107,7 +108,8 @@ private:
     bool m_isGuarded = false; // by another master
     std::deque<Emcy> m_errors{};
     std::vector<Emcy> m_standing{};
-    std::deque<Asked> m_asked{};  // by SDO, not answered yet
+    std::deque<Asked> m_asked{}; // by SDO, not answered yet
+    Instant m_answeredAt{};
     bool m_isAskingHeard = false; // requests, as well as answers
     bool m_isInBlocks = false;
     std::optional<SdoFrame> m_lastAnswer{}; // unless its object was asked for again

@@ -244,6 +244,18 @@ TEST_F(CanopenBusFaults, TwoNodesWithOneNumberAreNoticed)
     EXPECT_FALSE(bus->latest().heard(6)->isDoubled);
 }
 
+// Each of their frames is held back, so that answers to requests that have timed out go on coming.
+TEST_F(CanopenBusFaults, NodesThatAnswerLateAreNotTwo)
+{
+    for (const Instant delay : {300ms, 600ms, 1'000ms, 1'500ms}) {
+        connectTo(canopen::trainingEncoders());
+        plant->bus()->setFaults({.late = 1'000, .delay = delay});
+        messages.clear();
+        operate(120s);
+        EXPECT_EQ(countOf(CanopenBusMessageId::nodeDoubled), 0) << delay.count();
+    }
+}
+
 TEST_F(CanopenBusFaults, AJobOfADoubledNumberIsRefusedAndOneUnderWayEnds)
 {
     operate();

@@ -204,6 +204,36 @@ TEST_F(NodeWatchTest, TwoAnswersToEachRequestAreTwoNodes)
     EXPECT_TRUE(watch.isDoubled());
 }
 
+// A node that answers late goes on answering what has timed out, was given up or was asked before its
+// boot-up.
+TEST_F(NodeWatchTest, LateAnswersAreOfOneNode)
+{
+    constexpr int many = 20;
+    for (int each = 0; each < many; ++each) {
+        comes("605# 40 04 60 00 ..");
+        now += 500ms;
+    }
+    comes("605# 80 04 60 00 00 00 04 05");
+    comes("705# 00");
+    for (int each = 0; each < many; ++each) {
+        now += 300ms;
+        comes("585# 43 04 60 00 88 13 00 00");
+    }
+    EXPECT_EQ(watch.secondAnswers(), 0);
+    EXPECT_FALSE(watch.isDoubled());
+    comes("605# 40 04 60 00 .."); // gets no answer
+    comes("605# 40 05 65 00 ..");
+    comes("585# 4B 05 65 00 00 00 00 00");
+    comes("585# 43 04 60 00 88 13 00 00");
+    EXPECT_EQ(watch.secondAnswers(), 1) << "it answers in turn";
+    comes("605# 40 04 60 00 ..");
+    now += 11s;
+    comes("605# 40 04 60 00 ..");
+    comes("585# 43 04 60 00 88 13 00 00");
+    comes("585# 43 04 60 00 88 13 00 00");
+    EXPECT_EQ(watch.secondAnswers(), 2) << "nothing is that late";
+}
+
 // A log may have been made where only answers are heard.
 TEST_F(NodeWatchTest, AnswersWithoutAnyRequestAreOfOneNode)
 {
