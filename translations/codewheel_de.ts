@@ -3182,6 +3182,10 @@
         <source>%1 was sent: %2. No answer came, so whether the node has taken it is not known.</source>
         <translation>%1 wurde gesendet: %2. Es kam keine Antwort; ob der Knoten es übernommen hat, ist nicht bekannt.</translation>
     </message>
+    <message>
+        <source>NMT was sent: %1.</source>
+        <translation>NMT wurde gesendet: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Mode</name>
@@ -6404,6 +6408,96 @@
     </message>
 </context>
 <context>
+    <name>codewheel::CanEncoderBox</name>
+    <message>
+        <source>Supply of the encoder. It forgets what was not stored</source>
+        <translation>Versorgung des Gebers. Er vergisst, was nicht gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>Alarm in 6503h, told by an emergency message</source>
+        <translation>Alarm in 6503h, gemeldet durch ein Notfalltelegramm</translation>
+    </message>
+    <message>
+        <source>Alarm in 6503h, whose meaning only the maker tells</source>
+        <translation>Alarm in 6503h, dessen Bedeutung nur der Hersteller nennt</translation>
+    </message>
+    <message>
+        <source>Warning in 6505h</source>
+        <translation>Warnung in 6505h</translation>
+    </message>
+    <message>
+        <source>Storing by 1010h is refused</source>
+        <translation>Speichern mit 1010h wird abgelehnt</translation>
+    </message>
+    <message>
+        <source>EEPROM writes</source>
+        <translation>EEPROM-Schreibvorgänge</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanFaultsBox</name>
+    <message>
+        <source>Lost frames</source>
+        <translation>Verlorene Telegramme</translation>
+    </message>
+    <message>
+        <source>Of 1000 frames; acknowledged, but they reach nobody</source>
+        <translation>Von 1000 Telegrammen; quittiert, aber sie erreichen niemanden</translation>
+    </message>
+    <message>
+        <source>Destroyed frames</source>
+        <translation>Zerstörte Telegramme</translation>
+    </message>
+    <message>
+        <source>Of 1000 frames; an error frame destroys them, and they are sent again</source>
+        <translation>Von 1000 Telegrammen; ein Fehlertelegramm zerstört sie, und sie werden noch einmal gesendet</translation>
+    </message>
+    <message>
+        <source>Doubled frames</source>
+        <translation>Doppelte Telegramme</translation>
+    </message>
+    <message>
+        <source>Of 1000 frames; their sender sees an error, and sends them twice</source>
+        <translation>Von 1000 Telegrammen; ihr Sender sieht einen Fehler und sendet sie zweimal</translation>
+    </message>
+    <message>
+        <source>Late frames</source>
+        <translation>Verspätete Telegramme</translation>
+    </message>
+    <message>
+        <source>Of 1000 frames; they and all that their sender has behind them come later</source>
+        <translation>Von 1000 Telegrammen; sie und alles, was ihr Sender dahinter hat, kommen später</translation>
+    </message>
+    <message>
+        <source>How much later a late frame comes, in ms</source>
+        <translation>Wie viel später ein verspätetes Telegramm kommt, in ms</translation>
+    </message>
+    <message>
+        <source>Bus off</source>
+        <translation>Bus off</translation>
+    </message>
+    <message>
+        <source>Adapter alone</source>
+        <translation>Adapter allein</translation>
+    </message>
+    <message>
+        <source>Its cable is broken: nobody hears it, and nobody acknowledges what it sends</source>
+        <translation>Sein Kabel ist unterbrochen: Niemand hört ihn, und niemand quittiert, was er sendet</translation>
+    </message>
+    <message>
+        <source>Adapter unplugged</source>
+        <translation>Adapter abgezogen</translation>
+    </message>
+    <message>
+        <source>The adapter is gone until it is plugged in again</source>
+        <translation>Der Adapter ist weg, bis er wieder eingesteckt ist</translation>
+    </message>
+    <message>
+        <source>The adapter has seen too many errors, and leaves the bus until it is opened again</source>
+        <translation>Der Adapter hat zu viele Fehler gesehen und verlässt den Bus, bis er wieder geöffnet wird</translation>
+    </message>
+</context>
+<context>
     <name>codewheel::CanFoundModel</name>
     <message>
         <source>Node</source>
@@ -6491,6 +6585,10 @@
         <source>This computer has no CAN interface. Plug its adapter in and refresh the list; one that is a serial port is another link, above.</source>
         <translation>Dieser Rechner hat keine CAN-Schnittstelle. Stecken Sie ihren Adapter ein und suchen Sie neu; ein Adapter an einem seriellen Anschluss ist eine andere Kopplung, oben.</translation>
     </message>
+    <message>
+        <source>CAN interface, %1</source>
+        <translation>CAN-Schnittstelle, %1</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanNodeModel</name>
@@ -6519,6 +6617,61 @@
         <source>since %1</source>
         <comment>a time of day</comment>
         <translation>seit %1</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanQuirkBoxes</name>
+    <message>
+        <source>Operational after boot-up, without being started</source>
+        <translation>Nach dem Boot-up operational, ohne gestartet zu werden</translation>
+    </message>
+    <message>
+        <source>Which objects stand in a PDO cannot be changed</source>
+        <translation>Welche Objekte in einem PDO stehen, lässt sich nicht ändern</translation>
+    </message>
+    <message>
+        <source>6002h has the highest position, and not how many there are</source>
+        <translation>In 6002h steht die höchste Position, nicht die Anzahl</translation>
+    </message>
+    <message>
+        <source>Identifiers that were stored do not follow a new node number</source>
+        <translation>Gespeicherte Identifier folgen einer neuen Knotennummer nicht</translation>
+    </message>
+    <message>
+        <source>A preset is kept without power, without being stored</source>
+        <translation>Ein Preset bleibt ohne Versorgung erhalten, ohne gespeichert zu werden</translation>
+    </message>
+    <message>
+        <source>Number and rate are stored by 1010h only, though LSS says that they are</source>
+        <translation>Nummer und Rate werden nur mit 1010h gespeichert, obwohl LSS sagt, sie seien es</translation>
+    </message>
+    <message>
+        <source>It takes part in LSS only while it is stopped</source>
+        <translation>Er nimmt an LSS nur teil, solange er gestoppt ist</translation>
+    </message>
+    <message>
+        <source>Factory values are in force at once, and lost unless they are stored</source>
+        <translation>Werkswerte gelten sofort und gehen ohne Speichern verloren</translation>
+    </message>
+    <message>
+        <source>For 0.4 s it neither hears nor says anything</source>
+        <translation>0,4 s lang hört und sagt er nichts</translation>
+    </message>
+    <message>
+        <source>6030h is 0 until 3010h:1 is set to 1</source>
+        <translation>6030h ist 0, bis 3010h:1 auf 1 gesetzt wird</translation>
+    </message>
+    <message>
+        <source>Its switches have the number: 2000h is refused</source>
+        <translation>Seine Schalter haben die Nummer: 2000h wird abgelehnt</translation>
+    </message>
+    <message>
+        <source>While it is operational, writes are refused</source>
+        <translation>Solange er operational ist, wird Schreiben abgelehnt</translation>
+    </message>
+    <message>
+        <source>As some makes are; with each change the encoder begins anew:</source>
+        <translation>Wie manche Fabrikate sind; mit jeder Änderung beginnt der Geber neu:</translation>
     </message>
 </context>
 <context>
@@ -6881,6 +7034,160 @@
     <message>
         <source>Connect a CAN bus to watch it.</source>
         <translation>Verbinden Sie einen CAN-Bus, um ihn zu beobachten.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanTraining</name>
+    <message>
+        <source>Shaft turned to raw position %1.</source>
+        <translation>Welle auf Rohposition %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>Shaft turned by hand to raw position %1.</source>
+        <translation>Welle von Hand auf Rohposition %1 gedreht.</translation>
+    </message>
+    <message>
+        <source>Shaft stopped.</source>
+        <translation>Welle angehalten.</translation>
+    </message>
+    <message>
+        <source>Shaft turns at %1 rpm.</source>
+        <translation>Welle dreht mit %1 U/min.</translation>
+    </message>
+    <message>
+        <source>Lost frames: %1 of 1000.</source>
+        <translation>Verlorene Telegramme: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Destroyed frames: %1 of 1000.</source>
+        <translation>Zerstörte Telegramme: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Doubled frames: %1 of 1000.</source>
+        <translation>Doppelte Telegramme: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>Late frames: %1 of 1000.</source>
+        <translation>Verspätete Telegramme: %1 von 1000.</translation>
+    </message>
+    <message>
+        <source>The adapter is alone: its cable is broken.</source>
+        <translation>Der Adapter ist allein: Sein Kabel ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>The cable of the adapter is whole.</source>
+        <translation>Das Kabel des Adapters ist heil.</translation>
+    </message>
+    <message>
+        <source>The adapter went bus off.</source>
+        <translation>Der Adapter hat den Bus verlassen (Bus off).</translation>
+    </message>
+    <message>
+        <source>Adapter unplugged.</source>
+        <translation>Adapter abgezogen.</translation>
+    </message>
+    <message>
+        <source>Adapter plugged in.</source>
+        <translation>Adapter eingesteckt.</translation>
+    </message>
+    <message>
+        <source>Power on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Alarm of the maker</source>
+        <translation>Alarm des Herstellers</translation>
+    </message>
+    <message>
+        <source>Light reserve used up</source>
+        <translation>Lichtreserve aufgebraucht</translation>
+    </message>
+    <message>
+        <source>CPU watchdog</source>
+        <translation>CPU-Watchdog</translation>
+    </message>
+    <message>
+        <source>Battery charge low</source>
+        <translation>Batterie schwach</translation>
+    </message>
+    <message>
+        <source>EEPROM worn out</source>
+        <translation>EEPROM verschlissen</translation>
+    </message>
+    <message>
+        <source>Starts by itself</source>
+        <translation>Startet von selbst</translation>
+    </message>
+    <message>
+        <source>Mapping of PDOs is fixed</source>
+        <translation>Mapping der PDOs ist fest</translation>
+    </message>
+    <message>
+        <source>6002h is the highest position</source>
+        <translation>6002h ist die höchste Position</translation>
+    </message>
+    <message>
+        <source>Identifiers stay those of the old number</source>
+        <translation>Identifier bleiben die der alten Nummer</translation>
+    </message>
+    <message>
+        <source>Stores a preset at once</source>
+        <translation>Speichert einen Preset sofort</translation>
+    </message>
+    <message>
+        <source>LSS says stored, but is not</source>
+        <translation>LSS sagt gespeichert, ist es aber nicht</translation>
+    </message>
+    <message>
+        <source>LSS only while stopped</source>
+        <translation>LSS nur, solange gestoppt</translation>
+    </message>
+    <message>
+        <source>Restores without a reset</source>
+        <translation>Werkswerte ohne Reset</translation>
+    </message>
+    <message>
+        <source>Silent while it stores</source>
+        <translation>Stumm, während er speichert</translation>
+    </message>
+    <message>
+        <source>Speed is switched off</source>
+        <translation>Geschwindigkeit ist abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Switches decide about the number</source>
+        <translation>Schalter bestimmen die Nummer</translation>
+    </message>
+    <message>
+        <source>Takes values only while pre-operational</source>
+        <translation>Nimmt Werte nur pre-operational</translation>
+    </message>
+    <message>
+        <source>%1: yes.</source>
+        <translation>%1: ja.</translation>
+    </message>
+    <message>
+        <source>%1: no.</source>
+        <translation>%1: nein.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::CanTrainingPanel</name>
+    <message>
+        <source>The simulated bus, or the encoder on it, that is moved and disturbed here</source>
+        <translation>Der simulierte Bus, oder der Geber daran, der hier bewegt und gestört wird</translation>
+    </message>
+    <message>
+        <source>CAN bus</source>
+        <translation>CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Without a number</source>
+        <translation>Ohne Nummer</translation>
     </message>
 </context>
 <context>
@@ -11619,6 +11926,10 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
         <source>A device without a number answers, but not to the end of the search: answers were lost or came late. Check the CAN bus, then search again.</source>
         <translation>Ein Gerät ohne Nummer antwortet, aber nicht bis zum Ende der Suche: Antworten gingen verloren oder kamen zu spät. Prüfen Sie den CAN-Bus, dann suchen Sie noch einmal.</translation>
     </message>
+    <message>
+        <source>Node %1 was stopped, and a stopped node answers nothing: it has to be taken for present. Switch it off if it is to go, start the number (codewheel-cli nmt start), and try again.</source>
+        <translation>Knoten %1 wurde angehalten, und ein angehaltener Knoten antwortet nichts: Er muss als vorhanden gelten. Soll er weg, ihn ausschalten, die Nummer starten (codewheel-cli nmt start) und es noch einmal versuchen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -15272,14 +15583,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
 <context>
     <name>codewheel::FindPage</name>
     <message>
-        <source>Ports</source>
-        <translation>Anschlüsse</translation>
-    </message>
-    <message>
-        <source>Space ticks a port or leaves it out</source>
-        <translation>Leertaste: Anschluss an- oder abwählen</translation>
-    </message>
-    <message>
         <source>Host</source>
         <translation>Host</translation>
     </message>
@@ -15306,10 +15609,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>&amp;Cancel</source>
         <translation>Abb&amp;rechen</translation>
-    </message>
-    <message>
-        <source>Looks for serial ports again (Alt+R)</source>
-        <translation>Sucht noch einmal nach seriellen Anschlüssen (Alt+K)</translation>
     </message>
     <message>
         <source>&amp;Ports</source>
@@ -15394,6 +15693,18 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>Tick the ports to listen at, or enter a host. Then press Search.</source>
         <translation>Die Anschlüsse wählen, an denen gehorcht wird, oder einen Host eingeben. Dann Suchen drücken.</translation>
+    </message>
+    <message>
+        <source>Ports and interfaces</source>
+        <translation>Anschlüsse und Schnittstellen</translation>
+    </message>
+    <message>
+        <source>Space ticks a port or an interface, or leaves it out</source>
+        <translation>Leertaste: Anschluss oder Schnittstelle an- oder abwählen</translation>
+    </message>
+    <message>
+        <source>Looks for serial ports and interfaces again (Alt+R)</source>
+        <translation>Sucht noch einmal nach seriellen Anschlüssen und Schnittstellen (Alt+K)</translation>
     </message>
 </context>
 <context>
@@ -17310,6 +17621,22 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>Leave it as it is? Otherwise cancel, and switch it to position mode.</source>
         <translation>So lassen? Sonst abbrechen und in den Positionsbetrieb schalten.</translation>
     </message>
+    <message>
+        <source>&amp;Break it off, and go on</source>
+        <translation>&amp;Abbrechen und fortfahren</translation>
+    </message>
+    <message>
+        <source>What was not sent yet is not sent. If anything is in doubt then, you stay, and see it</source>
+        <translation>Was noch nicht gesendet ist, wird nicht gesendet. Ist dann etwas ungewiss, bleiben Sie und sehen es</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
+    </message>
+    <message>
+        <source>It goes on (Esc)</source>
+        <translation>Es läuft weiter (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::LedRow</name>
@@ -18600,6 +18927,38 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>A device without a number becomes node %1.</source>
         <translation>Ein Gerät ohne Nummer wird Knoten %1.</translation>
+    </message>
+    <message>
+        <source>Node %1 was stopped, and a stopped node answers nothing: it has to be taken for present. If it is to go, switch it off or take it off the bus. Then Start node %1 in the panel CAN bus, and try again: whoever still has the number answers.</source>
+        <translation>Knoten %1 wurde angehalten, und ein angehaltener Knoten antwortet nichts: Er muss als vorhanden gelten. Soll er weg, ihn ausschalten oder vom Bus nehmen. Dann Knoten %1 im Bereich CAN-Bus starten und es noch einmal versuchen: Wer die Nummer noch hat, antwortet.</translation>
+    </message>
+    <message>
+        <source>A device without a number is being looked for by LSS.</source>
+        <translation>Ein Gerät ohne Nummer wird mit LSS gesucht.</translation>
+    </message>
+    <message>
+        <source>If the bus is left now, the device may stay in the configuration of LSS until its supply was off.</source>
+        <translation>Wird der Bus jetzt verlassen, kann das Gerät in der LSS-Konfiguration bleiben, bis seine Versorgung aus war.</translation>
+    </message>
+    <message>
+        <source>Number and rate are being written: %1.</source>
+        <translation>Nummer und Rate werden geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>If the bus is left now, nobody knows whether the device has its old number or the new one, and whether that is stored; it may stay in the configuration of LSS until its supply was off. Broken off, it is left as it should be, but perhaps with half of what was to be written.</source>
+        <translation>Wird der Bus jetzt verlassen, weiß niemand, ob das Gerät seine alte Nummer hat oder die neue und ob sie gespeichert ist; es kann in der LSS-Konfiguration bleiben, bis seine Versorgung aus war. Abgebrochen wird es hinterlassen, wie es sein soll, aber vielleicht mit der Hälfte dessen, was geschrieben werden sollte.</translation>
+    </message>
+    <message>
+        <source>The device that got the number %1 is being looked for.</source>
+        <translation>Das Gerät, das die Nummer %1 bekommen hat, wird gesucht.</translation>
+    </message>
+    <message>
+        <source>If the bus is left now, its encoder keeps the old number in the bus structure and in the project.</source>
+        <translation>Wird der Bus jetzt verlassen, behält sein Geber im Busaufbau und im Projekt die alte Nummer.</translation>
+    </message>
+    <message>
+        <source>The device is there as node %1. It was reset, not switched off, which proves nothing: switch its supply off and on, then check it again.</source>
+        <translation>Das Gerät ist als Knoten %1 da. Es wurde zurückgesetzt, nicht ausgeschaltet; das beweist nichts: Versorgung aus- und einschalten, dann noch einmal prüfen.</translation>
     </message>
 </context>
 <context>
