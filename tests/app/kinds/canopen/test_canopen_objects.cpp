@@ -6,6 +6,7 @@
 
 #include <QFile>
 #include <QTableView>
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,13 @@ protected:
         return path;
     }
     DictionaryView &objects() { return *window().findChild<DictionaryView *>(); }
+    QToolButton *toolButton(const char *text)
+    {
+        for (auto *button : objects().findChildren<QToolButton *>())
+            if (button->text() == QLatin1String(text))
+                return button;
+        return nullptr;
+    }
     int rows() { return objects().findChild<QTableView *>()->model()->rowCount(); }
     QString kept() { return shown->project().device(nodeSix).its<CanopenEncoderSettings>().file; }
 
@@ -99,6 +107,34 @@ TEST_F(FileOfAnEncoderTest, IsKeptInTheProjectAndThereWhenItIsOpened)
     tree().choose(nodeSix);
     advance(50);
     EXPECT_EQ(rows(), 1);
+}
+
+TEST_F(FileOfAnEncoderTest, IsDroppedByItsButtonOrKeyAndGivenAgainByUndo)
+{
+    plan(QStringLiteral("can:can0"), {nodeSix});
+    tree().choose(nodeSix);
+    advance(50);
+    auto *button = toolButton("Drop EDS");
+    ASSERT_NE(button, nullptr);
+    EXPECT_FALSE(button->isEnabled()) << "there is none";
+    const QString path = saved(folder.filePath(QStringLiteral("rotor.eds")), oneObject);
+    ASSERT_TRUE(objects().openFile(path));
+    ASSERT_TRUE(button->isEnabled());
+    EXPECT_TRUE(button->toolTip().contains(QStringLiteral("Ctrl+Del"))) << button->toolTip().toStdString();
+    button->click();
+    advance(50);
+    EXPECT_EQ(kept(), QString());
+    EXPECT_GT(rows(), 90);
+    EXPECT_FALSE(button->isEnabled());
+    shown->project().undoStack().undo();
+    advance(50);
+    EXPECT_EQ(kept(), path);
+    EXPECT_EQ(rows(), 1);
+    QTest::keyClick(&window(), Qt::Key_D, Qt::AltModifier | Qt::ShiftModifier);
+    advance(50);
+    QTest::keyClick(objects().findChild<QTableView *>(), Qt::Key_Delete, Qt::ControlModifier);
+    EXPECT_EQ(kept(), QString());
+    EXPECT_TRUE(QFile::exists(path));
 }
 
 TEST_F(FileOfAnEncoderTest, IsFoundBesideTheProject)

@@ -100,6 +100,22 @@ bool DictionaryView::openFile(const QString &path)
     return true;
 }
 
+// The file itself stays where it is; undo gives it to the encoder again.
+void DictionaryView::dropFile()
+{
+    if (!m_node || known().path.isEmpty())
+        return;
+    m_message->withdraw();
+    keepRows();
+    Known &its = known();
+    its.path.clear();
+    its.isRead = false;
+    its.whyNot.clear();
+    describeKnown(its);
+    showRows();
+    Q_EMIT fileChosen(*m_node, {});
+}
+
 // What was read, or heard since, goes before what the file says.
 canopen::DeviceFile DictionaryView::fileNow(bool withHeard)
 {

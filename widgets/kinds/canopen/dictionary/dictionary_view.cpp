@@ -94,6 +94,9 @@ void DictionaryView::makeTools(QToolBar &bar)
     m_open = addTool(
         *this, bar,
         {Icon::open, tr("Open EDS…"), {}, tr("The objects as a file of the maker has them (EDS, DCF)")});
+    m_drop = addTool(*this, bar,
+                     {Icon::remove, tr("Drop EDS"), QKeySequence(Qt::CTRL | Qt::Key_Delete),
+                      tr("The objects as without a file; what was read stays")});
     m_read = addTool(*this, bar, {Icon::read, tr("Read"), {}, {}});
     m_readAll = addTool(*this, bar, {Icon::refresh, tr("Read all"), {}, {}});
     m_cancel = addTool(*this, bar, {Icon::cancel, tr("Cancel"), {}, tr("Leaves the other objects unread")});
@@ -108,6 +111,7 @@ void DictionaryView::makeTools(QToolBar &bar)
     m_export = addTool(*this, bar, {Icon::exportData, tr("Export…"), {}, tr("Saves the values as a DCF")});
     m_onlyDifferent->setCheckable(true);
     connect(m_open, &QAction::triggered, this, &DictionaryView::askOpen);
+    connect(m_drop, &QAction::triggered, this, &DictionaryView::dropFile);
     connect(m_read, &QAction::triggered, this, &DictionaryView::readChosen);
     connect(m_readAll, &QAction::triggered, this, &DictionaryView::readListed);
     connect(m_cancel, &QAction::triggered, m_transfers, &ObjectTransfers::cancel);
@@ -433,6 +437,7 @@ void DictionaryView::showWhatIsPossible()
     m_cancel->setEnabled(m_transfers->left() > 0);
     for (QAction *action : {m_open, m_compare, m_export})
         action->setEnabled(m_node && !isBusy);
+    m_drop->setEnabled(m_node && !isBusy && !known().path.isEmpty());
     m_onlyDifferent->setEnabled(canDiffer());
     if (!m_onlyDifferent->isEnabled())
         m_onlyDifferent->setChecked(false);

@@ -56,7 +56,7 @@ public:
     bool exportTo(const QString &path);
 
 Q_SIGNALS:
-    void fileChosen(int node, const QString &path);
+    void fileChosen(int node, const QString &path); // empty: none any more
 
 private:
     // What is known of a node.
@@ -107,6 +107,7 @@ private:
     void compareAgain();
     void tellDifferences();
     void askOpen();
+    void dropFile();
     void askCompare();
     void askExport();
 
@@ -127,6 +128,7 @@ private:
     QLabel *m_counts;
     QComboBox *m_group = nullptr;
     QAction *m_open = nullptr;
+    QAction *m_drop = nullptr;
     QAction *m_read = nullptr;
     QAction *m_readAll = nullptr;
     QAction *m_cancel = nullptr;
