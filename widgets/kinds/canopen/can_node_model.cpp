@@ -68,10 +68,12 @@ CanNodeRow CanNodeModel::rowFor(const CanopenSession &bus, int number)
     row.errors = nodeTroubles(*heard).join(QStringLiteral("; "));
     auto [condition, isNew] = m_conditions.try_emplace(number);
     Condition &known = condition->second;
-    if (isNew || known.state != row.state || known.errors != row.errors)
-        known = {row.state, row.errors,
+    if (isNew || known.state != row.state || known.errors != row.errors || known.bootUps != heard->bootUps)
+        known = {row.state, row.errors, heard->bootUps,
                  bus.dateTime(bus.now()).toLocalTime().toString(QStringLiteral("HH:mm:ss"))};
     row.isInTrouble = !row.errors.isEmpty();
+    const auto nmtState = heard->stateOrCommanded();
+    row.isWaiting = nmtState == canopen::NmtState::stopped || nmtState == canopen::NmtState::preOperational;
     row.since = known.since;
     return row;
 }
@@ -142,12 +144,12 @@ QVariant CanNodeModel::cell(const CanNodeRow &row, int column, int role) const
     case Qt::DecorationRole:
         if (column != node)
             return {};
-        return lineIcon(row.isInTrouble ? Icon::fault
-                        : row.isHeard   ? Icon::running
-                                        : Icon::inactive,
-                        row.isInTrouble ? Role::fault
-                        : row.isHeard   ? Role::running
-                                        : Role::inactive);
+        if (row.isInTrouble)
+            return lineIcon(Icon::fault, Role::fault);
+        if (row.isWaiting)
+            return lineIcon(Icon::attention, Role::attention);
+        return row.isHeard ? lineIcon(Icon::running, Role::running)
+                           : lineIcon(Icon::inactive, Role::inactive);
     default:
         return {};
     }

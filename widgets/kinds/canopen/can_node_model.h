@@ -19,9 +19,10 @@ struct CanNodeRow
     QString name; // of its encoder; empty: it is none of the bus's
     bool isHeard = false;
     bool isInTrouble = false;
-    QString state;  // with heartbeat and PDOs, a line each
-    QString errors; // empty: none
-    QString since;  // it is like that; empty: not known
+    bool isWaiting = false; // stopped or pre-operational
+    QString state;          // with heartbeat and PDOs, a line each
+    QString errors;         // empty: none
+    QString since;          // it is like that; empty: not known
 
     friend bool operator==(const CanNodeRow &, const CanNodeRow &) = default;
 };
@@ -56,6 +57,7 @@ private:
     {
         QString state;
         QString errors;
+        int bootUps = 0;
         QString since;
     };
 

@@ -164,6 +164,13 @@ public:
     });
 };
 
+QString nodeStateText(const Node &node)
+{
+    return node.state || !node.commanded ? nmtStateText(node.state)
+                                         : sentence(CanopenFactText::tr("%1 (as commanded)", "a state"),
+                                                    {nmtStateText(node.commanded)});
+}
+
 QString pdoText(const Node &node)
 {
     return node.sendsPdos ? CanopenFactText::tr("sends") : QString();
@@ -184,8 +191,7 @@ constexpr auto nodeFactRows = std::to_array<CanopenNodeFact>({
      QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
                        "The NMT state that the node has told last. Only an operational one sends PDOs, and a "
                        "stopped one answers nothing"),
-     [](const Node &node) { return nmtStateText(node.state); },
-     [](const Node &node) { return nmtStateJson(node.state); }},
+     nodeStateText, [](const Node &node) { return nmtStateJson(node.state); }},
     {"heartbeat", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Heartbeat"),
      QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it comes in time. A node may have none"),
      [](const Node &node) { return translated(rowOf(heartbeatRows, node.heartbeat).text); },

@@ -92,9 +92,10 @@ StateWord CanopenOutline::shown(Place place) const
     const CanopenSnapshot::Node *heard = bus.heard(CanopenAddress::of(place.node).node);
     if (heard == nullptr)
         return {Role::inactive, tr("not seen")};
-    if (heard->state == NmtState::stopped)
+    const auto state = heard->stateOrCommanded();
+    if (state == NmtState::stopped)
         return {Role::attention, tr("stopped", "a node")};
-    if (heard->state == NmtState::preOperational)
+    if (state == NmtState::preOperational)
         return {Role::attention, tr("pre-operational")};
     if (encoder.latest().state == EncoderState::notSeen)
         return {Role::inactive, tr("not seen")};

@@ -84,17 +84,19 @@ void CanopenWork::complete(CanopenSnapshot &made)
         made.nodes.push_back(
             {.node = number,
              .state = watch.state(),
+             .commanded = watch.commandedState(),
              .heartbeat = node->heartbeat,
              .isDoubled = watch.isDoubled(),
              .secondAnswers = watch.secondAnswers(),
-             .sendsPdos = node->sendsPdos,
+             .sendsPdos = watch.pdoAt().has_value(),
              .bootUps = watch.bootUps(),
              .unaskedBootUps = watch.unaskedBootUps(),
              .error = watch.standing().empty() ? std::nullopt : std::optional(watch.standing().back()),
              .position = node->device ? canopen::termsOf(driver(*node->device)->transmitPdos(),
                                                          canopen::object::position)
                                       : std::nullopt,
-             .heardAt = *node->heardAt});
+             .heardAt = *node->heardAt,
+             .pdoAt = watch.pdoAt()});
     }
 }
 

@@ -46,7 +46,6 @@ struct CanopenWork final
         int typedFrames = 0;                           // SDO requests by hand that may be answered
         Instant dueAt = Instant::max();                // it may want to send something
         bool answers = true;                           // the last request was answered
-        bool sendsPdos = false;                        //
         std::map<int, std::uint32_t> pdos{};           // identifiers that were read; 0: it is off
         std::optional<Instant> heardAt{};
         canopen::Heartbeat heartbeat = canopen::Heartbeat::notHeard; // as told

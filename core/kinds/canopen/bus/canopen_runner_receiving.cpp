@@ -93,7 +93,7 @@ void CanopenWork::take(const CanFrame &frame)
         if (cob->service != Service::sdoRequest && cob->service != Service::rpdo && !frame.isRemote)
             its.heardAt = now;
         if (isPdo && !frame.isRemote)
-            its.sendsPdos = its.answers = true;
+            its.answers = true;
     } else if (cob && cob->service == Service::nmt) {
         for (const auto &each : nodes)
             if (each)

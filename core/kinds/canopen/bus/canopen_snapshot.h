@@ -52,7 +52,8 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
     struct Node
     {
         int node = 0;
-        std::optional<canopen::NmtState> state{};
+        std::optional<canopen::NmtState> state{};     // as it has shown
+        std::optional<canopen::NmtState> commanded{}; // otherwise, as it was told to
         canopen::Heartbeat heartbeat = canopen::Heartbeat::notHeard;
         bool isDoubled = false;
         int secondAnswers = 0; // more SDO answers than requests
@@ -62,6 +63,9 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
         std::optional<canopen::Emcy> error{};        // the newest that stands
         std::optional<canopen::PdoTerms> position{}; // when the PDO with its position comes, as read
         Instant heardAt{};
+        std::optional<Instant> pdoAt{}; // the last one, since it was operational
+
+        std::optional<canopen::NmtState> stateOrCommanded() const { return state ? state : commanded; }
     };
 
     CanStatus status{};

@@ -17,9 +17,6 @@ namespace codewheel::canopen {
 namespace {
 
 constexpr unsigned onlyCamProgram = 1;
-constexpr std::array commandRows{std::pair(NmtCommand::start, NmtState::operational),
-                                 std::pair(NmtCommand::stop, NmtState::stopped),
-                                 std::pair(NmtCommand::preOperational, NmtState::preOperational)};
 
 constexpr std::uint32_t keyOf(SdoObject object)
 {
@@ -82,12 +79,8 @@ ObjectType NodeEncoder::typeOf(SdoObject object) const
 
 std::optional<NmtState> NodeEncoder::state() const
 {
-    if (const auto shown = watch.state())
-        return shown;
-    const auto command = watch.command();
-    const auto row =
-        std::ranges::find_if(commandRows, [&](const auto &each) { return each.first == command; });
-    return row != commandRows.end() ? std::optional(row->second) : std::nullopt;
+    const auto shown = watch.state();
+    return shown ? shown : watch.commandedState();
 }
 
 void NodeEncoder::take(const CanFrame &frame, Instant now)

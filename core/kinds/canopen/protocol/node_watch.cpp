@@ -26,6 +26,10 @@ constexpr Instant underWay = std::chrono::milliseconds(50); // what was sent bef
 // Assumed: nobody switches a supply off and on so soon behind a reset.
 constexpr Instant resetTime = std::chrono::seconds(2);
 
+constexpr std::array commandRows{std::pair(NmtCommand::start, NmtState::operational),
+                                 std::pair(NmtCommand::stop, NmtState::stopped),
+                                 std::pair(NmtCommand::preOperational, NmtState::preOperational)};
+
 std::uint32_t identifierOf(CobId::Service service, int node, int number = 0)
 {
     return CobId{.service = service, .node = node, .number = number}.identifier();
@@ -152,9 +156,18 @@ void NodeWatch::takeCommand(const CanFrame &frame, Instant at)
     m_command = request->command;
     m_commandAt = at;
     m_isStopped = request->command == NmtCommand::stop;
+    if (request->command != NmtCommand::start)
+        m_pdoAt.reset();
     m_state.reset();
     m_statesTold.clear();
     m_bootedAt.reset();
+}
+
+std::optional<NmtState> NodeWatch::commandedState() const
+{
+    const auto row =
+        std::ranges::find_if(commandRows, [&](const auto &each) { return each.first == m_command; });
+    return row != commandRows.end() ? std::optional(row->second) : std::nullopt;
 }
 
 void NodeWatch::takeErrorControl(const CanFrame &frame, Instant now)
@@ -201,8 +214,9 @@ void NodeWatch::takeBootUp(Instant at)
     m_hasTwoBootUps = m_bootedAt && at - *m_bootedAt < bootUpsTime;
     m_bootedAt = at;
     m_statesTold.clear();
-    m_state.reset();
+    m_state = NmtState::preOperational;
     m_command.reset();
+    m_pdoAt.reset();
     m_countsFrom.reset();
     m_beats.clear();
     m_isGuarded = false;
@@ -214,6 +228,8 @@ void NodeWatch::takeBeat(const NodeState &told, std::optional<Instant> at, Insta
     m_state = told.state == NmtState::bootUp ? std::nullopt : std::optional(told.state);
     m_command.reset();
     m_isStopped = told.state == NmtState::stopped;
+    if (told.state != NmtState::operational)
+        m_pdoAt.reset();
     isAtWork(at.value_or(now));
     m_isGuarded = m_isGuarded || told.toggle;
     compareStates(told.state, at.value_or(now));
@@ -252,6 +268,7 @@ void NodeWatch::takeTpdo(Instant at)
     if (m_command && at <= m_commandAt + (m_command == NmtCommand::start ? Instant() : underWay))
         return;
     m_state = NmtState::operational;
+    m_pdoAt = at;
     m_command.reset();
     m_isStopped = false;
     isAtWork(at);

@@ -39,10 +39,14 @@ public:
 
     void take(const CanFrame &frame, Instant now);
 
-    // As the node has shown; empty: not known, as after boot-up or a command.
+    // As the node has shown; empty: not known, as after a command.
     std::optional<NmtState> state() const { return m_state; }
     // The last command to it, until the node shows its state.
     std::optional<NmtCommand> command() const { return m_command; }
+    // That in which this command sends it; empty: in none, or it has shown its own since.
+    std::optional<NmtState> commandedState() const;
+    // When the last PDO came; empty: none has since it was last otherwise than operational.
+    const std::optional<Instant> &pdoAt() const { return m_pdoAt; }
     // It was last known as stopped, by what it told or by a command, and has shown nothing else since: it
     // answers nothing, and is there all the same.
     bool isStopped() const { return m_isStopped; }
@@ -94,6 +98,7 @@ private:
     std::optional<NmtCommand> m_command{};
     Instant m_commandAt{};
     bool m_isStopped = false;
+    std::optional<Instant> m_pdoAt{};
     std::optional<Instant> m_countsFrom{}; // the last heartbeat, or the end of a silence
     std::deque<Instant> m_beats{};
     bool m_hasTooManyBeats = false;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bus/bus_outline.h"
 #include "kinds/canopen/bus/canopen_facts.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
 
@@ -47,6 +48,32 @@ TEST_F(CanopenFactsOfABus, TellTheBusInTextAndInJson)
     bus->advance(100ms);
     EXPECT_EQ(text("otherMaster"), QStringLiteral("SYNC"));
     EXPECT_TRUE(text("load").endsWith(QStringLiteral(" %")));
+}
+
+// Node 5 has no heartbeat that would tell.
+TEST_F(CanopenFactsOfABus, ANodeThatWasStoppedIsToldAsStopped)
+{
+    operate();
+    bus->transfer({.node = 5, .object = {0x1017, 0}, .value = std::vector<std::uint8_t>{0, 0}});
+    bus->transfer({.node = 5, .object = {0x1800, 5}, .value = std::vector<std::uint8_t>{50, 0}});
+    bus->advance(500ms);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 5}.frame());
+    bus->advance(500ms);
+    const auto fact = [this](const char *key) {
+        const auto its = std::ranges::find_if(
+            canopenNodeFacts(), [key](const CanopenNodeFact &each) { return qstrcmp(each.key, key) == 0; });
+        return its->text(*bus->latest().heard(5)).toStdString();
+    };
+    const auto shownInTree = [this] { return bus->outline().state(0).shown; };
+    EXPECT_EQ(fact("state"), "operational");
+    EXPECT_EQ(fact("sendsPdos"), "sends");
+    EXPECT_EQ(shownInTree().role, Role::running);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::stop, 5}.frame());
+    bus->advance(200ms);
+    EXPECT_EQ(fact("state"), "stopped (as commanded)");
+    EXPECT_EQ(fact("sendsPdos"), "");
+    EXPECT_EQ(shownInTree().role, Role::attention);
+    EXPECT_EQ(shownInTree().word, QStringLiteral("stopped"));
 }
 
 TEST_F(CanopenFactsOfABus, TellANodeInTextAndInJson)

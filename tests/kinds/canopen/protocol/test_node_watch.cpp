@@ -41,19 +41,19 @@ TEST_F(NodeWatchTest, StatesAreThoseThatTheNodeShows)
     EXPECT_EQ(watch.state(), NmtState::stopped);
 }
 
-TEST_F(NodeWatchTest, AfterBootUpTheStateIsNotKnownAndAPdoTellsIt)
+TEST_F(NodeWatchTest, AfterBootUpItIsPreOperationalAndAPdoTellsThatItRuns)
 {
-    comes("705# 7F");
+    comes("705# 05");
     comes("705# 00");
     EXPECT_EQ(watch.bootUps(), 1);
-    EXPECT_FALSE(watch.state());
+    EXPECT_EQ(watch.state(), NmtState::preOperational);
     comes("205# 00"); // to the node
-    EXPECT_FALSE(watch.state());
+    EXPECT_EQ(watch.state(), NmtState::preOperational);
     comes("185# 88 13 00 00");
     EXPECT_EQ(watch.state(), NmtState::operational);
     comes("705# 00");
     EXPECT_EQ(watch.bootUps(), 2);
-    EXPECT_FALSE(watch.state());
+    EXPECT_EQ(watch.state(), NmtState::preOperational);
 }
 
 TEST_F(NodeWatchTest, PdosMayHaveOtherIdentifiers)
@@ -111,6 +111,35 @@ TEST_F(NodeWatchTest, AStoppedNodeIsStoppedUntilItShowsSomethingElse)
     now += 1ms;
     comes("585# 43 04 60 00 88 13 00 00");
     EXPECT_FALSE(watch.isStopped());
+}
+
+TEST_F(NodeWatchTest, PdosCountSinceTheNodeWasLastOperational)
+{
+    EXPECT_FALSE(watch.pdoAt());
+    for (const char *end : {"000# 02 05", "000# 80 00", "000# 81 05", "705# 7F", "705# 04", "705# 00"}) {
+        comes("000# 01 05");
+        now += 1s;
+        comes("185# 88 13 00 00");
+        EXPECT_EQ(watch.pdoAt(), now);
+        comes("705# 05");
+        EXPECT_TRUE(watch.pdoAt());
+        comes(end);
+        EXPECT_FALSE(watch.pdoAt()) << end;
+    }
+}
+
+TEST_F(NodeWatchTest, WhatItWasToldToIsKnownUntilItShowsItself)
+{
+    comes("000# 02 05");
+    EXPECT_EQ(watch.commandedState(), NmtState::stopped);
+    comes("000# 80 05");
+    EXPECT_EQ(watch.commandedState(), NmtState::preOperational);
+    comes("000# 01 05");
+    EXPECT_EQ(watch.commandedState(), NmtState::operational);
+    comes("705# 05");
+    EXPECT_FALSE(watch.commandedState());
+    comes("000# 81 05");
+    EXPECT_FALSE(watch.commandedState());
 }
 
 TEST_F(NodeWatchTest, AHeartbeatIsLateAndThenLost)
