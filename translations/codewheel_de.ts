@@ -6474,7 +6474,7 @@
     </message>
     <message>
         <source>Bus off</source>
-        <translation>Bus off</translation>
+        <translation>Bus-Off</translation>
     </message>
     <message>
         <source>Adapter alone</source>
@@ -7785,6 +7785,11 @@
     <message>
         <source>sends</source>
         <translation>sendet</translation>
+    </message>
+    <message>
+        <source>%1 (as commanded)</source>
+        <comment>a state</comment>
+        <translation>%1 (wie befohlen)</translation>
     </message>
 </context>
 <context>
@@ -13391,6 +13396,14 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     <message>
         <source>%1 is the configuration of node %2, and this is node %3.</source>
         <translation>%1 ist die Konfiguration von Knoten %2, und dies ist Knoten %3.</translation>
+    </message>
+    <message>
+        <source>Drop EDS</source>
+        <translation>EDS weglassen</translation>
+    </message>
+    <message>
+        <source>The objects as without a file; what was read stays</source>
+        <translation>Die Objekte wie ohne Datei; was gelesen wurde, bleibt</translation>
     </message>
 </context>
 <context>
