@@ -8016,7 +8016,7 @@ Telegramme: %5, Fehler: %6</translation>
     </message>
     <message>
         <source>ok</source>
-        <translation>in Ordnung</translation>
+        <translation>ok</translation>
     </message>
 </context>
 <context>

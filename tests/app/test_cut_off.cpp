@@ -182,8 +182,10 @@ protected:
         test::waitUntilSettled(shown.window());
         takeOffPlainPanel(shown.window());
         shown.advance(33); // the first panels come to the front
-        if (auto *dock = qobject_cast<QDockWidget *>(&seen))
+        if (auto *dock = qobject_cast<QDockWidget *>(&seen)) {
+            dock->show(); // some are not at first
             dock->raise();
+        }
         shown.advance(99); // each row of a layout tells the one around it
         for (const QString &cut : test::cutOff(seen))
             ADD_FAILURE() << size.width() << (largeControls ? ", large: " : ": ") << cut.toStdString();
