@@ -3,6 +3,7 @@
 
 #include "bus/bus_outline.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/bus/canopen_facts.h"
 #include "kinds/canopen/bus/canopen_faults.h"
 #include "kinds/canopen/bus/canopen_pdo_check.h"
 #include "kinds/canopen/bus/canopen_session.h"
@@ -87,6 +88,16 @@ std::optional<NoFrames> whyNoFrames(const CanopenSession &bus)
                                          "nobody while they are only watched.")};
 }
 
+// Here and there one is nothing.
+bool isDisturbed(const CanopenSnapshot &bus)
+{
+    constexpr std::uint64_t manyErrors = 100;
+    constexpr std::uint64_t framesForEach = 100;
+    const bool isInErrors = bus.status.state == CanState::warning || bus.status.state == CanState::passive;
+    const std::uint64_t errors = bus.figures.errorFrames;
+    return isInErrors || (errors >= manyErrors && errors * framesForEach > bus.figures.received);
+}
+
 DataCheck framesCheck(const CanopenSession &bus)
 {
     const QString what = CanopenCheckText::tr("Frames");
@@ -97,6 +108,13 @@ DataCheck framesCheck(const CanopenSession &bus)
                            DataCheck::Action::connection);
     const double load = bus.latest().figures.load;
     DataCheck passed = passedCheck(DataCheck::Id::bytes, what, expected, received);
+    if (isDisturbed(bus.latest()))
+        return remarkOf(
+            std::move(passed),
+            sentence(CanopenCheckText::tr("Error frames: %1, others: %2. Frames are disturbed: two "
+                                          "devices may have one number, one may have another "
+                                          "rate, or a terminator or a wire is missing."),
+                     {QLocale().toString(qulonglong{bus.latest().figures.errorFrames}), received}));
     if (load < muchLoad)
         return passed;
     return remarkOf(std::move(passed),
@@ -149,29 +167,36 @@ DataCheck heardCheck(const CanopenSession &bus, int number)
     return passedCheck(DataCheck::Id::reached, what, expected, expected);
 }
 
-QString stateText(const std::optional<canopen::NmtState> &state)
+QString stateText(const CanopenSnapshot::Node *node)
 {
-    return state ? canopen::NodeState{.state = *state}.text() : CanopenCheckText::tr("not known");
+    const QString text = node != nullptr ? nodeStateText(*node) : QString();
+    return text.isEmpty() ? CanopenCheckText::tr("not known") : text;
 }
 
 DataCheck nodeStateCheck(const CanopenSession &bus, int number)
 {
     using canopen::NmtState;
     const QString what = CanopenCheckText::tr("State of the node");
-    const QString expected = stateText(NmtState::operational);
+    const QString expected = nmtStateText(NmtState::operational);
     const CanopenSnapshot::Node *node = bus.latest().heard(number);
-    const auto state = node != nullptr ? node->state : std::nullopt;
+    const auto state = node != nullptr ? node->stateOrCommanded() : std::nullopt;
     if (state == NmtState::stopped)
-        return failedCheck(DataCheck::Id::state, what, expected, stateText(state),
+        return failedCheck(DataCheck::Id::state, what, expected, stateText(node),
                            CanopenCheckText::tr("The node is stopped: it sends no positions and answers "
                                                 "nothing. Start it (NMT), in Operate."));
     if (state == NmtState::preOperational && !bus.isOperating())
-        return failedCheck(DataCheck::Id::state, what, expected, stateText(state),
+        return failedCheck(DataCheck::Id::state, what, expected, stateText(node),
                            CanopenCheckText::tr("The node is pre-operational: it sends no positions by "
                                                 "itself. Start it (NMT), or switch to Operate, where it is "
                                                 "asked for them."),
                            DataCheck::Action::operate);
-    return passedCheck(DataCheck::Id::state, what, expected, stateText(state));
+    DataCheck passed = passedCheck(DataCheck::Id::state, what, expected, stateText(node));
+    if (state != NmtState::preOperational)
+        return passed;
+    return remarkOf(
+        std::move(passed),
+        CanopenCheckText::tr("The node is pre-operational: it is asked for its position. Its PDOs "
+                             "come once it is started (NMT)."));
 }
 
 DataCheck nodeAlarmCheck(const CanopenSession &bus, Place place)

@@ -164,13 +164,6 @@ public:
     });
 };
 
-QString nodeStateText(const Node &node)
-{
-    return node.state || !node.commanded ? nmtStateText(node.state)
-                                         : sentence(CanopenFactText::tr("%1 (as commanded)", "a state"),
-                                                    {nmtStateText(node.commanded)});
-}
-
 QString pdoText(const Node &node)
 {
     return node.sendsPdos ? CanopenFactText::tr("sends") : QString();
@@ -251,6 +244,13 @@ std::span<const CanopenNodeFact> canopenNodeFacts()
 QString nmtStateText(std::optional<NmtState> state)
 {
     return state ? canopen::NodeState{.state = *state}.text() : QString();
+}
+
+QString nodeStateText(const Node &node)
+{
+    return node.state || !node.commanded ? nmtStateText(node.state)
+                                         : sentence(CanopenFactText::tr("%1 (as commanded)", "a state"),
+                                                    {nmtStateText(node.commanded)});
 }
 
 // One that is none of the standard's has no key.

@@ -45,6 +45,7 @@ struct CanopenNodeFact
 std::span<const CanopenNodeFact> canopenNodeFacts();
 
 QString nmtStateText(std::optional<canopen::NmtState> state); // "operational"; empty: not known
+QString nodeStateText(const CanopenSnapshot::Node &node);     // with "as commanded" unless it has shown it
 QJsonValue nmtStateJson(std::optional<canopen::NmtState> state);
 // What is wrong with a node: doubled, no heartbeat, EMCY; empty: nothing.
 QStringList nodeTroubles(const CanopenSnapshot::Node &node);

@@ -9,6 +9,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
+
 namespace codewheel {
 namespace {
 
@@ -72,7 +74,33 @@ NoPdo onlyOnChange(const canopen::PdoTerms &pdo)
                      {number, object})};
 }
 
-std::optional<NoPdo> whyNoPdo(const canopen::PdoTerms &pdo, bool isSyncHeard)
+NoPdo notStarted()
+{
+    return {CanopenPdoText::tr("none: the node is pre-operational"),
+            CanopenPdoText::tr("PDOs come once the node is started (NMT).")};
+}
+
+// Empty: it is not known when the next one should come, or it is not due yet.
+std::optional<NoPdo> noMore(const CanopenSnapshot::Node &node, Instant now)
+{
+    constexpr int timesMissed = 3;
+    constexpr Instant atLeast = std::chrono::seconds(1);
+    const Instant timer = node.position ? node.position->eventTimer.value_or(Instant()) : Instant();
+    const Instant since = now - node.pdoAt.value_or(now);
+    if (timer == Instant() || node.position->isSynchronous() || node.position->isAskedFor() ||
+        since <= std::max(timer * timesMissed, atLeast))
+        return std::nullopt;
+    const auto text = [](auto duration) { return QLocale().toString(qlonglong{duration.count()}); };
+    return NoPdo{sentence(CanopenPdoText::tr("none for %1 s"),
+                          {text(std::chrono::duration_cast<std::chrono::seconds>(since))}),
+                 sentence(CanopenPdoText::tr("TPDO%1 should come each %2 ms at least. Check whether the node "
+                                             "still runs: Start it (NMT), and see to its supply."),
+                          {QString::number(node.position->number),
+                           text(std::chrono::duration_cast<std::chrono::milliseconds>(timer))})};
+}
+
+// Whether it runs or not.
+std::optional<NoPdo> whyNever(const canopen::PdoTerms &pdo, bool isSyncHeard)
 {
     if (!pdo.holdsIt)
         return notMapped();
@@ -82,7 +110,7 @@ std::optional<NoPdo> whyNoPdo(const canopen::PdoTerms &pdo, bool isSyncHeard)
         return waitsForSync(pdo);
     if (pdo.isAskedFor())
         return waitsToBeAskedFor(pdo);
-    return pdo.isOnChange() ? std::optional(onlyOnChange(pdo)) : std::nullopt;
+    return std::nullopt;
 }
 
 // Before its settings were read.
@@ -124,18 +152,26 @@ DataCheck canopenPdoCheck(const CanopenSession &bus, int number)
     const CanopenSnapshot &latest = bus.latest();
     const CanopenSnapshot::Node *node = latest.heard(number);
     const auto terms = node != nullptr ? node->position : std::nullopt;
-    if (node != nullptr && node->sendsPdos) {
+    const bool isPreOperational =
+        node != nullptr && node->stateOrCommanded() == canopen::NmtState::preOperational;
+    const auto stopped = node != nullptr ? noMore(*node, latest.at) : std::nullopt;
+    if (node != nullptr && node->sendsPdos && !stopped) {
         DataCheck passed = passedCheck(DataCheck::Id::answer, what, expected, expected);
         return terms ? termsCheck(std::move(passed), *terms, number) : passed;
     }
     const bool isSyncHeard = latest.otherMaster.isHeard(OtherMaster::Sign::sync);
-    const NoPdo why =
-        (terms ? whyNoPdo(*terms, isSyncHeard) : std::nullopt).value_or(notReadYet(isSyncHeard));
+    const auto bySettings = terms ? whyNever(*terms, isSyncHeard) : std::nullopt;
+    const NoPdo why = stopped                        ? *stopped
+                      : bySettings                   ? *bySettings
+                      : isPreOperational             ? notStarted()
+                      : terms && terms->isOnChange() ? onlyOnChange(*terms)
+                                                     : notReadYet(isSyncHeard);
     if (bus.isOperating()) // they are asked for
         return remarkOf(
             passedCheck(DataCheck::Id::answer, what, expected, why.came),
-            terms ? sentence(CanopenPdoText::tr("The position is asked for (SDO). %1"), {why.remedy})
-                  : CanopenPdoText::tr("The position is asked for (SDO)."));
+            terms || isPreOperational
+                ? sentence(CanopenPdoText::tr("The position is asked for (SDO). %1"), {why.remedy})
+                : CanopenPdoText::tr("The position is asked for (SDO)."));
     return failedCheck(DataCheck::Id::answer, what, expected, why.came, why.remedy,
                        DataCheck::Action::operate);
 }

@@ -401,6 +401,54 @@ TEST_F(CanopenBusFaults, PdosUnderUnusualTermsAreNoted)
         << pdo().remedy.toStdString();
 }
 
+// It can be started, and the shaft is not what is missing.
+TEST_F(CanopenBusFaults, ThatANodeIsPreOperationalIsTheReasonThatNoPdoComes)
+{
+    operate();
+    bus->transfer({.node = 6, .object = {0x1800, 5}, .value = std::vector<std::uint8_t>{50, 0}});
+    bus->advance(200ms);
+    bus->close();
+    operate(3s);
+    const auto outcomes = [this] {
+        const DataChecks checks = bus->dataChecks(six.node, {});
+        const auto of = [&](const char *what) {
+            return *std::ranges::find(checks, QLatin1String(what), &DataCheck::what);
+        };
+        return std::pair(of("State of the node"), of("Positions by PDO"));
+    };
+    EXPECT_EQ(outcomes().first.outcome, DataCheck::Outcome::remark);
+    EXPECT_EQ(outcomes().second.outcome, DataCheck::Outcome::remark);
+    EXPECT_EQ(outcomes().second.came, QStringLiteral("none: the node is pre-operational"));
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 6}.frame());
+    bus->advance(2s);
+    EXPECT_EQ(outcomes().first.outcome, DataCheck::Outcome::asExpected);
+    EXPECT_EQ(outcomes().second.outcome, DataCheck::Outcome::asExpected);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::preOperational, 6}.frame());
+    bus->advance(2s);
+    EXPECT_EQ(outcomes().first.outcome, DataCheck::Outcome::remark);
+    EXPECT_EQ(outcomes().second.outcome, DataCheck::Outcome::remark);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 6}.frame());
+    bus->advance(2s);
+    plant->withEncoder(1, [](canopen::SimulatedNode &node) { node.setOn(false); });
+    bus->advance(1'500ms);
+    EXPECT_NE(outcomes().second.outcome, DataCheck::Outcome::asExpected) << "they came";
+}
+
+TEST_F(CanopenBusFaults, ManyErrorFramesAreNotedThoughFramesCome)
+{
+    operate();
+    const auto frames = [this] {
+        const DataChecks checks = bus->dataChecks(six.node, {});
+        return *std::ranges::find(checks, QStringLiteral("Frames"), &DataCheck::what);
+    };
+    EXPECT_EQ(frames().outcome, DataCheck::Outcome::asExpected);
+    plant->bus()->setFaults({.damaged = 300});
+    bus->advance(20s);
+    EXPECT_EQ(frames().outcome, DataCheck::Outcome::remark);
+    EXPECT_TRUE(frames().remedy.startsWith(QStringLiteral("Error frames: ")))
+        << frames().remedy.toStdString();
+}
+
 TEST_F(CanopenBusFaults, NobodyThereIsSaid)
 {
     connectTo({});
