@@ -29,9 +29,10 @@ struct AskedDevice
     NodeId node{};
     Reading reading{};
     bool hasJob = false;
-    bool present = true;                      // false: it has been removed
-    bool answers = true;                      // its last request was answered
-    Instant lateAfter = Freshness::lateAfter; // by the pace at which its positions come
+    bool present = true;                                         // false: it has been removed
+    bool answers = true;                                         // its last request was answered
+    Freshness::Reason whyNotAsked = Freshness::Reason::notAsked; // if it is not
+    Instant lateAfter = Freshness::lateAfter;                    // by the pace at which its positions come
 };
 
 // The bus as it is now.

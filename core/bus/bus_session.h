@@ -148,6 +148,7 @@ private:
             encoder->moveTo(its);
             circumstances.lateAfter = device.lateAfter;
             circumstances.isAnswering = device.answers;
+            circumstances.whyNotAsked = device.whyNotAsked;
             encoder->show(device.reading, circumstances);
             if (its != before)
                 Q_EMIT moved(before, its);

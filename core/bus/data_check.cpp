@@ -35,6 +35,10 @@ QString freshnessRemedy(Freshness::Reason reason)
         return DataCheckText::tr("Wait a moment. If nothing comes, check its supply and its place.");
     case Freshness::Reason::notAsked:
         return DataCheckText::tr("Wait for it, or end the search or the job.");
+    case Freshness::Reason::watched:
+        return DataCheckText::tr("Switch to Operate, where it is asked.");
+    case Freshness::Reason::nodeStopped:
+        return DataCheckText::tr("Start it (NMT), in Operate.");
     case Freshness::Reason::slept:
         return DataCheckText::tr("Wait for the next answer.");
     default:

@@ -23,7 +23,7 @@ Reason reasonOf(Instant seen, const Freshness::Circumstances &bus)
         return Reason::slept;
     if (bus.now - seen <= bus.lateAfter)
         return Reason::none;
-    return bus.isAnswering ? Reason::notAsked : Reason::silent;
+    return bus.isAnswering || bus.whyNotAsked != Reason::notAsked ? bus.whyNotAsked : Reason::silent;
 }
 
 // One that is silent, or not seen any more, keeps the position it showed last.
@@ -50,7 +50,7 @@ Freshness::Freshness(const Reading &reading, const Circumstances &bus)
     const bool isSilent = reading.state == EncoderState::silent;
     if (isSilent && m_state == State::unknown && bus.isConnected && bus.isLinkThere && bus.isRunning)
         m_reason = Reason::silent;
-    const bool mayBeLive = isLive() || m_reason == Reason::notAsked || m_reason == Reason::slept;
+    const bool mayBeLive = isLive() || isOnlyNotAsked(m_reason) || m_reason == Reason::slept;
     if (!mayBeLive || (!isSilent && reading.state != EncoderState::notSeen))
         return;
     m_state = State::old;

@@ -26,10 +26,19 @@ public:
         unsettled,    // its word is read, and no two reads agree
         silent,       // it does not answer
         notAsked,     // not for longer than it may be late: something else keeps the line busy
+        watched,      // likewise: in Watch nothing is sent, and it tells nothing by itself
+        heldBack,     // likewise: another master is at work
+        nodeStopped,  // likewise: it was told to be silent
         slept,        // the computer has slept since
         recorded,     // it is of a recording
         notRecorded,  // likewise, and nobody recorded it
     };
+
+    // Nothing is wrong with it: it is only not asked.
+    static bool isOnlyNotAsked(Reason reason)
+    {
+        return reason == Reason::notAsked || reason == Reason::watched || reason == Reason::heldBack;
+    }
 
     // How late the next one may be at most.
     static constexpr std::chrono::seconds lateAfter{5};
@@ -46,6 +55,7 @@ public:
         Instant now{};
         Instant lateAfter = Freshness::lateAfter; // where it is asked more often, it is old sooner
         bool isAnswering = true;                  // its last request was answered
+        Reason whyNotAsked = Reason::notAsked;    // if it is not
     };
 
     Freshness() = default;

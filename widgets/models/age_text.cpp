@@ -53,8 +53,8 @@ QString ageSentence(const EncoderSession &encoder)
 QString outOfSightReason(const EncoderSession &encoder)
 {
     const Freshness &freshness = encoder.freshness();
-    const bool isOnlyLate = freshness.reason() == Freshness::Reason::unsettled ||
-                            freshness.reason() == Freshness::Reason::notAsked;
+    const bool isOnlyLate =
+        freshness.reason() == Freshness::Reason::unsettled || Freshness::isOnlyNotAsked(freshness.reason());
     return freshness.isOld() && !isOnlyLate ? freshnessText(freshness.reason()) : QString();
 }
 

@@ -64,6 +64,17 @@ void CanopenWork::show(std::size_t device, AskedDevice &shown) const
 {
     if (shown.present)
         shown.answers = nodes.at(static_cast<std::size_t>(driver(device)->node()))->answers;
+    if (shown.present)
+        shown.whyNotAsked = whyNotAsked(*nodes.at(static_cast<std::size_t>(driver(device)->node())));
+}
+
+Freshness::Reason CanopenWork::whyNotAsked(const Node &node) const
+{
+    if (node.watch.isStopped())
+        return Freshness::Reason::nodeStopped;
+    if (!state.operate)
+        return Freshness::Reason::watched;
+    return state.isHeldBack() ? Freshness::Reason::heldBack : Freshness::Reason::notAsked;
 }
 
 void CanopenWork::complete(CanopenSnapshot &made)

@@ -92,6 +92,7 @@ struct CanopenWork final
     std::optional<Outgoing> nextOf(int number);
     void beginRequest(int number);
     bool mayAsk(const Node &node) const;
+    Freshness::Reason whyNotAsked(const Node &node) const;
     void settle(int number); // its transfer may have ended; then when it is due is worked out
     void settleDevice(std::size_t device) override { settle(drivers[device]->node()); }
     void ended(Node &node, const canopen::SdoOutcome &outcome);

@@ -434,6 +434,33 @@ TEST_F(CanopenBusFaults, ThatANodeIsPreOperationalIsTheReasonThatNoPdoComes)
     EXPECT_NE(outcomes().second.outcome, DataCheck::Outcome::asExpected) << "they came";
 }
 
+// Node 5 has no heartbeat that would tell.
+TEST_F(CanopenBusFaults, WhyNothingNewComesOfAStoppedNodeOrInWatchIsSaid)
+{
+    operate();
+    bus->transfer({.node = 5, .object = {0x1017, 0}, .value = std::vector<std::uint8_t>{0, 0}});
+    bus->advance(500ms);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::stop, 5}.frame());
+    bus->advance(10s);
+    EXPECT_EQ(bus->encoder(five)->freshness().reason(), Freshness::Reason::nodeStopped);
+    const auto stopped = difference(five.node);
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(stopped->came, QStringLiteral("stopped (as commanded)"));
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 5}.frame());
+    bus->advance(2s);
+    EXPECT_TRUE(bus->encoder(five)->freshness().isLive());
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::preOperational, 5}.frame());
+    bus->advance(200ms);
+    bus->setOperate(false);
+    bus->advance(10s);
+    EXPECT_EQ(bus->encoder(five)->freshness().reason(), Freshness::Reason::watched);
+    bus->setOperate(true);
+    bus->advance(1s);
+    say(test::canFrame(0x80, {}));
+    bus->advance(10s);
+    EXPECT_EQ(bus->encoder(five)->freshness().reason(), Freshness::Reason::heldBack);
+}
+
 TEST_F(CanopenBusFaults, ManyErrorFramesAreNotedThoughFramesCome)
 {
     operate();
