@@ -1992,6 +1992,22 @@
         <comment>its word</comment>
         <translation>Unstimmig</translation>
     </message>
+    <message>
+        <source>In Watch the encoder is not asked, and it sends no position by itself.</source>
+        <translation>Beim Beobachten wird der Geber nicht gefragt, und von selbst sendet er keine Position.</translation>
+    </message>
+    <message>
+        <source>The encoder is not being asked, as another master is at work on the bus.</source>
+        <translation>Der Geber wird nicht gefragt, weil ein anderer Master am Bus arbeitet.</translation>
+    </message>
+    <message>
+        <source>The node is stopped, so it sends and answers nothing.</source>
+        <translation>Der Knoten ist angehalten: Er sendet und antwortet nichts.</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
 </context>
 <context>
     <name>IdCode</name>
@@ -7566,6 +7582,30 @@
         <source>The position is asked for (SDO). %1</source>
         <translation>Die Position wird abgefragt (SDO). %1</translation>
     </message>
+    <message>
+        <source>Error frames: %1, others: %2. Frames are disturbed: two devices may have one number, one may have another rate, or a terminator or a wire is missing.</source>
+        <translation>Fehlertelegramme: %1, andere: %2. Telegramme werden gestört: Zwei Geräte können eine Nummer haben, eines kann eine andere Rate haben, oder ein Abschlusswiderstand oder ein Draht fehlt.</translation>
+    </message>
+    <message>
+        <source>The node is pre-operational: it is asked for its position. Its PDOs come once it is started (NMT).</source>
+        <translation>Der Knoten ist pre-operational: Er wird nach seiner Position gefragt. Seine PDOs kommen, sobald er gestartet ist (NMT).</translation>
+    </message>
+    <message>
+        <source>none: the node is pre-operational</source>
+        <translation>keine: der Knoten ist pre-operational</translation>
+    </message>
+    <message>
+        <source>PDOs come once the node is started (NMT).</source>
+        <translation>PDOs kommen, sobald der Knoten gestartet ist (NMT).</translation>
+    </message>
+    <message>
+        <source>none for %1 s</source>
+        <translation>seit %1 s keine</translation>
+    </message>
+    <message>
+        <source>TPDO%1 should come each %2 ms at least. Check whether the node still runs: Start it (NMT), and see to its supply.</source>
+        <translation>TPDO%1 müsste mindestens alle %2 ms kommen. Prüfen Sie, ob der Knoten noch läuft: starten (NMT) und nach seiner Versorgung sehen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenFacts</name>
@@ -12595,6 +12635,14 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     <message>
         <source>waiting</source>
         <translation>wartet</translation>
+    </message>
+    <message>
+        <source>Switch to Operate, where it is asked.</source>
+        <translation>Auf Bedienen umschalten, dort wird er gefragt.</translation>
+    </message>
+    <message>
+        <source>Start it (NMT), in Operate.</source>
+        <translation>Starten (NMT), beim Bedienen.</translation>
     </message>
 </context>
 <context>
