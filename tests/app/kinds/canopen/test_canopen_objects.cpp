@@ -4,6 +4,7 @@
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/dictionary/object_model.h"
 
+#include <QDockWidget>
 #include <QFile>
 #include <QTableView>
 #include <QToolButton>
@@ -72,7 +73,11 @@ protected:
         file.write(bytes);
         return path;
     }
-    DictionaryView &objects() { return *window().findChild<DictionaryView *>(); }
+    DictionaryView &objects()
+    {
+        window().findChild<QDockWidget *>(QStringLiteral("canObjectsDock"))->show(); // then it is made
+        return *window().findChild<DictionaryView *>();
+    }
     QToolButton *toolButton(const char *text)
     {
         for (auto *button : objects().findChildren<QToolButton *>())
