@@ -3,6 +3,7 @@
 #include "widgets/kinds/canopen/can_bus_panel.h"
 #include "widgets/kinds/canopen/can_node_model.h"
 #include "widgets/kinds/canopen/nmt_texts.h"
+#include "widgets/look/icons.h"
 #include "widgets/look/label_text.h"
 #include "widgets/look/role_label.h"
 
@@ -101,6 +102,29 @@ TEST_F(CanBusPanelTest, TellsErrorsWithTheirTimeAndFigures)
     EXPECT_TRUE(fact(QStringLiteral("Load")).endsWith(u'%'));
     EXPECT_NE(fact(QStringLiteral("Received")), QStringLiteral("0"));
     EXPECT_EQ(panel.findChild<RoleLabel *>()->word(), QStringLiteral("Open, in Operate"));
+}
+
+TEST_F(CanBusPanelTest, ABootUpIsATimeOfItsOwnAndAStoppedNodeIsNotWell)
+{
+    operate();
+    const QString before = since(6);
+    bus->advance(5s);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::resetNode, 6}.frame());
+    bus->advance(1s);
+    EXPECT_TRUE(cell(6, CanNodeModel::state).startsWith(QStringLiteral("pre-operational")));
+    EXPECT_NE(since(6), before) << "though its state is the same";
+    const auto shows = [this](Icon icon, Role role) {
+        const auto *model = static_cast<const CanNodeModel *>(table().model());
+        const auto shown = model->index(model->rowOf(6), CanNodeModel::node).data(Qt::DecorationRole);
+        const QSize size(16, 16);
+        return shown.value<QIcon>().pixmap(size).toImage() == lineIcon(icon, role).pixmap(size).toImage();
+    };
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 6}.frame());
+    bus->advance(2s);
+    EXPECT_TRUE(shows(Icon::running, Role::running));
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::stop, 6}.frame());
+    bus->advance(2s);
+    EXPECT_TRUE(shows(Icon::attention, Role::attention));
 }
 
 TEST_F(CanBusPanelTest, CommandsNeedOperateAndAChosenNode)
