@@ -64,6 +64,13 @@ protected:
         canActions().setup->trigger();
         advance(50);
     }
+    // What was begun, at most.
+    void untilDone(int most)
+    {
+        for (int passed = 0; passed < most && view().isBusy(); passed += 100)
+            advance(100);
+        advance(200);
+    }
     // The question is answered.
     void agree()
     {
@@ -78,7 +85,7 @@ protected:
         wantNumber(number);
         click("nodeSetupWrite");
         agree();
-        advance(20'000);
+        untilDone(20'000);
     }
     QString told() { return widget<InlineMessage>("nodeSetupMessage").sentence(); }
     QString device() { return widget<QLabel>("nodeSetupDevice").text(); }
@@ -158,13 +165,13 @@ TEST_F(CanopenSetup, TheEncoderHasItsNewNumberInTheTreeAndItIsProvenOnceItsSuppl
     EXPECT_TRUE(steps().contains(QStringLiteral("done: It is there as node 9 (09h)")))
         << steps().join(u'\n').toStdString();
     click("nodeSetupCheck"); // nobody has switched anything
-    advance(8'000);
+    untilDone(8'000);
     EXPECT_FALSE(view().isProven());
     EXPECT_TRUE(told().contains(QStringLiteral("not switched off"))) << told().toStdString();
     switchSupply(encoderSix, false);
     switchSupply(encoderSix, true);
     click("nodeSetupCheck");
-    advance(8'000);
+    untilDone(8'000);
     EXPECT_TRUE(view().isProven()) << told().toStdString();
     EXPECT_TRUE(told().startsWith(QStringLiteral("Proven")));
     EXPECT_TRUE(
@@ -201,19 +208,19 @@ TEST_F(CanopenSetup, ADeviceWithoutANumberIsFoundAndGetsOne)
     click("nodeSetupFind");
     EXPECT_TRUE(device().contains(QStringLiteral("some seconds")));
     EXPECT_TRUE(isPossible("nodeSetupCancel"));
-    advance(30'000);
+    untilDone(30'000);
     EXPECT_TRUE(device().contains(QStringLiteral("without a number"))) << device().toStdString();
     EXPECT_TRUE(device().contains(QStringLiteral("130015h"))) << device().toStdString();
     widget<QSpinBox>("nodeSetupNumber").setValue(9);
     click("nodeSetupWrite");
     agree();
-    advance(20'000);
+    untilDone(20'000);
     EXPECT_EQ(numberOf(encoderWithoutNumber), 9);
     EXPECT_TRUE(view().isFound()) << told().toStdString();
     switchSupply(encoderWithoutNumber, false);
     switchSupply(encoderWithoutNumber, true);
     click("nodeSetupCheck");
-    advance(8'000);
+    untilDone(8'000);
     EXPECT_TRUE(view().isProven()) << told().toStdString();
 }
 
@@ -235,13 +242,13 @@ TEST_F(CanopenSetup, OneThatIsGoneAfterwardsIsNotCalledThere)
     for (int i = 0; i < 400 && writesOf(encoderSix) == 0; ++i)
         advance(5);
     switchSupply(encoderSix, false);
-    advance(20'000);
+    untilDone(20'000);
     EXPECT_FALSE(view().isFound());
     EXPECT_TRUE(told().contains(QStringLiteral("Nobody answers as node 9"))) << told().toStdString();
     EXPECT_TRUE(tree().has(nodeSix));
     switchSupply(encoderSix, true);
     click("nodeSetupCheck"); // it is looked for again, which proves nothing yet
-    advance(10'000);
+    untilDone(10'000);
     EXPECT_TRUE(view().isFound());
     EXPECT_FALSE(view().isProven());
     EXPECT_TRUE(tree().has(nodeNine));
@@ -281,7 +288,7 @@ TEST_F(CanopenSetup, ARateIsStoredAndCheckedAtThatRateOnly)
     widget<QComboBox>("nodeSetupRate").setCurrentIndex(4);
     click("nodeSetupWrite");
     agree();
-    advance(10'000);
+    untilDone(10'000);
     EXPECT_TRUE(told().contains(QStringLiteral("250 kBit/s"))) << told().toStdString();
     EXPECT_TRUE(view().isToBeProven());
     click("nodeSetupCheck");
@@ -311,7 +318,7 @@ TEST_F(CanopenSetupIsLeft, TheWindowStaysUnlessTheUserBreaksTheWritingOff)
     EXPECT_TRUE(question.text().contains(QStringLiteral("Node 6 (06h)"))) << question.text().toStdString();
     EXPECT_TRUE(question.text().contains(QStringLiteral("old number or the new one")));
     EXPECT_TRUE(window().isVisible());
-    advance(20'000);
+    untilDone(20'000);
     EXPECT_EQ(numberOf(encoderSix), 9) << "it has gone on";
 }
 
@@ -320,7 +327,7 @@ TEST_F(CanopenSetupIsLeft, BrokenOffInTimeTheDeviceKeepsItsNumberAndTheWindowClo
     test::Question question = test::Question::answeredBy(QStringLiteral("Break it off"));
     window().close();
     EXPECT_TRUE(question.wasAsked());
-    advance(10'000);
+    untilDone(10'000);
     EXPECT_FALSE(window().isVisible());
     EXPECT_EQ(writesOf(encoderSix), 0);
 }
@@ -336,7 +343,7 @@ TEST_F(CanopenSetupIsLeft, WhatIsInDoubtAfterwardsIsSeenBeforeTheBusIsLeft)
     test::Question question = test::Question::answeredBy(QStringLiteral("Break it off"));
     canActions().disconnectBus->trigger();
     EXPECT_TRUE(question.wasAsked());
-    advance(10'000);
+    untilDone(10'000);
     EXPECT_NE(canBus().session(), nullptr) << "the user sees it first";
     EXPECT_EQ(page(), &widget<NodeSetupPage>());
     EXPECT_FALSE(told().isEmpty());
