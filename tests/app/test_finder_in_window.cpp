@@ -178,8 +178,9 @@ TEST_F(FinderAtInterfaces, AreListedWithWhatIsInTheirWayAndListenedTo)
     auto &list = *page().findChild<QListWidget *>();
     const auto found = list.findItems(QStringLiteral("bus0, switched off"), Qt::MatchExactly);
     ASSERT_EQ(found.size(), 1);
-    if (serialPorts().empty()) // what is in the way of a port goes first
+    if (serialPorts().empty()) { // what is in the way of a port goes first
         EXPECT_EQ(trouble(), QStringLiteral("ip link set bus0 up"));
+    }
     for (int row = 0; row < list.count(); ++row)
         list.item(row)->setCheckState(Qt::Unchecked);
     found.front()->setCheckState(Qt::Checked);

@@ -24,9 +24,9 @@ using namespace scene;
 
 constexpr QSize tallBus(1280, 1150);
 constexpr QSize wideBus(1920, 1150);
-constexpr int singleTurn = 5; // the nodes of the training bus
-constexpr int multiTurn = 6;
-constexpr int linear = 7;
+constexpr int nodeSingleTurn = 5; // the nodes of the training bus
+constexpr int nodeMultiTurn = 6;
+constexpr int nodeLinear = 7;
 constexpr int untilHeard = 1'500;     // ms
 constexpr int untilAllRead = 5'000;   // ms, all objects
 constexpr int untilAllFound = 20'000; // ms
@@ -56,10 +56,10 @@ void command(TrainingWindow &shown, canopen::NmtCommand command, int node)
 // Two of its nodes run; one of them is chosen, and read.
 void atWork(TrainingWindow &shown)
 {
-    for (const int node : {singleTurn, multiTurn})
+    for (const int node : {nodeSingleTurn, nodeMultiTurn})
         command(shown, canopen::NmtCommand::start, node);
-    choose(shown, placeOf(multiTurn));
-    readAll(shown, placeOf(multiTurn));
+    choose(shown, placeOf(nodeMultiTurn));
+    readAll(shown, placeOf(nodeMultiTurn));
     shown.advance(untilAllRead);
 }
 
@@ -97,8 +97,8 @@ QWidget *windowWithCan(TrainingWindow &shown)
 QWidget *nodesAtWork(TrainingWindow &shown)
 {
     atWork(shown);
-    command(shown, canopen::NmtCommand::stop, linear);
-    choose(shown, placeOf(linear));
+    command(shown, canopen::NmtCommand::stop, nodeLinear);
+    choose(shown, placeOf(nodeLinear));
     return openedDock(shown, "canBusDock");
 }
 
@@ -163,7 +163,7 @@ QWidget *settingsOfInterface(TrainingWindow &shown)
 QWidget *whyItIsSilent(TrainingWindow &shown)
 {
     atWork(shown);
-    command(shown, canopen::NmtCommand::stop, multiTurn);
+    command(shown, canopen::NmtCommand::stop, nodeMultiTurn);
     shown.window().actions().whyNoData->trigger();
     shown.advance(whileMilliseconds);
     return shown.window().findChild<WhyPage *>();
