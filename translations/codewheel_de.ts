@@ -13378,7 +13378,7 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     </message>
     <message>
         <source>Object, name or value</source>
-        <translation>Objekt, Name oder Wert</translation>
+        <translation>Objekt, Name, Wert</translation>
     </message>
     <message>
         <source>CiA 301 and CiA 406</source>

@@ -15,6 +15,7 @@
 #include <QStatusBar>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
+#include <QTableView>
 #include <QTextEdit>
 #include <QToolBar>
 
@@ -41,7 +42,11 @@ bool canScroll(const QScrollBar &bar, Qt::ScrollBarPolicy policy)
 // A table of many columns is looked along; a form, a card or a log that goes on beyond its edge is not.
 bool mayGoOnAcross(const QAbstractScrollArea &area)
 {
-    return qobject_cast<const QScrollArea *>(&area) == nullptr && !area.inherits("codewheel::LogTable");
+    constexpr int many = 9;
+    const auto *table = qobject_cast<const QTableView *>(&area);
+    const bool isLog = area.inherits("codewheel::LogTable") &&
+                       (table->model() == nullptr || table->model()->columnCount() < many);
+    return qobject_cast<const QScrollArea *>(&area) == nullptr && !isLog;
 }
 
 Scrolled scrolled(const QWidget &widget)

@@ -7,6 +7,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/heading_width.h"
+#include "widgets/look/icon_cells.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/log_table.h"
@@ -42,6 +43,7 @@ TraceView::TraceView(Buses &buses, QWidget *parent)
     , m_tools(new QToolBar(this))
     , m_goTo(new GoToPlace(this))
     , m_table(new LogTable(tr("Handshake trace"), this))
+    , m_icons(new IconCells(m_table))
     , m_counts(new QLabel(this))
     , m_message(new InlineMessage(this))
 {
@@ -256,16 +258,29 @@ void TraceView::showModel()
     m_table->setModel(m_shown);
     if (!m_shown)
         return;
+    for (int column = 0; column < m_shown->columnCount(); ++column) // all rows are of one encoder
+        m_table->setColumnHidden(column, m_shown->columnAt(column) == TrafficColumn::who);
     for (int column = 0; column < meaningColumn(); ++column)
-        m_table->setColumnWidth(column, headingWidth(*m_table->horizontalHeader(), column));
-    const int remark = m_shown->columnOf(TrafficColumn::remark);
+        setUpColumn(column);
     m_table->setTextColumn(meaningColumn(), fewestLetters);
-    m_table->setElasticColumn({.column = remark,
-                               .least = headingWidth(*m_table->horizontalHeader(), remark),
-                               .most = remarkWidth,
-                               .wantedLetters = wantedLetters});
+    const int remark = m_shown->columnOf(TrafficColumn::remark);
+    const bool hasRemarks = remark < m_shown->columnCount();
+    m_table->setElasticColumn(
+        hasRemarks ? LogTable::Elastic{.column = remark,
+                                       .least = headingWidth(*m_table->horizontalHeader(), remark),
+                                       .most = remarkWidth,
+                                       .wantedLetters = wantedLetters}
+                   : LogTable::Elastic());
     makeRoom(0, m_shown->rowCount() - 1);
     showCounts();
+}
+
+void TraceView::setUpColumn(int column)
+{
+    const bool isIcon = m_shown->columnAt(column) == TrafficColumn::direction;
+    m_table->setItemDelegateForColumn(column, isIcon ? m_icons : nullptr);
+    m_table->setColumnWidth(column, isIcon ? grid::smallIcon + 2 * grid::margin
+                                           : headingWidth(*m_table->horizontalHeader(), column));
 }
 
 // Columns of numbers grow with their numbers and never shrink: nothing is cut off, nothing jumps.
@@ -273,6 +288,8 @@ void TraceView::makeRoom(int first, int last)
 {
     const QFontMetrics metrics{numberFont()};
     for (int column = 0; column < meaningColumn(); ++column) {
+        if (m_table->isColumnHidden(column) || m_shown->columnAt(column) == TrafficColumn::direction)
+            continue;
         int width = m_table->columnWidth(column);
         for (int row = first; row <= last; ++row)
             width = std::max(width, metrics.horizontalAdvance(m_shown->index(row, column).data().toString()) +

@@ -22,6 +22,7 @@ namespace codewheel {
 class EmptyState;
 class GoToPlace;
 class InlineMessage;
+class IconCells;
 class LogTable;
 class TrafficModel;
 
@@ -75,6 +76,7 @@ private:
     bool hasTerminal(const EncoderSession &encoder) const;
     void showWhyEmpty(const EncoderSession *encoder, std::optional<Place> offline);
     void showModel();
+    void setUpColumn(int column);
     void makeRoom(int first, int last); // for these rows
     void showCounts();
     int meaningColumn() const;
@@ -94,6 +96,7 @@ private:
     QAction *m_bringBack = nullptr;
     GoToPlace *m_goTo;
     LogTable *m_table;
+    IconCells *m_icons;
     QLabel *m_counts;
     InlineMessage *m_message;
 };
