@@ -5,6 +5,7 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_checks.h"
 #include "kinds/canopen/bus/canopen_runner.h"
+#include "kinds/canopen/protocol/frames.h"
 #include "vocabulary/hex.h"
 
 namespace codewheel {
@@ -14,13 +15,10 @@ namespace {
 QString textOf(const std::vector<std::uint8_t> &octets)
 {
     constexpr std::size_t ofNumber = 4;
+    if (octets.size() <= ofNumber)
+        return hexNumber(canopen::numberOf(octets), 2 * static_cast<int>(octets.size()));
     const QByteArray bytes(reinterpret_cast<const char *>(octets.data()), std::ssize(octets));
-    if (octets.size() > ofNumber)
-        return QString::fromLatin1(bytes.toHex(' ').toUpper());
-    std::uint32_t number = 0;
-    for (std::size_t i = octets.size(); i-- > 0;)
-        number = number << 8 | octets[i];
-    return hexNumber(number, 2 * static_cast<int>(octets.size()));
+    return QString::fromLatin1(bytes.toHex(' ').toUpper());
 }
 
 } // namespace
@@ -102,9 +100,8 @@ void CanopenSession::takeOther(const CanopenEvent &event)
 
 void CanopenSession::tellNmt(const FrameSent &sent)
 {
-    const CanFrame &frame = sent.frame;
-    const bool isNmt = frame.id == 0 && !frame.isExtended && !frame.isRemote;
-    const auto request = isNmt ? canopen::NmtRequest::read(frame.data()) : std::nullopt;
+    const bool isNmt = canopen::isDataOf(sent.frame, 0);
+    const auto request = isNmt ? canopen::NmtRequest::read(sent.frame.data()) : std::nullopt;
     if (!request || sent.refused || sent.fate == CanFate::refused)
         return;
     const NodeId node = request->node != 0 ? CanopenAddress{request->node}.place() : NodeId();
