@@ -11,6 +11,11 @@ namespace {
 
 constexpr int framePeriod = 33; // ms
 
+// Far from the end of a long time most frames are left out, as by a slow computer: showing them is most of
+// the work.
+constexpr int nearEnd = 330; // ms
+constexpr int shownOf = 5;
+
 } // namespace
 
 TrainingWindow::TrainingWindow(const QString &settingsFile, QSize size)
@@ -35,14 +40,16 @@ TrainingWindow::~TrainingWindow() = default;
 
 void TrainingWindow::advance(int milliseconds)
 {
-    while (milliseconds > 0) {
+    for (int frame = 1; milliseconds > 0; ++frame) {
         const int step = std::min(milliseconds, framePeriod);
         for (const BusAtWork *bus : m_plant.all())
             if (EncoderBus *its = bus->bus())
                 its->advance(std::chrono::milliseconds(step));
+        milliseconds -= step;
+        if (milliseconds > nearEnd && frame % shownOf != 0)
+            continue;
         m_window->showFrame();
         QCoreApplication::processEvents();
-        milliseconds -= step;
     }
     m_messages.catchUp();
 }
