@@ -82,7 +82,7 @@ public:
     // Whether what answers is not real, and new with each start.
     virtual bool isSimulated() const { return false; }
     // Ends the current receive or wait, or else the next one, early; ends opening, where it blocks, with a
-    // refusal of kind `stopped`. Any thread.
+    // refusal of kind `stopped`: open() goes on with it then, and close() gives it up. Any thread.
     virtual void interrupt() = 0;
 };
 

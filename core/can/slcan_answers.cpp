@@ -136,6 +136,9 @@ void SlcanConversation::takeTextInOpening(const QByteArray &text, Instant now)
         m_firmware.version = text;
         if (m_step == Step::version)
             stepEnded(m_step, Answer::done, now);
+    } else if (m_step != Step::boot && m_firmware.version.isEmpty() && text.startsWith('V')) {
+        m_isKnown = false; // something else has been taken for the answer to V, and for those since
+        waitForBoot(now);
     } else if (m_step == Step::probe && mayBeVersion(text)) {
         m_firmware.answers = true;
         stepEnded(m_step, Answer::done, now);

@@ -33,6 +33,9 @@ SlcanConversation::SlcanConversation(QString name, int rate)
 
 void SlcanConversation::open(CanUse use, bool takesUnsureWatch, bool isPortNew, Instant now)
 {
+    const bool isBegunAnew = m_state == State::opening; // answers to what was asked may still come
+    if (!isBegunAnew)
+        m_waiting.clear();
     m_use = use;
     m_takesUnsureWatch = takesUnsureWatch;
     m_state = State::opening;
@@ -42,12 +45,11 @@ void SlcanConversation::open(CanUse use, bool takesUnsureWatch, bool isPortNew, 
     m_busState = CanState::notKnown;
     m_boots = m_rateTries = 0;
     m_statusBits = 0;
-    m_bootEnds = isPortNew ? now + bootTime : now;
+    m_bootEnds = isPortNew ? now + bootTime : isBegunAnew ? std::max(m_bootEnds, now) : now;
     m_opensUntil = now + longestOpening;
     m_reader = {};
     m_clock = {};
     m_out.clear();
-    m_waiting.clear();
     m_news = {};
     enter(Step::close, now);
 }

@@ -30,16 +30,16 @@ Result<void> SlcanLink::open(CanUse use)
         m_talk = SlcanConversation(name(), m_rate); // which may be plugged in elsewhere
         m_interface = name().section(u'/', -1).toStdString();
     }
+    const bool wasBegun = !isNew && m_talk.state() == SlcanConversation::State::opening && use == m_use;
     m_use = use;
-    m_talk.open(use, m_takesUnsureWatch, isNew, now());
+    if (!wasBegun)
+        m_talk.open(use, m_takesUnsureWatch, isNew, now());
     while (m_talk.state() == SlcanConversation::State::opening) {
         const Result<bool> went = proceed(m_talk.wakesAt().value_or(now()));
         if (!went)
             return tl::unexpected(went.error());
-        if (!*went) {
-            close();
+        if (!*went)
             return refuse(RefusalKind::stopped, RefusalId::cancelled);
-        }
     }
     if (auto written = write(); !written)
         return written;

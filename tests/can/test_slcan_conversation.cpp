@@ -295,6 +295,41 @@ TEST_F(SlcanTalk, LateAnswersOfOpeningAreNotThoseOfTheRate)
     EXPECT_EQ(m_talk.state(), TalkState::open);
 }
 
+// Of a program that had the adapter before, say.
+TEST_F(SlcanTalk, AnswersToWhatSomebodyElseHasAskedAreNotThoseOfOpening)
+{
+    open(CanUse::operate);
+    answer("C\r", "\r");
+    answer("V\r", "\a");
+    answer("?\r", "\a"); // C
+    answer("S5\r", "V1013\r\a\r");
+    EXPECT_EQ(pass(199ms), "");
+    EXPECT_EQ(pass(1ms), "C\r");
+    hear("\a");
+    answer("V\r", "V1013\r");
+    answer("?\r", "\a");
+    answer("S5\r", "\r");
+    answer("O\r", "\r");
+    EXPECT_EQ(m_talk.state(), TalkState::open);
+}
+
+TEST_F(SlcanTalk, AnOpeningThatIsBegunAnewWaitsForAnswersToThatOfBefore)
+{
+    open(CanUse::watch);
+    EXPECT_EQ(said(), "C\r");
+    open(CanUse::operate);
+    EXPECT_EQ(said(), "C\r");
+    hear("\r"); // to the first
+    EXPECT_EQ(said(), "V\r");
+    hear("\a"); // to the second
+    hear("V1013\r");
+    EXPECT_EQ(said(), "?\r");
+    hear("\a");
+    answer("S5\r", "\r");
+    answer("O\r", "\r");
+    EXPECT_EQ(m_talk.state(), TalkState::open);
+}
+
 TEST_F(SlcanTalk, AnswersGoToTheOldestThatWaits)
 {
     openLawicel(CanUse::operate);

@@ -186,6 +186,21 @@ TEST(SlcanLink, OpeningIsInterrupted)
     EXPECT_EQ(stopped.error().kind, RefusalKind::stopped);
 }
 
+TEST(SlcanLink, AnOpeningThatWasInterruptedGoesOn)
+{
+    SlcanPeer peer(QStringLiteral("--late 100")); // ms
+    int interruptions = 0;
+    const std::jthread other([&](const std::stop_token &token) {
+        for (; !token.stop_requested(); std::this_thread::sleep_for(50ms))
+            peer.link().interrupt();
+    });
+    Result<void> opened = peer.link().open(CanUse::operate);
+    for (; !opened && interruptions < 100; ++interruptions)
+        opened = peer.link().open(CanUse::operate);
+    EXPECT_TRUE(opened) << "each answer takes longer than it is from one interruption to the next";
+    EXPECT_GT(interruptions, 3);
+}
+
 TEST(SlcanLink, AnAdapterThatIsUnpluggedIsTold)
 {
     SlcanPeer peer;
