@@ -131,7 +131,11 @@ protected:
         Outcome &outcome = m_account.outcome;
         outcome.result = std::move(result);
         outcome.leftIn = m_isOutOfSight ? EncoderState::unknown : m_reading.state;
-        outcome.isPositionSet = m_cancelled && !m_failure && isAnyPositionStep(m_steps.done());
+        const bool hasPositionStep = isAnyPositionStep(m_steps.done());
+        outcome.isPositionSet = m_cancelled && !m_failure && hasPositionStep;
+        const bool isSeen = outcome.positionAfter || outcome.isPositionSet;
+        if (!outcome.result && hasPositionStep && !isSeen) // accepted, and nobody saw what came of it
+            outcome.inDoubt.position = true;
         complete(outcome);
         outcome.eepromWrites += m_known.eepromWrites() - m_account.writesBefore;
         m_events.emplace_back(outcome);

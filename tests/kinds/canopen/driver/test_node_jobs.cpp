@@ -459,6 +459,18 @@ TEST_F(NodeJobs, APresetWithoutAnAnswerIsJudgedByWhatTheEncoderHas)
     EXPECT_TRUE(bench.outcome->inDoubt.position);
 }
 
+TEST_F(NodeJobs, APresetWhoseEffectNobodySawIsInDoubt)
+{
+    ASSERT_TRUE(bench.begin(SetPreset{.value = 100}));
+    while (bench.log.empty() || bench.log.back() != "6003:0 64 00 00 00")
+        bench.step();
+    bench.driver.stop({RefusalKind::link, RefusalId::linkFailed, {}}, bench.now);
+    bench.step();
+    ASSERT_TRUE(bench.outcome);
+    EXPECT_EQ(bench.outcome->positionAfter, std::nullopt);
+    EXPECT_TRUE(bench.outcome->inDoubt.position) << "it was accepted";
+}
+
 TEST_F(NodeJobs, APresetLiesWithinTheRange)
 {
     bench.finish(ReadParameters{{Parameter::scaling, Parameter::measuringRange}});
