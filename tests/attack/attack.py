@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 
+import can
 import disk
 import gateway
 import hostile
@@ -37,6 +38,7 @@ ATTACKS = {
     "output": output.unwritable,
     "hostile-files": hostile.files,
     "gateway-network": gateway.bad_network,
+    "can-adapter": can.bad_adapter,
 }
 
 
