@@ -24,6 +24,13 @@ Refusal refusalOf(const QString &file, const DatabaseError &error)
     return {RefusalKind::link, RefusalId::databaseFailed, {file, error.reason}};
 }
 
+Instant steadyNow()
+{
+    return std::chrono::duration_cast<Instant>(Clock::now().time_since_epoch());
+}
+
+} // namespace
+
 std::int64_t freeBytesAt(const QString &file)
 {
     std::error_code error;
@@ -31,13 +38,6 @@ std::int64_t freeBytesAt(const QString &file)
         std::filesystem::space(std::filesystem::path(QFileInfo(file).absolutePath().toStdString()), error);
     return error ? 0 : static_cast<std::int64_t>(space.available);
 }
-
-Instant steadyNow()
-{
-    return std::chrono::duration_cast<Instant>(Clock::now().time_since_epoch());
-}
-
-} // namespace
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::begin(const RecordingSettings &settings)
 {

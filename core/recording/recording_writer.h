@@ -12,6 +12,9 @@
 
 namespace codewheel {
 
+// Of the disk where the file is, or is to be; 0 where that cannot be told.
+std::int64_t freeBytesAt(const QString &file);
+
 // Writes what comes to a file, once a second, in a thread of its own. What cannot be written waits in memory;
 // what has no room there is lost, counted, and a gap.
 class RecordingWriter final : public RecordingTarget

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/recording/recording_dialog.h"
 
+#include "recording/recording_writer.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/help/help_topic.h"
 #include "widgets/look/content_scroll_area.h"
@@ -23,7 +24,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
-#include <QStorageInfo>
 
 namespace codewheel {
 namespace {
@@ -212,8 +212,7 @@ RecordingPlan RecordingDialog::plan() const
 RecordingRoom RecordingDialog::room() const
 {
     const RecordingPlan its = plan();
-    const QStorageInfo disk(QFileInfo(its.settings.file).path());
-    return {.free = std::max<std::int64_t>(0, disk.bytesAvailable()),
+    return {.free = freeBytesAt(its.settings.file),
             .leastFree = its.settings.leastFree,
             .keptFor = its.settings.keptFor,
             .largestSize = its.settings.largestSize,
