@@ -94,7 +94,7 @@ QImage HelpBrowser::picture(const QUrl &url) const
     dark.replace(QStringLiteral(".png"), QStringLiteral("-dark.png"));
     const bool isDark = shadeOf(palette()) == Shade::dark && QFile::exists(dark);
     QImage image(isDark ? dark : light);
-    const int room = viewport()->width() - 2 * qRound(document()->documentMargin());
+    const int room = viewport()->width() - 2 * qRound(document()->documentMargin()) - manualSlant;
     if (image.width() > room && room > 0) {
         image = image.scaledToWidth(qRound(room * devicePixelRatioF()), Qt::SmoothTransformation);
         image.setDevicePixelRatio(devicePixelRatioF());

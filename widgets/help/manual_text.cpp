@@ -128,6 +128,9 @@ void formatManual(QTextDocument &document, const QPalette &palette)
     for (QTextFrame *frame : document.rootFrame()->childFrames())
         if (auto *table = qobject_cast<QTextTable *>(frame))
             formatTable(*table, palette);
+    QTextFrameFormat page = document.rootFrame()->frameFormat();
+    page.setRightMargin(document.documentMargin() + manualSlant);
+    document.rootFrame()->setFrameFormat(page);
     all.endEditBlock();
 }
 

@@ -18,6 +18,9 @@ QString anchorOf(const QTextBlock &heading);
 // That of the next heading of a page which has used these.
 QString unusedAnchor(const QString &heading, const QSet<QString> &used);
 
+// How far a slanted letter may lean out at the end of its line; pages have so much more margin on the right.
+inline constexpr int manualSlant = 4; // px
+
 // Tables with thin lines, room around headings, code in the program's fixed font.
 void formatManual(QTextDocument &document, const QPalette &palette);
 
