@@ -7182,14 +7182,6 @@
         <source>Takes values only while pre-operational</source>
         <translation>Nimmt Werte nur pre-operational</translation>
     </message>
-    <message>
-        <source>%1: yes.</source>
-        <translation>%1: ja.</translation>
-    </message>
-    <message>
-        <source>%1: no.</source>
-        <translation>%1: nein.</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::CanTrainingPanel</name>
@@ -17809,14 +17801,6 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>ST open</source>
         <translation>ST offen</translation>
     </message>
-    <message>
-        <source>%1: yes.</source>
-        <translation>%1: ja.</translation>
-    </message>
-    <message>
-        <source>%1: no.</source>
-        <translation>%1: nein.</translation>
-    </message>
 </context>
 <context>
     <name>codewheel::LinkCheckTexts</name>
@@ -26762,6 +26746,14 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Started afresh: everything simulated is as at the start, with factory values and without faults.</source>
         <translation>Neu begonnen: Alles Simulierte ist wie am Anfang, mit Werkseinstellungen und ohne Störungen.</translation>
+    </message>
+    <message>
+        <source>%1: yes.</source>
+        <translation>%1: ja.</translation>
+    </message>
+    <message>
+        <source>%1: no.</source>
+        <translation>%1: nein.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "can/can_settings.h"
 
 #include "can/slcan_codec.h"
+#include "vocabulary/enumeration_rows.h"
 
 #include <QCoreApplication>
 
@@ -66,9 +67,7 @@ std::span<const CanSetting> canSettings()
 
 const CanSetting *canSetting(QStringView key)
 {
-    const auto found = std::ranges::find_if(
-        canSettingRows, [key](const CanSetting &one) { return key == QLatin1String(one.key); });
-    return found == canSettingRows.end() ? nullptr : &*found;
+    return rowByKey(canSettingRows, key);
 }
 
 } // namespace codewheel

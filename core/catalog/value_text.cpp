@@ -2,6 +2,7 @@
 #include "catalog/value_text.h"
 
 #include "catalog/hex_code.h"
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/serial_number_text.h"
@@ -87,9 +88,8 @@ QString choiceName(const ParameterDescription &parameter, const Value &value)
     const Choice *choice = parameter.findChoice(value);
     if (!choice)
         return {};
-    for (const ChoiceRow &row : choiceNames)
-        if (choice->key == QLatin1String(row.key))
-            return QCoreApplication::translate("Choice", row.name);
+    if (const ChoiceRow *row = rowByKey(choiceNames, choice->key))
+        return QCoreApplication::translate("Choice", row->name);
     return choice->key.startsWith(QStringLiteral("cam-")) ? camProgramName(choice->key) : choice->key;
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLatin1String>
+#include <QStringView>
+
 #include <cstddef>
+#include <iterator>
 
 namespace codewheel {
 
@@ -44,6 +48,16 @@ template <typename Rows, typename Id>
 constexpr const auto &rowOf(const Rows &rows, Id id)
 {
     return rows.at(static_cast<std::size_t>(id));
+}
+
+// By what files and JSON call its value; null: there is none. The table outlives it.
+template <typename Rows>
+constexpr auto *rowByKey(const Rows &rows, QStringView key)
+{
+    for (const auto &row : rows)
+        if (key == QLatin1String(row.key))
+            return &row;
+    return static_cast<decltype(&*std::begin(rows))>(nullptr);
 }
 
 // Of a table that has rows for some values only.

@@ -30,10 +30,7 @@ static_assert(areInOrder(messageItemRows, &MessageItemRow::item));
 const MessageItemRow *itemRowOf(const RefusalArgument &argument)
 {
     const auto *key = std::get_if<QString>(&argument);
-    const auto row = std::ranges::find_if(messageItemRows, [key](const MessageItemRow &one) {
-        return key != nullptr && *key == QLatin1String(one.key);
-    });
-    return row == messageItemRows.end() ? nullptr : row;
+    return key != nullptr ? rowByKey(messageItemRows, *key) : nullptr;
 }
 
 std::size_t lengthOf(std::span<const RefusalArgument> items)

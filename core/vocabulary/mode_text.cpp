@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -54,9 +53,8 @@ std::vector<RefusalArgument> modeArguments(Mode mode, std::optional<unsigned> ca
 QString modeText(const std::vector<RefusalArgument> &arguments)
 {
     const QStringList parts = argumentTexts(arguments);
-    const auto row = std::ranges::find_if(
-        modeRows, [&](const KeyedText<Mode> &one) { return parts.value(0) == QLatin1String(one.key); });
-    if (row == modeRows.end())
+    const auto *row = rowByKey(modeRows, parts.value(0));
+    if (row == nullptr)
         return parts.value(0);
     const auto *program = arguments.size() > 1 ? std::get_if<std::int64_t>(&arguments[1]) : nullptr;
     return modeText(row->id,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/parameter.h"
 
+#include "vocabulary/enumeration_rows.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -187,9 +189,8 @@ static_assert(ParameterRows::areInOrder());
 
 Parameter Parameter::of(QStringView key, const LocalText &name)
 {
-    for (const ParameterRow &row : ParameterTexts::all)
-        if (key == QLatin1String(row.key))
-            return row.parameter;
+    if (const ParameterRow *row = rowByKey(ParameterTexts::all, key))
+        return row->parameter;
     return ParameterRows::named(named().of(key, name));
 }
 
@@ -209,9 +210,8 @@ QString parameterKey(Parameter parameter)
 
 std::optional<Parameter> parameterFromKey(QStringView key)
 {
-    for (const ParameterRow &row : ParameterTexts::all)
-        if (key == QLatin1String(row.key))
-            return row.parameter;
+    if (const ParameterRow *row = rowByKey(ParameterTexts::all, key))
+        return row->parameter;
     const auto id = named().find(key);
     return id ? std::optional(ParameterRows::named(*id)) : std::nullopt;
 }

@@ -4,10 +4,8 @@
 #include "vocabulary/sentence.h"
 #include "vocabulary/texts_of_kinds.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -32,14 +30,34 @@ QString partOfAct(const RefusalArgument &argument, int decimals)
 std::optional<QString> sentenceOf(const TrainingAct &act, std::span<const TrainingActRow> rows,
                                   const char *context)
 {
-    const auto row = std::ranges::find_if(
-        rows, [&](const TrainingActRow &one) { return keyOf(act) == QLatin1String(one.key); });
-    if (row == rows.end())
+    const TrainingActRow *row = rowByKey(rows, keyOf(act));
+    if (row == nullptr)
         return std::nullopt;
     QStringList parts;
     for (const RefusalArgument &argument : std::span(act).subspan(1))
         parts << partOfAct(argument, row->decimals);
     return sentence(QCoreApplication::translate(context, row->text), parts);
+}
+
+TrainingAct actOf(std::span<const TrainingActRow> rows, std::size_t row,
+                  const std::vector<RefusalArgument> &its)
+{
+    TrainingAct act{QString::fromLatin1(rows[row].key)};
+    act.insert(act.end(), its.begin(), its.end());
+    return act;
+}
+
+TrainingAct conditionAct(const QString &act, const char *condition, bool isSo)
+{
+    return {act, QString::fromLatin1(condition), std::int64_t{isSo ? 1 : 0}};
+}
+
+QString conditionText(const TrainingAct &act, const QString &name)
+{
+    const bool isSo = act.back() == RefusalArgument(std::int64_t{1});
+    const char *text = isSo ? QT_TRANSLATE_NOOP("codewheel::TrainingAct", "%1: yes.")
+                            : QT_TRANSLATE_NOOP("codewheel::TrainingAct", "%1: no.");
+    return sentence(QCoreApplication::translate(trainingContext, text), {name});
 }
 
 QString keyOf(const TrainingAct &act)

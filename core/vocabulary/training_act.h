@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/refusal.h"
+#include "vocabulary/sentence.h"
+
+#include <QCoreApplication>
 
 #include <optional>
 #include <span>
@@ -24,8 +28,28 @@ struct TrainingActRow
 std::optional<QString> sentenceOf(const TrainingAct &act, std::span<const TrainingActRow> rows,
                                   const char *context);
 
+// The act of a row, by the value of an enumeration, with what belongs to it.
+TrainingAct actOf(std::span<const TrainingActRow> rows, std::size_t row,
+                  const std::vector<RefusalArgument> &its);
+
 // The key of an act; empty: it has none, as in messages of earlier versions.
 QString keyOf(const TrainingAct &act);
+
+// "Battery flat: yes.": what is so of a simulated encoder, or is not any more, by the key of its row.
+TrainingAct conditionAct(const QString &act, const char *condition, bool isSo);
+QString conditionText(const TrainingAct &act, const QString &name);
+// Nothing: it is another act. `rows` have a key and a text, which is translated in `context`.
+template <typename Rows>
+std::optional<QString> conditionText(const TrainingAct &act, const QString &its, const Rows &rows,
+                                     const char *context)
+{
+    constexpr std::size_t parts = 3;
+    const bool isIts = act.size() == parts && keyOf(act) == its;
+    const auto *row = isIts ? rowByKey(rows, argumentText(act[1])) : nullptr;
+    return row == nullptr
+               ? std::nullopt
+               : std::optional(conditionText(act, QCoreApplication::translate(context, row->text)));
+}
 
 // Everything simulated began anew.
 TrainingAct startedAfresh();

@@ -6,6 +6,7 @@
 #include "cli/bus/serve_options.h"
 #include "cli/call/texts.h"
 #include "kinds/canopen/simulator/node_quirks.h"
+#include "vocabulary/enumeration_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -83,9 +84,8 @@ Checked<void> takeQuirks(const Arguments &arguments, ServeCanPlan &plan)
     const QString given = arguments.value("--quirk").value_or(QString());
     const auto quirks = canopen::namedQuirks();
     for (const QString &typed : given.split(u',', Qt::SkipEmptyParts)) {
-        const auto quirk = std::ranges::find_if(
-            quirks, [&](const canopen::NamedQuirk &one) { return typed == QLatin1String(one.key); });
-        if (quirk == quirks.end())
+        const canopen::NamedQuirk *quirk = rowByKey(quirks, typed);
+        if (quirk == nullptr)
             return valueNotAllowed("--quirk", typed, quirkNames());
         for (CanopenEncoderPlan &encoder : plan.encoders)
             quirk->put(encoder.quirks, true);

@@ -6,12 +6,12 @@
 #include "kinds/esc/line/esc_line_limits.h"
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "links/port_access.h"
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QStringList>
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -85,9 +85,8 @@ Checked<void> takeSetting(EscLineLink &link, const QString &setting)
         link.asksForFractionBits = true;
         return {};
     }
-    const auto known = std::ranges::find_if(
-        numberSettings, [&](const NumberSetting &one) { return key == QLatin1String(one.key); });
-    if (known == numberSettings.end())
+    const NumberSetting *known = rowByKey(numberSettings, key);
+    if (known == nullptr)
         return badInput(
             QStringLiteral("unknownLineSetting"),
             CommandLine::tr("A serial line has no setting \"%1\". Its settings are: %2. Write them "

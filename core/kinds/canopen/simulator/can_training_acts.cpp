@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/simulator/can_training_acts.h"
 
-#include "vocabulary/enumeration_rows.h"
-#include "vocabulary/sentence.h"
-
-#include <QCoreApplication>
-
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -80,49 +74,21 @@ constexpr auto quirkNameRows = std::to_array<QuirkName>({
 const QString nodeTroubleActKey = QStringLiteral("nodeTrouble"); // key of the trouble, 1 or 0
 const QString nodeQuirkActKey = QStringLiteral("nodeQuirk");     // key of the quirk, 1 or 0
 
-// Empty: no row has this key.
-template <typename Rows>
-QString nameByKey(const Rows &rows, const QString &key)
-{
-    const auto row =
-        std::ranges::find_if(rows, [&](const auto &one) { return key == QLatin1String(one.key); });
-    return row == rows.end() ? QString() : CanTraining::tr(row->text);
-}
-
-std::optional<QString> conditionText(const TrainingAct &act)
-{
-    constexpr std::size_t parts = 3;
-    const QString what = keyOf(act);
-    if (act.size() != parts || (what != nodeTroubleActKey && what != nodeQuirkActKey))
-        return std::nullopt;
-    const QString key = argumentText(act[1]);
-    const QString name =
-        what == nodeTroubleActKey ? nameByKey(nodeTroubleRows, key) : nameByKey(quirkNameRows, key);
-    if (name.isEmpty())
-        return std::nullopt;
-    return sentence(act[2] == RefusalArgument(std::int64_t{1}) ? CanTraining::tr("%1: yes.")
-                                                               : CanTraining::tr("%1: no."),
-                    {name});
-}
-
 } // namespace
 
 TrainingAct canAct(CanAct what, const std::vector<RefusalArgument> &its)
 {
-    TrainingAct act{QString::fromLatin1(canActRows.at(static_cast<std::size_t>(what)).key)};
-    act.insert(act.end(), its.begin(), its.end());
-    return act;
+    return actOf(canActRows, static_cast<std::size_t>(what), its);
 }
 
 TrainingAct nodeTroubleAct(NodeTrouble trouble, bool isThere)
 {
-    return {nodeTroubleActKey, QString::fromLatin1(rowOf(nodeTroubleRows, trouble).key),
-            std::int64_t{isThere ? 1 : 0}};
+    return conditionAct(nodeTroubleActKey, rowOf(nodeTroubleRows, trouble).key, isThere);
 }
 
 TrainingAct nodeQuirkAct(const char *key, bool isThere)
 {
-    return {nodeQuirkActKey, QString::fromLatin1(key), std::int64_t{isThere ? 1 : 0}};
+    return conditionAct(nodeQuirkActKey, key, isThere);
 }
 
 QString nodeTroubleName(NodeTrouble trouble)
@@ -132,12 +98,15 @@ QString nodeTroubleName(NodeTrouble trouble)
 
 QString nodeQuirkName(const char *key)
 {
-    return nameByKey(quirkNameRows, QString::fromLatin1(key));
+    const auto *row = rowByKey(quirkNameRows, QString::fromLatin1(key));
+    return row != nullptr ? CanTraining::tr(row->text) : QString();
 }
 
 std::optional<QString> canActText(const TrainingAct &act)
 {
-    if (auto text = conditionText(act))
+    if (auto text = conditionText(act, nodeTroubleActKey, nodeTroubleRows, canTrainingContext))
+        return text;
+    if (auto text = conditionText(act, nodeQuirkActKey, quirkNameRows, canTrainingContext))
         return text;
     return sentenceOf(act, canActRows, canTrainingContext);
 }

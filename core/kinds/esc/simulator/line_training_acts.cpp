@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/esc/simulator/line_training_acts.h"
 
-#include "vocabulary/enumeration_rows.h"
-#include "vocabulary/sentence.h"
-
-#include <QCoreApplication>
-
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -54,34 +48,16 @@ static_assert(areInOrder(lineTroubleRows, &KeyedText<LineTrouble>::id));
 
 const QString troubleActKey = QStringLiteral("lineTrouble"); // key of the trouble, 1 or 0
 
-std::optional<QString> troubleActText(const TrainingAct &act)
-{
-    constexpr std::size_t parts = 3;
-    if (act.size() != parts || keyOf(act) != troubleActKey)
-        return std::nullopt;
-    const QString key = argumentText(act[1]);
-    const auto row = std::ranges::find_if(
-        lineTroubleRows, [&](const KeyedText<LineTrouble> &one) { return key == QLatin1String(one.key); });
-    if (row == lineTroubleRows.end())
-        return std::nullopt;
-    return sentence(act[2] == RefusalArgument(std::int64_t{1}) ? LineTraining::tr("%1: yes.")
-                                                               : LineTraining::tr("%1: no."),
-                    {lineTroubleName(row->id)});
-}
-
 } // namespace
 
 TrainingAct lineAct(LineAct what, const std::vector<RefusalArgument> &its)
 {
-    TrainingAct act{QString::fromLatin1(lineActRows.at(static_cast<std::size_t>(what)).key)};
-    act.insert(act.end(), its.begin(), its.end());
-    return act;
+    return actOf(lineActRows, static_cast<std::size_t>(what), its);
 }
 
 TrainingAct lineTroubleAct(LineTrouble trouble, bool isThere)
 {
-    return {troubleActKey, QString::fromLatin1(rowOf(lineTroubleRows, trouble).key),
-            std::int64_t{isThere ? 1 : 0}};
+    return conditionAct(troubleActKey, rowOf(lineTroubleRows, trouble).key, isThere);
 }
 
 QString lineTroubleName(LineTrouble trouble)
@@ -91,7 +67,7 @@ QString lineTroubleName(LineTrouble trouble)
 
 std::optional<QString> lineActText(const TrainingAct &act)
 {
-    if (auto text = troubleActText(act))
+    if (auto text = conditionText(act, troubleActKey, lineTroubleRows, lineTrainingContext))
         return text;
     return sentenceOf(act, lineActRows, lineTrainingContext);
 }

@@ -146,10 +146,8 @@ QString wrongAnswerKey(WrongAnswer what, std::initializer_list<int> numbers)
 QString wrongAnswerText(const QString &key)
 {
     const QStringList parts = key.split(betweenNumbers);
-    const auto row = std::ranges::find_if(WrongAnswerRows::all, [&](const KeyedText<WrongAnswer> &one) {
-        return parts.front() == QLatin1String(one.key);
-    });
-    return row == WrongAnswerRows::all.end() ? key : sentence(GatewayTexts::tr(row->text), parts.sliced(1));
+    const auto *row = rowByKey(WrongAnswerRows::all, parts.front());
+    return row == nullptr ? key : sentence(GatewayTexts::tr(row->text), parts.sliced(1));
 }
 
 QStringList registerRefusalTexts(const Refusal &refusal)

@@ -84,9 +84,7 @@ std::optional<QString> seatActText(const TrainingAct &act)
 
 TrainingAct ringAct(RingAct what, const std::vector<RefusalArgument> &its)
 {
-    TrainingAct act{QString::fromLatin1(ringActRows.at(static_cast<std::size_t>(what)).key)};
-    act.insert(act.end(), its.begin(), its.end());
-    return act;
+    return actOf(ringActRows, static_cast<std::size_t>(what), its);
 }
 
 TrainingAct faultAct(TrainingFault fault, NodeId place, int value)

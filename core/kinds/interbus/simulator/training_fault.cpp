@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -57,9 +56,8 @@ QString trainingFaultKey(TrainingFault fault)
 
 std::optional<TrainingFault> trainingFaultFromKey(const QString &key)
 {
-    const auto found = std::ranges::find_if(
-        faultRows, [&](const KeyedText<TrainingFault> &row) { return key == QLatin1String(row.key); });
-    return found == faultRows.end() ? std::nullopt : std::optional(found->id);
+    const auto *row = rowByKey(faultRows, key);
+    return row != nullptr ? std::optional(row->id) : std::nullopt;
 }
 
 QString trainingFaultText(TrainingFault fault, const QString &place, std::int64_t value)

@@ -2,6 +2,7 @@
 #include "widgets/kinds/canopen/training/can_quirk_boxes.h"
 
 #include "kinds/canopen/simulator/can_training_acts.h"
+#include "vocabulary/enumeration_rows.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
@@ -11,7 +12,6 @@
 #include <QCoreApplication>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <array>
 
 namespace codewheel {
@@ -55,9 +55,8 @@ constexpr std::array quirkTips{
 
 QString quirkTipOf(const char *key)
 {
-    const auto row = std::ranges::find_if(
-        quirkTips, [&](const QuirkTip &one) { return QLatin1String(one.key) == QLatin1String(key); });
-    return row == quirkTips.end() ? QString() : CanQuirkBoxes::tr(row->text);
+    const QuirkTip *row = rowByKey(quirkTips, QString::fromLatin1(key));
+    return row != nullptr ? CanQuirkBoxes::tr(row->text) : QString();
 }
 
 } // namespace
