@@ -112,25 +112,22 @@ void CamTableModel::setPosition(Cam &cam, int column, std::int64_t position) con
     }
 }
 
-QVariant CamTableModel::headerCell(int column, int role) const
+std::span<const ColumnHead> CamTableModel::heads() const
 {
-    if (role == Qt::TextAlignmentRole)
-        return QVariant((isPosition(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
-        return {};
-    if (role == Qt::DisplayRole)
-        return QStringList{tr("Cam"),      tr("Start"), tr("Stop"),   tr("Hysteresis"),
-                           tr("Inverted"), tr("Now"),   tr("Encoder")}
-            .at(column);
-    return QStringList{
-        tr("Ticked: the cam is active. Only active cams come on."),
-        tr("First position on which the cam is on, in steps"),
-        tr("Last position on which the cam is on, in steps; smaller than the start: through zero"),
-        tr("Steps behind an edge until the cam goes back"),
-        tr("Ticked: the cam is on outside of its positions"),
-        tr("What the encoder shows now in cam mode; in position mode, what these cams would be"),
-        tr("Whether the encoder is known to have the same")}
-        .at(column);
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Cam"), Qt::AlignLeft,
+         QT_TR_NOOP("Ticked: the cam is active. Only active cams come on.")},
+        {QT_TR_NOOP("Start"), Qt::AlignRight, QT_TR_NOOP("First position on which the cam is on, in steps")},
+        {QT_TR_NOOP("Stop"), Qt::AlignRight,
+         QT_TR_NOOP("Last position on which the cam is on, in steps; smaller than the start: through zero")},
+        {QT_TR_NOOP("Hysteresis"), Qt::AlignRight,
+         QT_TR_NOOP("Steps behind an edge until the cam goes back")},
+        {QT_TR_NOOP("Inverted"), Qt::AlignLeft, QT_TR_NOOP("Ticked: the cam is on outside of its positions")},
+        {QT_TR_NOOP("Now"), Qt::AlignLeft,
+         QT_TR_NOOP("What the encoder shows now in cam mode; in position mode, what these cams would be")},
+        {QT_TR_NOOP("Encoder"), Qt::AlignLeft, QT_TR_NOOP("Whether the encoder is known to have the same")},
+    };
+    return all;
 }
 
 QVariant CamTableModel::cell(const CamRow &row, int column, int role) const
@@ -151,7 +148,7 @@ QVariant CamTableModel::cell(const CamRow &row, int column, int role) const
     case Qt::ToolTipRole:
         return cam_texts::description(m_sheet, row.number);
     case Qt::TextAlignmentRole:
-        return QVariant((isPosition(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return headerCell(column, role);
     case Qt::FontRole:
         return isPosition(column) ? numberFont() : textFont();
     case Qt::DecorationRole:

@@ -46,8 +46,7 @@ public:
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 protected:
-    int columns() const override { return encoderColumn + 1; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const CamRow &row, int column, int role) const override;
 
 private:

@@ -62,10 +62,11 @@ void ComparisonModel::compare(const PlanEdits &plan, const ConnectedBus &connect
     setRows(std::move(rows));
 }
 
-QVariant ComparisonModel::headerCell(int column, int role) const
+std::span<const ColumnHead> ComparisonModel::heads() const
 {
-    const QStringList heads{tr("Configured (project)"), tr("Connected"), tr("Difference")};
-    return role == Qt::DisplayRole ? heads.at(column) : QVariant();
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Configured (project)")}, {QT_TR_NOOP("Connected")}, {QT_TR_NOOP("Difference")}};
+    return all;
 }
 
 // Of before are the connected device and what follows from it.

@@ -34,8 +34,7 @@ public:
     const Comparison &comparison() const { return m_comparison; }
 
 protected:
-    int columns() const override { return differenceColumn + 1; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const ComparisonRow &row, int column, int role) const override;
 
 private:

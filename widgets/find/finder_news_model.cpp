@@ -37,10 +37,11 @@ QString newsText(const FinderNews &news, int column)
 
 } // namespace
 
-QVariant FinderNewsModel::headerCell(int column, int role) const
+std::span<const ColumnHead> FinderNewsModel::heads() const
 {
-    const QString titles[] = {tr("Where"), tr("Settings"), tr("How sure"), tr("What")};
-    return role == Qt::DisplayRole ? QVariant(titles[column]) : QVariant();
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Where")}, {QT_TR_NOOP("Settings")}, {QT_TR_NOOP("How sure")}, {QT_TR_NOOP("What")}};
+    return all;
 }
 
 QVariant FinderNewsModel::cell(const FinderNews &news, int column, int role) const

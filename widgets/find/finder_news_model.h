@@ -12,13 +12,12 @@ class FinderNewsModel : public TableModelBase<FinderNews>
     Q_OBJECT
 
 public:
-    enum Column : std::uint8_t { place, settings, sure, what, columnCount_ };
+    enum Column : std::uint8_t { place, settings, sure, what };
 
     using TableModelBase::TableModelBase;
 
 protected:
-    int columns() const override { return columnCount_; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const FinderNews &news, int column, int role) const override;
 };
 

@@ -6,14 +6,23 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace codewheel {
 
+// What stands above a column. Its texts are translated in the context of the model's class.
+struct ColumnHead
+{
+    const char *title;
+    Qt::AlignmentFlag alignment{}; // none: as the view does it
+    const char *tip = nullptr;
+};
+
 // What all our tables have in common: it keeps the rows and notifies the views of each change. A subclass
-// gives the number of columns and fills headerCell() and cell(); roles as in Qt (display, alignment,
-// decoration, tooltip, accessible text). Q_OBJECT works in the subclass.
+// gives heads(), or the number of columns and headerCell(), and fills cell(); roles as in Qt (display,
+// alignment, decoration, tooltip, accessible text). Q_OBJECT works in the subclass.
 template <typename Row>
 class TableModelBase : public QAbstractTableModel
 {
@@ -108,8 +117,22 @@ public:
     }
 
 protected:
-    virtual int columns() const = 0;
-    virtual QVariant headerCell(int column, int role) const = 0;
+    virtual std::span<const ColumnHead> heads() const { return {}; }
+    virtual int columns() const { return static_cast<int>(heads().size()); }
+    virtual QVariant headerCell(int column, int role) const
+    {
+        const ColumnHead &head = heads()[static_cast<std::size_t>(column)];
+        switch (role) {
+        case Qt::DisplayRole:
+            return metaObject()->tr(head.title, nullptr);
+        case Qt::ToolTipRole:
+            return head.tip != nullptr ? metaObject()->tr(head.tip, nullptr) : QVariant();
+        case Qt::TextAlignmentRole:
+            return head.alignment != 0 ? QVariant(head.alignment | Qt::AlignVCenter) : QVariant();
+        default:
+            return {};
+        }
+    }
     virtual QVariant cell(const Row &row, int column, int role) const = 0;
 
 private:

@@ -201,14 +201,12 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     return true;
 }
 
-QVariant ParameterModel::headerCell(int column, int role) const
+std::span<const ColumnHead> ParameterModel::heads() const
 {
-    if (role == Qt::TextAlignmentRole)
-        return QVariant(column == nameColumn ? Qt::AlignLeft | Qt::AlignVCenter
-                                             : Qt::AlignRight | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    return QStringList{tr("Parameter"), tr("Known"), tr("Wanted")}.at(column);
+    static constexpr ColumnHead all[] = {{QT_TR_NOOP("Parameter"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Known"), Qt::AlignRight},
+                                         {QT_TR_NOOP("Wanted"), Qt::AlignRight}};
+    return all;
 }
 
 // Spans all columns.
@@ -260,8 +258,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1 %2").arg(text(row, column), detail(row, column)).trimmed();
     case Qt::TextAlignmentRole:
-        return QVariant(column == nameColumn ? Qt::AlignLeft | Qt::AlignVCenter
-                                             : Qt::AlignRight | Qt::AlignVCenter);
+        return headerCell(column, role);
     case Qt::FontRole:
         return column == nameColumn || isPale || !row.parameter.choices.empty() ? textFont() : numberFont();
     case detailRole:

@@ -63,8 +63,7 @@ public:
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 protected:
-    int columns() const override { return 3; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const ParameterRow &row, int column, int role) const override;
 
 private:

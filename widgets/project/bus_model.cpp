@@ -11,12 +11,6 @@
 namespace codewheel {
 namespace {
 
-QVariant alignmentOf(int column)
-{
-    return QVariant::fromValue(Qt::AlignVCenter |
-                               (column == BusModel::devices ? Qt::AlignRight : Qt::AlignLeft));
-}
-
 } // namespace
 
 BusModel::BusModel(ProjectDocument &document, QObject *parent)
@@ -97,18 +91,19 @@ bool BusModel::setData(const QModelIndex &index, const QVariant &value, int role
     return true;
 }
 
-QVariant BusModel::headerCell(int column, int role) const
+std::span<const ColumnHead> BusModel::heads() const
 {
-    if (role == Qt::TextAlignmentRole)
-        return alignmentOf(column);
-    const QStringList heads{tr("Name"), tr("Kind"), tr("Link"), tr("Devices")};
-    return role == Qt::DisplayRole ? heads.at(column) : QVariant();
+    static constexpr ColumnHead all[] = {{QT_TR_NOOP("Name"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Kind"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Link"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Devices"), Qt::AlignRight}};
+    return all;
 }
 
 QVariant BusModel::cell(const BusRow &row, int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return alignmentOf(column);
+        return headerCell(column, role);
     if (role == Qt::ToolTipRole)
         return column == name ? tr("%1: F2 or a double click renames it").arg(row.name) : QVariant();
     if (role != Qt::DisplayRole && role != Qt::EditRole)

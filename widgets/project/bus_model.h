@@ -30,7 +30,7 @@ class BusModel : public TableModelBase<BusRow>
     Q_OBJECT
 
 public:
-    enum Column { name, kind, link, devices, columnCount_ };
+    enum Column { name, kind, link, devices };
 
     // The document outlives the model.
     explicit BusModel(ProjectDocument &document, QObject *parent = nullptr);
@@ -43,8 +43,7 @@ public:
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
 
 protected:
-    int columns() const override { return columnCount_; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const BusRow &row, int column, int role) const override;
 
 private:

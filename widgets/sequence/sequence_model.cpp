@@ -80,11 +80,12 @@ bool SequenceModel::setData(const QModelIndex &index, const QVariant &value, int
     return true;
 }
 
-QVariant SequenceModel::headerCell(int column, int role) const
+std::span<const ColumnHead> SequenceModel::heads() const
 {
-    if (role != Qt::DisplayRole)
-        return role == Qt::TextAlignmentRole ? QVariant(Qt::AlignLeft | Qt::AlignVCenter) : QVariant();
-    return QStringList{tr("Word"), tr("Meaning"), tr("State")}.at(column);
+    static constexpr ColumnHead all[] = {{QT_TR_NOOP("Word"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Meaning"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("State"), Qt::AlignLeft}};
+    return all;
 }
 
 QString SequenceModel::explain(Word content) const

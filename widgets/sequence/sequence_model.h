@@ -43,8 +43,7 @@ Q_SIGNALS:
     void badInput(const QString &sentence);
 
 protected:
-    int columns() const override { return state + 1; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const SequenceRow &row, int column, int role) const override;
 
 private:

@@ -139,45 +139,29 @@ void TrendValuesModel::addStatistics(TrendRow &row, const TrendCurve &curve, con
     row.deviation = values.averageText(statistics->moments.deviation());
 }
 
-QVariant TrendValuesModel::headerCell(int column, int role) const
+std::span<const ColumnHead> TrendValuesModel::heads() const
 {
-    if (role == Qt::TextAlignmentRole)
-        return static_cast<int>(Qt::AlignVCenter | (column == name ? Qt::AlignLeft : Qt::AlignRight));
-    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
-        return {};
-    const bool isTip = role == Qt::ToolTipRole;
-    switch (column) {
-    case name:
-        return isTip ? tr("The encoder, what is shown of it, and its unit") : tr("Curve");
-    case now:
-        return isTip ? tr("The newest value; a dash where none is shown") : tr("Now");
-    case cursorA:
-        return isTip ? tr("The value at cursor A") : QStringLiteral("A");
-    case cursorB:
-        return isTip ? tr("The value at cursor B") : QStringLiteral("B");
-    case difference:
-        return isTip ? tr("From cursor A to cursor B") : QStringLiteral("B \u2212 A");
-    case degrees:
-        return isTip ? tr("From cursor A to cursor B, in degrees of the shaft") : tr("Angle");
-    case rate:
-        return isTip ? tr("The mean speed from cursor A to cursor B") : tr("Rate");
-    case least:
-        return isTip ? tr("The least value between the cursors") : tr("Min");
-    case greatest:
-        return isTip ? tr("The greatest value between the cursors") : tr("Max");
-    case mean:
-        return isTip ? tr("The mean over time between the cursors") : tr("Mean");
-    case deviation:
-        return isTip ? tr("The standard deviation between the cursors") : tr("Std. dev.");
-    default:
-        return {};
-    }
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Curve"), Qt::AlignLeft, QT_TR_NOOP("The encoder, what is shown of it, and its unit")},
+        {QT_TR_NOOP("Now"), Qt::AlignRight, QT_TR_NOOP("The newest value; a dash where none is shown")},
+        {"A", Qt::AlignRight, QT_TR_NOOP("The value at cursor A")},
+        {"B", Qt::AlignRight, QT_TR_NOOP("The value at cursor B")},
+        {"B \u2212 A", Qt::AlignRight, QT_TR_NOOP("From cursor A to cursor B")},
+        {QT_TR_NOOP("Angle"), Qt::AlignRight,
+         QT_TR_NOOP("From cursor A to cursor B, in degrees of the shaft")},
+        {QT_TR_NOOP("Rate"), Qt::AlignRight, QT_TR_NOOP("The mean speed from cursor A to cursor B")},
+        {QT_TR_NOOP("Min"), Qt::AlignRight, QT_TR_NOOP("The least value between the cursors")},
+        {QT_TR_NOOP("Max"), Qt::AlignRight, QT_TR_NOOP("The greatest value between the cursors")},
+        {QT_TR_NOOP("Mean"), Qt::AlignRight, QT_TR_NOOP("The mean over time between the cursors")},
+        {QT_TR_NOOP("Std. dev."), Qt::AlignRight, QT_TR_NOOP("The standard deviation between the cursors")},
+    };
+    return all;
 }
 
 QVariant TrendValuesModel::cell(const TrendRow &row, int column, int role) const
 {
     if (role == Qt::TextAlignmentRole)
-        return static_cast<int>(Qt::AlignVCenter | (column == name ? Qt::AlignLeft : Qt::AlignRight));
+        return headerCell(column, role);
     if (role == Qt::FontRole && column != name)
         return numberFont();
     if (role == Qt::DecorationRole && column == name)

@@ -59,8 +59,7 @@ public:
     void showNow(const TrendScene &scene);
 
 private:
-    int columns() const override { return Column::count; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const TrendRow &row, int column, int role) const override;
     TrendRow rowOf(const TrendCurve &curve, const TrendScene &scene,
                    const std::optional<TrackScale> &turns) const;

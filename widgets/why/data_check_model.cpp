@@ -72,10 +72,11 @@ int DataCheckModel::rowOf(DataCheck::Id id) const
     return -1;
 }
 
-QVariant DataCheckModel::headerCell(int column, int role) const
+std::span<const ColumnHead> DataCheckModel::heads() const
 {
-    const QStringList heads{tr("Step"), tr("Expected"), tr("Came")};
-    return role == Qt::DisplayRole ? heads.at(column) : QVariant();
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Step")}, {QT_TR_NOOP("Expected")}, {QT_TR_NOOP("Came")}};
+    return all;
 }
 
 QVariant DataCheckModel::cell(const DataCheck &check, int column, int role) const

@@ -20,8 +20,7 @@ public:
     int rowOf(DataCheck::Id id) const;   // -1: there is none
 
 protected:
-    int columns() const override { return cameColumn + 1; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const DataCheck &check, int column, int role) const override;
 
 private:

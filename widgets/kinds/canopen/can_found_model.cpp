@@ -58,26 +58,13 @@ bool CanFoundModel::setData(const QModelIndex &index, const QVariant &value, int
     return true;
 }
 
-QVariant CanFoundModel::headerCell(int column, int role) const
+std::span<const ColumnHead> CanFoundModel::heads() const
 {
-    if (role == Qt::TextAlignmentRole)
-        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (column) {
-    case node:
-        return tr("Node");
-    case device:
-        return tr("Device");
-    case vendor:
-        return tr("Vendor");
-    case product:
-        return tr("Product");
-    case revision:
-        return tr("Revision");
-    default:
-        return tr("Serial number");
-    }
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Node"), Qt::AlignLeft},     {QT_TR_NOOP("Device"), Qt::AlignLeft},
+        {QT_TR_NOOP("Vendor"), Qt::AlignLeft},   {QT_TR_NOOP("Product"), Qt::AlignLeft},
+        {QT_TR_NOOP("Revision"), Qt::AlignLeft}, {QT_TR_NOOP("Serial number"), Qt::AlignLeft}};
+    return all;
 }
 
 QString CanFoundModel::textOf(const CanFoundRow &row, int column) const

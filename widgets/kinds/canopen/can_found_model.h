@@ -28,7 +28,7 @@ class CanFoundModel final : public TableModelBase<CanFoundRow>
 public:
     using TableModelBase::TableModelBase;
 
-    enum Column : int { node, device, vendor, product, revision, serialNumber, columnCountOfIt };
+    enum Column : int { node, device, vendor, product, revision, serialNumber };
 
     void show(std::vector<CanFoundRow> found); // ticks stay
     std::vector<CanFoundRow> chosen() const;
@@ -40,8 +40,7 @@ Q_SIGNALS:
     void chosenChanged();
 
 protected:
-    int columns() const override { return columnCountOfIt; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const CanFoundRow &row, int column, int role) const override;
 
 private:

@@ -115,38 +115,33 @@ bool ObjectModel::isDifferent(const ObjectRow &row) const
     return row.difference || row.differsFromProject() || row.differsFromFile(m_node);
 }
 
-QVariant ObjectModel::headerCell(int column, int role) const
+std::span<const ColumnHead> ObjectModel::heads() const
 {
-    struct Heading
-    {
-        QString text;
-        QString tip;
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Object"), Qt::AlignLeft, QT_TR_NOOP("Index in hexadecimal, and subindex")},
+        {QT_TR_NOOP("Name"), Qt::AlignLeft,
+         QT_TR_NOOP("As the file of the maker has it, or else CiA 301 and CiA 406")},
+        {QT_TR_NOOP("Value"), Qt::AlignLeft,
+         QT_TR_NOOP("What the node answered, to us or to others, in hexadecimal and decimal. A mark: not the "
+                    "default")},
+        {QT_TR_NOOP("Meaning"), Qt::AlignLeft, QT_TR_NOOP("What the bits say, or why there is no value")},
+        {QT_TR_NOOP("Access"), Qt::AlignLeft, QT_TR_NOOP("Whether the object can be read and written")},
+        {QT_TR_NOOP("Type"), Qt::AlignLeft,
+         QT_TR_NOOP("What the file says. How wide a value is, the node tells")},
+        {QT_TR_NOOP("Project"), Qt::AlignLeft,
+         QT_TR_NOOP("What the project wants the node to have. A mark: the node has another value")},
+        {QT_TR_NOOP("In the file"), Qt::AlignLeft,
+         QT_TR_NOOP(
+             "The value that the file gives this device (ParameterValue). A mark: the node has another")},
+        {QT_TR_NOOP("Default"), Qt::AlignLeft,
+         QT_TR_NOOP("What the device has when it comes from the maker")},
+        {QT_TR_NOOP("Compared with"), Qt::AlignLeft,
+         QT_TR_NOOP("The value of the file that is compared with, where it is another")},
+        {QT_TR_NOOP("Read"), Qt::AlignLeft,
+         QT_TR_NOOP(
+             "When the node was asked last. Heard: another master has asked or written, or it was in a PDO")},
     };
-    if (role == Qt::TextAlignmentRole)
-        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
-        return {};
-    const Heading headings[] = {
-        {tr("Object"), tr("Index in hexadecimal, and subindex")},
-        {tr("Name"), tr("As the file of the maker has it, or else CiA 301 and CiA 406")},
-        {tr("Value"),
-         tr("What the node answered, to us or to others, in hexadecimal and decimal. A mark: not the "
-            "default")},
-        {tr("Meaning"), tr("What the bits say, or why there is no value")},
-        {tr("Access"), tr("Whether the object can be read and written")},
-        {tr("Type"), tr("What the file says. How wide a value is, the node tells")},
-        {tr("Project"), tr("What the project wants the node to have. A mark: the node has another value")},
-        {tr("In the file"),
-         tr("The value that the file gives this device (ParameterValue). A mark: the node has "
-            "another")},
-        {tr("Default"), tr("What the device has when it comes from the maker")},
-        {tr("Compared with"), tr("The value of the file that is compared with, where it is another")},
-        {tr("Read"),
-         tr("When the node was asked last. Heard: another master has asked or written, or it was in a "
-            "PDO")},
-    };
-    const Heading &heading = headings[column];
-    return role == Qt::DisplayRole ? heading.text : heading.tip;
+    return all;
 }
 
 QString ObjectModel::textOf(const ObjectRow &row, int column) const

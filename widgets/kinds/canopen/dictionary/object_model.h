@@ -15,20 +15,7 @@ class ObjectModel final : public TableModelBase<ObjectRow>
 public:
     explicit ObjectModel(QObject *parent = nullptr);
 
-    enum Column : int {
-        object,
-        name,
-        value,
-        meaning,
-        access,
-        type,
-        project,
-        inFile,
-        factory,
-        other,
-        readAt,
-        columnCountAll
-    };
+    enum Column : int { object, name, value, meaning, access, type, project, inFile, factory, other, readAt };
 
     // `rows`: those taken before, with their values. The number of the node counts for defaults.
     void show(std::vector<ObjectRow> rows, std::optional<int> node);
@@ -42,8 +29,7 @@ public:
     int rowOf(canopen::SdoObject object) const;   // -1: none
 
 protected:
-    int columns() const override { return columnCountAll; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const ObjectRow &row, int column, int role) const override;
 
 private:

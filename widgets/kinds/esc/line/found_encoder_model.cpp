@@ -85,14 +85,14 @@ QString FoundEncoderModel::text(const FoundEncoder &row, int column) const
     }
 }
 
-QVariant FoundEncoderModel::headerCell(int column, int role) const
+std::span<const ColumnHead> FoundEncoderModel::heads() const
 {
-    static constexpr const char *titles[] = {QT_TR_NOOP("Address"), QT_TR_NOOP("Baud rate"),
-                                             QT_TR_NOOP("Serial number"), QT_TR_NOOP("Device code"),
-                                             QT_TR_NOOP("Version")};
-    if (role == Qt::TextAlignmentRole)
-        return QVariant((column == baudRate ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    return role == Qt::DisplayRole ? tr(titles[column]) : QVariant();
+    static constexpr ColumnHead all[] = {{QT_TR_NOOP("Address"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Baud rate"), Qt::AlignRight},
+                                         {QT_TR_NOOP("Serial number"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Device code"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Version"), Qt::AlignLeft}};
+    return all;
 }
 
 QVariant FoundEncoderModel::cell(const FoundEncoder &row, int column, int role) const

@@ -30,8 +30,7 @@ Q_SIGNALS:
     void chosenChanged();
 
 protected:
-    int columns() const override { return version + 1; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const FoundEncoder &row, int column, int role) const override;
 
 private:

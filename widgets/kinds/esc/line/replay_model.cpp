@@ -78,14 +78,14 @@ QString ReplayModel::text(const ReplayRow &row, int column) const
     return tr("no answer");
 }
 
-QVariant ReplayModel::headerCell(int column, int role) const
+std::span<const ColumnHead> ReplayModel::heads() const
 {
-    static constexpr const char *titles[] = {QT_TR_NOOP("Meaning"), QT_TR_NOOP("Request"),
-                                             QT_TR_NOOP("Saved answer"), QT_TR_NOOP("Answer now"),
-                                             QT_TR_NOOP("Result")};
-    if (role == Qt::TextAlignmentRole)
-        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-    return role == Qt::DisplayRole ? tr(titles[column]) : QVariant();
+    static constexpr ColumnHead all[] = {{QT_TR_NOOP("Meaning"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Request"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Saved answer"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Answer now"), Qt::AlignLeft},
+                                         {QT_TR_NOOP("Result"), Qt::AlignLeft}};
+    return all;
 }
 
 QVariant ReplayModel::cell(const ReplayRow &row, int column, int role) const

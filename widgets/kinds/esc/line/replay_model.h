@@ -30,8 +30,7 @@ public:
     int count(EscLineReplay::Verdict verdict) const;
 
 protected:
-    int columns() const override { return result + 1; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const ReplayRow &row, int column, int role) const override;
 
 private:

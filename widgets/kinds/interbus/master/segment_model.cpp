@@ -43,18 +43,18 @@ void SegmentModel::show(const RingSession &bus)
             replace(row, newest);
 }
 
-QVariant SegmentModel::headerCell(int column, int role) const
+std::span<const ColumnHead> SegmentModel::heads() const
 {
-    static constexpr const char *titles[] = {QT_TR_NOOP("Segment"), QT_TR_NOOP("State"),
-                                             QT_TR_NOOP("CRC errors"), QT_TR_NOOP("5 minutes"),
-                                             QT_TR_NOOP("Last error")};
-    if (role == Qt::ToolTipRole && column == historyColumn)
-        return tr("The CRC errors of the last five minutes, the newest at the right");
-    if (role == Qt::ToolTipRole && column == lastColumn)
-        return tr("When the last CRC error was counted");
-    if (role == Qt::TextAlignmentRole && column == crcColumn)
-        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    return role == Qt::DisplayRole ? tr(titles[column]) : QVariant();
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Segment")},
+        {QT_TR_NOOP("State")},
+        {QT_TR_NOOP("CRC errors"), Qt::AlignRight},
+        {QT_TR_NOOP("5 minutes"),
+         {},
+         QT_TR_NOOP("The CRC errors of the last five minutes, the newest at the right")},
+        {QT_TR_NOOP("Last error"), {}, QT_TR_NOOP("When the last CRC error was counted")},
+    };
+    return all;
 }
 
 QVariant SegmentModel::text(const SegmentRow &row, int column) const

@@ -27,7 +27,6 @@ class SegmentModel : public TableModelBase<SegmentRow>
 
 public:
     enum Column { segmentColumn, stateColumn, crcColumn, historyColumn, lastColumn };
-    static constexpr int columnCountOf = lastColumn + 1;
     static constexpr int countsRole = Qt::UserRole; // QVariantList of the counts of historyColumn
 
     using TableModelBase::TableModelBase;
@@ -36,8 +35,7 @@ public:
     void show(const RingSession &bus);
 
 private:
-    int columns() const override { return columnCountOf; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const SegmentRow &row, int column, int role) const override;
     QVariant text(const SegmentRow &row, int column) const;
 };

@@ -48,25 +48,21 @@ void SeatsModel::show(const std::vector<Seat> &seats)
             replace(static_cast<int>(i), seats[i]);
 }
 
-QVariant SeatsModel::headerCell(int column, int role) const
+std::span<const ColumnHead> SeatsModel::heads() const
 {
-    static constexpr const char *titles[] = {
-        QT_TR_NOOP("Seat"),         QT_TR_NOOP("Clients"), QT_TR_NOOP("Ring"), QT_TR_NOOP("Faults"),
-        QT_TR_NOOP("Written last"), QT_TR_NOOP("IN"),      QT_TR_NOOP("OUT")};
-    static constexpr const char *tips[] = {
-        QT_TR_NOOP("Its number is the Modbus unit"),
-        QT_TR_NOOP("How many clients asked this unit last"),
-        QT_TR_NOOP("State of its ring"),
-        QT_TR_NOOP("What the trainer or a fault plan has caused in its ring, and is not over"),
-        QT_TR_NOOP(
-            "Device, OUT word, and when it was on the bus, whoever wrote it; not what stood there already"),
-        QT_TR_NOOP("IN word of the device that is chosen above"),
-        QT_TR_NOOP("OUT word of the device that is chosen above")};
-    if (role == Qt::TextAlignmentRole)
-        return QVariant((column <= clients ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    return role == Qt::DisplayRole   ? tr(titles[column])
-           : role == Qt::ToolTipRole ? tr(tips[column])
-                                     : QVariant();
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Seat"), Qt::AlignRight, QT_TR_NOOP("Its number is the Modbus unit")},
+        {QT_TR_NOOP("Clients"), Qt::AlignRight, QT_TR_NOOP("How many clients asked this unit last")},
+        {QT_TR_NOOP("Ring"), Qt::AlignLeft, QT_TR_NOOP("State of its ring")},
+        {QT_TR_NOOP("Faults"), Qt::AlignLeft,
+         QT_TR_NOOP("What the trainer or a fault plan has caused in its ring, and is not over")},
+        {QT_TR_NOOP("Written last"), Qt::AlignLeft,
+         QT_TR_NOOP(
+             "Device, OUT word, and when it was on the bus, whoever wrote it; not what stood there already")},
+        {QT_TR_NOOP("IN"), Qt::AlignLeft, QT_TR_NOOP("IN word of the device that is chosen above")},
+        {QT_TR_NOOP("OUT"), Qt::AlignLeft, QT_TR_NOOP("OUT word of the device that is chosen above")},
+    };
+    return all;
 }
 
 QVariant SeatsModel::cell(const Seat &seat, int column, int role) const

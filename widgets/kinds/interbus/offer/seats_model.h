@@ -29,15 +29,14 @@ class SeatsModel : public TableModelBase<Seat>
     Q_OBJECT
 
 public:
-    enum Column : std::uint8_t { unit, clients, ring, faults, written, in, out, columnCount_ };
+    enum Column : std::uint8_t { unit, clients, ring, faults, written, in, out };
 
     using TableModelBase::TableModelBase;
 
     void show(const std::vector<Seat> &seats);
 
 protected:
-    int columns() const override { return columnCount_; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const Seat &seat, int column, int role) const override;
 };
 

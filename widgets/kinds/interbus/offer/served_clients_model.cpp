@@ -5,15 +5,6 @@
 #include "widgets/look/fonts.h"
 
 namespace codewheel {
-namespace {
-
-bool isNumber(int column)
-{
-    return column == ServedClientsModel::unit ||
-           (column >= ServedClientsModel::requests && column <= ServedClientsModel::refused);
-}
-
-} // namespace
 
 // Both are in the order of their numbers.
 void ServedClientsModel::show(const std::vector<ServedClient> &clients)
@@ -48,23 +39,20 @@ QString ServedClientsModel::text(const ServedClient &client, int column)
     }
 }
 
-QVariant ServedClientsModel::headerCell(int column, int role) const
+std::span<const ColumnHead> ServedClientsModel::heads() const
 {
-    static constexpr const char *titles[] = {
-        QT_TR_NOOP("Client"), QT_TR_NOOP("Unit"),    QT_TR_NOOP("Wrote last"), QT_TR_NOOP("Requests"),
-        QT_TR_NOOP("Writes"), QT_TR_NOOP("Refused"), QT_TR_NOOP("Since")};
-    static constexpr const char *tips[] = {QT_TR_NOOP("Address and port of the client"),
-                                           QT_TR_NOOP("The unit of its last request; with seats, its seat"),
-                                           QT_TR_NOOP("Device, OUT word, and when it was on the bus"),
-                                           QT_TR_NOOP("Requests so far"),
-                                           QT_TR_NOOP("Requests that wrote something, and were carried out"),
-                                           QT_TR_NOOP("Requests that were answered with an exception"),
-                                           QT_TR_NOOP("When it connected")};
-    if (role == Qt::TextAlignmentRole)
-        return QVariant((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    return role == Qt::DisplayRole   ? tr(titles[column])
-           : role == Qt::ToolTipRole ? tr(tips[column])
-                                     : QVariant();
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Client"), Qt::AlignLeft, QT_TR_NOOP("Address and port of the client")},
+        {QT_TR_NOOP("Unit"), Qt::AlignRight,
+         QT_TR_NOOP("The unit of its last request; with seats, its seat")},
+        {QT_TR_NOOP("Wrote last"), Qt::AlignLeft, QT_TR_NOOP("Device, OUT word, and when it was on the bus")},
+        {QT_TR_NOOP("Requests"), Qt::AlignRight, QT_TR_NOOP("Requests so far")},
+        {QT_TR_NOOP("Writes"), Qt::AlignRight,
+         QT_TR_NOOP("Requests that wrote something, and were carried out")},
+        {QT_TR_NOOP("Refused"), Qt::AlignRight, QT_TR_NOOP("Requests that were answered with an exception")},
+        {QT_TR_NOOP("Since"), Qt::AlignLeft, QT_TR_NOOP("When it connected")},
+    };
+    return all;
 }
 
 QVariant ServedClientsModel::cell(const ServedClient &client, int column, int role) const

@@ -13,7 +13,7 @@ class ServedClientsModel : public TableModelBase<ServedClient>
     Q_OBJECT
 
 public:
-    enum Column : std::uint8_t { address, unit, written, requests, writes, refused, since, columnCount_ };
+    enum Column : std::uint8_t { address, unit, written, requests, writes, refused, since };
 
     using TableModelBase::TableModelBase;
 
@@ -21,8 +21,7 @@ public:
     void show(const std::vector<ServedClient> &clients);
 
 protected:
-    int columns() const override { return columnCount_; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const ServedClient &client, int column, int role) const override;
 
 private:

@@ -31,20 +31,22 @@ void ServedRegistersModel::show(std::vector<ServedDevice> devices)
         setRows(std::move(devices));
 }
 
-QVariant ServedRegistersModel::headerCell(int column, int role) const
+std::span<const ColumnHead> ServedRegistersModel::heads() const
 {
-    static constexpr const char *titles[] = {QT_TR_NOOP("Place"), QT_TR_NOOP("IN, input"),
-                                             QT_TR_NOOP("IN, holding"), QT_TR_NOOP("OUT, holding"),
-                                             QT_TR_NOOP("Device")};
-    static constexpr const char *tips[] = {
-        QT_TR_NOOP("Number of the device in the ring"),
-        QT_TR_NOOP("Input registers of its IN word, counted from 0, high word first (function 4)"),
-        QT_TR_NOOP("Holding registers that show its IN word too (functions 3 and 23)"),
-        QT_TR_NOOP("Holding registers of its OUT word (functions 3, 6, 16, 22, 23)"),
-        QT_TR_NOOP("What it is")};
-    return role == Qt::DisplayRole   ? tr(titles[column])
-           : role == Qt::ToolTipRole ? tr(tips[column])
-                                     : QVariant();
+    static constexpr ColumnHead all[] = {
+        {QT_TR_NOOP("Place"), {}, QT_TR_NOOP("Number of the device in the ring")},
+        {QT_TR_NOOP("IN, input"),
+         {},
+         QT_TR_NOOP("Input registers of its IN word, counted from 0, high word first (function 4)")},
+        {QT_TR_NOOP("IN, holding"),
+         {},
+         QT_TR_NOOP("Holding registers that show its IN word too (functions 3 and 23)")},
+        {QT_TR_NOOP("OUT, holding"),
+         {},
+         QT_TR_NOOP("Holding registers of its OUT word (functions 3, 6, 16, 22, 23)")},
+        {QT_TR_NOOP("Device"), {}, QT_TR_NOOP("What it is")},
+    };
+    return all;
 }
 
 QVariant ServedRegistersModel::cell(const ServedDevice &device, int column, int role) const

@@ -21,15 +21,14 @@ class ServedRegistersModel : public TableModelBase<ServedDevice>
     Q_OBJECT
 
 public:
-    enum Column : std::uint8_t { place, in, inHolding, out, name, columnCount_ };
+    enum Column : std::uint8_t { place, in, inHolding, out, name };
 
     using TableModelBase::TableModelBase;
 
     void show(std::vector<ServedDevice> devices);
 
 protected:
-    int columns() const override { return columnCount_; }
-    QVariant headerCell(int column, int role) const override;
+    std::span<const ColumnHead> heads() const override;
     QVariant cell(const ServedDevice &device, int column, int role) const override;
 };
 
