@@ -58,7 +58,9 @@ std::optional<NodeId> BusAccess::placeTyped(const QString &text) const
 
 bool BusAccess::mayHave(NodeId node) const
 {
-    return std::ranges::count(knownPlaces(), m_bus.placeOf(node)) > 0;
+    if (knowsItsPlaces())
+        return std::ranges::count(knownPlaces(), m_bus.placeOf(node)) > 0;
+    return !m_planned || std::ranges::count(*m_planned, node) > 0 || m_bus.encoder(node) != nullptr;
 }
 
 std::vector<Place> BusAccess::knownPlaces() const
@@ -100,6 +102,15 @@ Checked<void> BusAccess::contact(const Call &, const ProjectDevice &)
 {
     advance(lookInterval());
     return {};
+}
+
+void BusAccess::useProject(const Call &, const Project &project)
+{
+    std::vector<NodeId> planned;
+    for (const ProjectDevice &device : devicesOn(project, m_bus.id()))
+        planned.push_back(device.place().node);
+    if (!planned.empty())
+        m_planned = std::move(planned);
 }
 
 bool BusAccess::isConnected() const

@@ -62,8 +62,10 @@ public:
 
     // The place typed as `text`, whether there is a device or not; empty: no place is written like that.
     virtual std::optional<NodeId> placeTyped(const QString &text) const;
-    virtual bool mayHave(NodeId node) const;        // a device; as far as it is known without asking the bus
-    virtual std::vector<Place> knownPlaces() const; // likewise
+    // A device; as far as it is known without asking the bus: one that does not know its places has those of
+    // the project and those asked for; without a project, any.
+    virtual bool mayHave(NodeId node) const;
+    virtual std::vector<Place> knownPlaces() const;               // likewise
     virtual bool knowsItsPlaces() const { return true; }          // otherwise others may be asked
     virtual bool isMeant(const QString &) const { return false; } // by its form, even if it is no place
     virtual Complaint notAPlace(const QString &typed) const;
@@ -76,8 +78,8 @@ public:
     virtual Checked<void> contact(const Call &call, const ProjectDevice &planned);
     // Finds out whether it is there: if the bus does not know by itself, it is asked.
     virtual Checked<void> lookFor(const Call &, const ProjectDevice &) { return {}; }
-    // Its encoders get the names they have in the project.
-    virtual void useProject(const Call &, const Project &) {}
+    // It has what the project plans; its encoders may get the names they have there.
+    virtual void useProject(const Call &call, const Project &project);
 
     // How much time passes between two looks at it.
     virtual Instant lookInterval() const { return std::chrono::milliseconds(10); }
@@ -135,6 +137,7 @@ private:
     EncoderBus &m_bus;
     QString m_kind;
     QString m_name;
+    std::optional<std::vector<NodeId>> m_planned; // of the project of the call
     std::unique_ptr<LedgerKeeper> m_ledger;
 };
 

@@ -194,11 +194,6 @@ std::optional<NodeId> CanopenAccess::placeTyped(const QString &text) const
     return address ? std::optional(address->place()) : std::nullopt;
 }
 
-bool CanopenAccess::mayHave(NodeId node) const
-{
-    return !m_planned || std::ranges::count(*m_planned, node) > 0 || m_session->encoder(node) != nullptr;
-}
-
 bool CanopenAccess::isMeant(const QString &typed) const
 {
     return typed.startsWith(
@@ -213,15 +208,6 @@ Complaint CanopenAccess::notAPlace(const QString &typed) const
 QString CanopenAccess::somePlaces() const
 {
     return CommandLine::tr("the numbers of nodes, as can:5");
-}
-
-void CanopenAccess::useProject(const Call &, const Project &project)
-{
-    std::vector<NodeId> planned;
-    for (const ProjectDevice &device : devicesOn(project, bus().id()))
-        planned.push_back(device.place().node);
-    if (!planned.empty())
-        m_planned = std::move(planned);
 }
 
 Checked<EncoderSession *> CanopenAccess::encoder(const Call &call, NodeId node, bool)

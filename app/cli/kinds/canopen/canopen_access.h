@@ -45,7 +45,6 @@ public:
 
     std::optional<Complaint> whyNot(const Subcommand &command) const override;
     std::optional<NodeId> placeTyped(const QString &text) const override;
-    bool mayHave(NodeId node) const override;
     bool knowsItsPlaces() const override { return false; }
     bool isMeant(const QString &typed) const override;
     Complaint notAPlace(const QString &typed) const override;
@@ -58,7 +57,6 @@ public:
     {
         return contact(call, planned);
     }
-    void useProject(const Call &call, const Project &project) override;
 
     bool startThread() override;
     Complaint complaint(const Refusal &why) const override;
@@ -131,13 +129,12 @@ private:
 
     CanopenLink m_link;
     std::unique_ptr<CanopenSession> m_session;
-    std::optional<std::vector<NodeId>> m_planned; // of the project of the call
-    std::vector<NodeOnBus> m_found;               // by the search
-    std::map<int, CanFrame> m_firstPdos;          // by node, each the newest
-    SlcanLink *m_adapter = nullptr;               // of the session; null: it uses none
-    std::optional<Refusal> m_notOpened;           // the reason
-    std::optional<StopSignals> m_stop;            // while something is done by hand
-    bool m_isStopped = false;                     // by Ctrl+C
+    std::vector<NodeOnBus> m_found;      // by the search
+    std::map<int, CanFrame> m_firstPdos; // by node, each the newest
+    SlcanLink *m_adapter = nullptr;      // of the session; null: it uses none
+    std::optional<Refusal> m_notOpened;  // the reason
+    std::optional<StopSignals> m_stop;   // while something is done by hand
+    bool m_isStopped = false;            // by Ctrl+C
 };
 
 } // namespace codewheel

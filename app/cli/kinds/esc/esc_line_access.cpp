@@ -156,11 +156,6 @@ std::optional<NodeId> EscLineAccess::placeTyped(const QString &text) const
     return address ? std::optional(address->node()) : std::nullopt;
 }
 
-bool EscLineAccess::mayHave(NodeId node) const
-{
-    return !m_planned || std::ranges::count(*m_planned, node) > 0 || m_session->encoder(node) != nullptr;
-}
-
 // Two hexadecimal digits, or with the prefix of addresses.
 bool EscLineAccess::isMeant(const QString &typed) const
 {
@@ -176,15 +171,6 @@ Complaint EscLineAccess::notAPlace(const QString &typed) const
 QString EscLineAccess::somePlaces() const
 {
     return CommandLine::tr("the addresses of encoders as two hexadecimal digits, as 05");
-}
-
-void EscLineAccess::useProject(const Call &, const Project &project)
-{
-    std::vector<NodeId> planned;
-    for (const ProjectDevice &device : devicesOn(project, bus().id()))
-        planned.push_back(device.place().node);
-    if (!planned.empty())
-        m_planned = std::move(planned);
 }
 
 Checked<EncoderSession *> EscLineAccess::encoder(const Call &call, NodeId node, bool)

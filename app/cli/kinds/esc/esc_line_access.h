@@ -33,8 +33,6 @@ public:
 
     std::optional<Complaint> whyNot(const Subcommand &command) const override;
     std::optional<NodeId> placeTyped(const QString &text) const override;
-    // The project's encoders and those asked for; without a project, any.
-    bool mayHave(NodeId node) const override;
     bool knowsItsPlaces() const override { return false; }
     bool isMeant(const QString &typed) const override;
     Complaint notAPlace(const QString &typed) const override;
@@ -48,7 +46,6 @@ public:
     {
         return contact(call, planned);
     }
-    void useProject(const Call &call, const Project &project) override;
 
     Complaint complaint(const Refusal &why) const override;
     void prepare(const Job &job) override; // reading needs no Operate
@@ -88,10 +85,9 @@ private:
 
     EscLineLink m_link;
     std::unique_ptr<EscLineSession> m_session;
-    std::optional<std::vector<NodeId>> m_planned; // of the project of the call
-    std::vector<FoundEncoder> m_found;            // by the search
-    const SerialPortLink *m_port = nullptr;       // of the session; null: it uses none
-    std::optional<Refusal> m_notOpened;           // the reason
+    std::vector<FoundEncoder> m_found;      // by the search
+    const SerialPortLink *m_port = nullptr; // of the session; null: it uses none
+    std::optional<Refusal> m_notOpened;     // the reason
 };
 
 } // namespace codewheel
