@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/canopen/driver/canopen_protocol.h"
-
 #include "catalog/total_range.h"
 #include "catalog/value_text.h"
 #include "jobs/planned_by.h"
+#include "jobs/protocol.h"
 #include "jobs/value_notes.h"
 #include "jobs/values_to_write.h"
+#include "kinds/canopen/canopen_protocols.h"
 #include "kinds/canopen/driver/node_plan.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/encoder_objects.h"

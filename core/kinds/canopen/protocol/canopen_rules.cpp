@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/canopen/protocol/canopen_rules.h"
-
 #include "catalog/protocol_rules.h"
+#include "kinds/canopen/canopen_protocols.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/encoder_bits.h"
 #include "kinds/canopen/protocol/nmt_job.h"

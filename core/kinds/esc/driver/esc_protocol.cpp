@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/driver/esc_protocol.h"
-
 #include "catalog/total_range.h"
 #include "jobs/planned_by.h"
+#include "jobs/protocol.h"
 #include "jobs/value_notes.h"
 #include "kinds/esc/driver/esc_fate.h"
 #include "kinds/esc/driver/esc_plan.h"
 #include "kinds/esc/driver/esc_values.h"
+#include "kinds/esc/esc_protocols.h"
 #include "kinds/esc/protocol/esc_explain.h"
 #include "kinds/esc/protocol/esc_forms.h"
 

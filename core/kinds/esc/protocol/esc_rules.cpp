@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/protocol/esc_rules.h"
-
 #include "catalog/protocol_rules.h"
+#include "kinds/esc/esc_protocols.h"
 #include "kinds/esc/protocol/esc_command.h"
 #include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_reach.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/k3/k3_protocol.h"
-
 #include "catalog/preset_storage.h"
 #include "jobs/planned_by.h"
+#include "jobs/protocol.h"
+#include "kinds/interbus/interbus_protocols.h"
 #include "kinds/interbus/k3/k3_mode.h"
 #include "kinds/interbus/k3/k3_plan.h"
 #include "kinds/interbus/k3/k3_refusal.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/k3/k3_rules.h"
-
 #include "catalog/rule_texts.h"
-#include "kinds/interbus/meaning/interbus_meanings.h"
+#include "kinds/interbus/interbus_protocols.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/word_reach.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/la66/la66_protocol.h"
-
 #include "jobs/planned_by.h"
+#include "jobs/protocol.h"
+#include "kinds/interbus/interbus_protocols.h"
 #include "kinds/interbus/la66/la66_plan.h"
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/word_protocol.h"

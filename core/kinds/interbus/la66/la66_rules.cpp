@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/la66/la66_rules.h"
-
 #include "catalog/rule_texts.h"
-#include "kinds/interbus/meaning/interbus_meanings.h"
+#include "kinds/interbus/interbus_protocols.h"
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/profiles.h"
 #include "kinds/interbus/words/word_reach.h"

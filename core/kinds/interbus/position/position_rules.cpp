@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/position/position_rules.h"
-
-#include "kinds/interbus/meaning/interbus_meanings.h"
+#include "kinds/interbus/interbus_protocols.h"
 #include "kinds/interbus/words/word_rules.h"
 
 namespace codewheel {

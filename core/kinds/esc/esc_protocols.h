@@ -3,9 +3,11 @@
 
 namespace codewheel {
 
+class Protocol;
 class ProtocolRules;
 
 // For encoders with the serial protocol of Kübler (ESC commands overview).
+const Protocol &escProtocol();
 const ProtocolRules &escRules();
 
 } // namespace codewheel
