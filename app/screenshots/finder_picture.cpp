@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/finder_picture.h"
-
+#include "app/screenshots/pictures.h"
 #include "app/screenshots/scene.h"
 #include "app/window/connect/trouble_of.h"
 #include "doctor/hindrance_of_refusal.h"

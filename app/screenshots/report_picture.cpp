@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/report_picture.h"
-
 #include "app/report/report_pages.h"
 #include "app/report/sheet_format.h"
+#include "app/screenshots/pictures.h"
 #include "app/window/kinds/training_window.h"
 #include "bus/buses.h"
 #include "bus/encoder_bus.h"

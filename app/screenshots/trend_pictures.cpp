@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/trend_pictures.h"
-
+#include "app/screenshots/pictures.h"
 #include "app/screenshots/scene.h"
 #include "app/window/buses/plant.h"
 #include "widgets/trend/trend_page.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/wizard_pictures.h"
-
+#include "app/screenshots/pictures.h"
 #include "app/screenshots/scene.h"
 #include "widgets/wizard/parameter_wizard.h"
 

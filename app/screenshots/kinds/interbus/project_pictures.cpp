@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screenshots/kinds/interbus/project_pictures.h"
-
+#include "app/screenshots/kinds/interbus/ring_pictures.h"
 #include "app/screenshots/scene.h"
 #include "app/window/kinds/interbus/ring_actions.h"
 #include "kinds/interbus/plan/ring_plan.h"
