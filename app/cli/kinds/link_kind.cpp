@@ -3,10 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "cli/call/texts.h"
-#include "cli/kinds/canopen/can_log_link_kind.h"
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/esc/esc_line_link_kind.h"
-#include "cli/kinds/interbus/gateway_link_kind.h"
 #include "cli/kinds/interbus/ring_link_kind.h"
 #include "project/bus_kind.h"
 #include "project/bus_plans.h"

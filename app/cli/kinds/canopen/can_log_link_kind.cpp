@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/canopen/can_log_link_kind.h"
-
 #include "cli/call/texts.h"
 #include "cli/kinds/canopen/can_log_access.h"
+#include "cli/kinds/canopen/canopen_link_kind.h"
 
 namespace codewheel {
 namespace {

@@ -8,7 +8,6 @@
 #include "cli/kinds/canopen/canopen_scan.h"
 #include "cli/kinds/canopen/device_file_check.h"
 #include "cli/kinds/canopen/device_on_node.h"
-#include "cli/kinds/canopen/serve_can_bus.h"
 #include "kinds/canopen/finder/can_interface_finder.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 #include "links/can_interface.h"

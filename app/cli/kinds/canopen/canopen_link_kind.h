@@ -10,6 +10,10 @@ extern const Subcommand nmtCommand;
 extern const Subcommand lssCommand;
 extern const Subcommand edsCommand;
 
+// Offers the simulated CAN bus behind an SLCAN adapter, or on an interface: serve canopen.
+extern const Service canBusService;
+
 std::unique_ptr<const LinkKind> canopenLinkKind();
+std::unique_ptr<const LinkKind> canLogLinkKind();
 
 } // namespace codewheel

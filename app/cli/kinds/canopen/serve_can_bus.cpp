@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/canopen/serve_can_bus.h"
-
 #include "can/can_bridge.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
+#include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/canopen/serve_can_plan.h"
 #include "cli/kinds/canopen/served_can_bus.h"
 #include "links/can_link_to.h"

@@ -10,7 +10,6 @@
 #include "cli/kinds/esc/esc_line_access.h"
 #include "cli/kinds/esc/explain_line.h"
 #include "cli/kinds/esc/scan_line.h"
-#include "cli/kinds/esc/serve_line.h"
 #include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_profile.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"

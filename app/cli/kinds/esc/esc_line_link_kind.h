@@ -7,6 +7,9 @@ namespace codewheel {
 
 extern const Subcommand terminalCommand;
 
+// Offers the simulated line at a pseudo terminal: serve esc.
+extern const Service lineService;
+
 std::unique_ptr<const LinkKind> lineLinkKind();
 
 } // namespace codewheel

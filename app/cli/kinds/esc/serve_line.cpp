@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/esc/serve_line.h"
-
 #include "cli/bus/pseudo_terminal.h"
 #include "cli/bus/serve_options.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
+#include "cli/kinds/esc/esc_line_link_kind.h"
 #include "cli/kinds/esc/served_line.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
 

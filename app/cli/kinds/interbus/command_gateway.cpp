@@ -5,7 +5,7 @@
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/jobs.h"
-#include "cli/kinds/interbus/gateway_link_kind.h"
+#include "cli/kinds/interbus/ring_link_kind.h"
 #include "kinds/interbus/gateway/gateway_check_text.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/register_refusal.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/interbus/gateway_link_kind.h"
-
 #include "cli/bus/present_ports.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/interbus/gateway_link_text.h"
+#include "cli/kinds/interbus/ring_link_kind.h"
 #include "kinds/interbus/finder/gateway_host_finder.h"
 #include "kinds/interbus/links/modbus_port.h"
 #include "kinds/interbus/plan/gateway_plan.h"

@@ -3,10 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "cli/call/texts.h"
-#include "cli/kinds/interbus/gateway_link_kind.h"
 #include "cli/kinds/interbus/gateway_link_text.h"
 #include "cli/kinds/interbus/ring_access.h"
-#include "cli/kinds/interbus/serve_modbus.h"
 #include "kinds/interbus/plan/gateway_plan.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/simulator/training_bus.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/interbus/serve_modbus.h"
-
 #include "cli/bus/pseudo_terminal_link.h"
 #include "cli/call/json.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/interbus/register_table.h"
+#include "cli/kinds/interbus/ring_link_kind.h"
 #include "cli/kinds/interbus/rings_to_offer.h"
 #include "cli/kinds/interbus/serve_news.h"
 #include "kinds/interbus/links/modbus_rtu_server.h"
