@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/description_reader.h"
 
-#include "catalog/description_rules.h"
-#include "catalog/ordering_key_reader.h"
 #include "catalog/protocol_rules.h"
-#include "catalog/tables_reader.h"
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/description_rules.h"
-
+#include "catalog/description_reader.h"
 #include "catalog/protocol_rules.h"
 #include "catalog/rule_texts.h"
 

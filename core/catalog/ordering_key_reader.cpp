@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/ordering_key_reader.h"
-
+#include "catalog/description_reader.h"
 #include "catalog/label_key.h"
 
 #include <algorithm>

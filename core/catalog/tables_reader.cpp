@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/tables_reader.h"
+#include "catalog/description_reader.h"
 
 #include <algorithm>
 

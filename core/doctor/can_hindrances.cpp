@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "doctor/can_hindrances.h"
-
 #include "can/can_refusals.h"
 #include "doctor/doctor_texts.h"
+#include "doctor/link_hindrances.h"
 #include "links/can_interface.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "doctor/doctor.h"
 
-#include "doctor/can_hindrances.h"
-#include "doctor/network_hindrances.h"
-#include "doctor/port_hindrances.h"
-#include "doctor/usb_hindrances.h"
+#include "doctor/link_hindrances.h"
 
 #include <algorithm>
 

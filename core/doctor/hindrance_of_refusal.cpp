@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "doctor/hindrance_of_refusal.h"
 
-#include "doctor/can_hindrances.h"
-#include "doctor/network_hindrances.h"
-#include "doctor/port_hindrances.h"
-#include "doctor/usb_hindrances.h"
+#include "doctor/link_hindrances.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/shell_command.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "doctor/network_hindrances.h"
-
 #include "doctor/doctor_texts.h"
+#include "doctor/link_hindrances.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/shell_command.h"
 

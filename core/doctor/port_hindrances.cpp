@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "doctor/port_hindrances.h"
-
 #include "doctor/doctor_texts.h"
+#include "doctor/link_hindrances.h"
 #include "doctor/port_lock.h"
 #include "links/port_access.h"
 #include "vocabulary/refusal_text.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "doctor/can_hindrances.h"
 #include "doctor/doctor.h"
-#include "doctor/network_hindrances.h"
+#include "doctor/link_hindrances.h"
 #include "tests/doctor/made_computer.h"
 #include "tests/support/pty_pair.h"
 #include "tests/support/without_rights.h"

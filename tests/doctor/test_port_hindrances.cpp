@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "doctor/hindrance_of_refusal.h"
-#include "doctor/port_hindrances.h"
+#include "doctor/link_hindrances.h"
 #include "tests/doctor/made_computer.h"
 #include "tests/support/port_holder.h"
 #include "tests/support/pty_pair.h"

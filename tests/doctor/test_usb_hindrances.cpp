@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "doctor/link_hindrances.h"
 #include "doctor/usb_adapters.h"
-#include "doctor/usb_hindrances.h"
 #include "tests/doctor/made_computer.h"
 
 #include <QFile>

@@ -5,9 +5,9 @@
 // The first byte chooses the transfer: bit 7 it is written, with as many bytes as the others say; else it is
 // read. Then follow frames: a byte with the delay after the one before in 4 ms, and bit 7 for the frame
 // before once more; eight bytes of data, whose object is that of the transfer if they name 0000h:0.
+#include "kinds/canopen/protocol/canopen_explain.h"
 #include "kinds/canopen/protocol/frames.h"
 #include "kinds/canopen/protocol/sdo_client.h"
-#include "kinds/canopen/protocol/sdo_explain.h"
 #include "tests/fuzz/must.h"
 
 using namespace codewheel;

@@ -2,7 +2,7 @@
 #include "app/window/connect/port_rows.h"
 
 #include "app/window/connect/trouble_of.h"
-#include "doctor/usb_hindrances.h"
+#include "doctor/link_hindrances.h"
 #include "links/port_access.h"
 #include "widgets/connect/connect_page.h"
 

@@ -6,7 +6,7 @@
 #include "cli/call/subcommand.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/esc/device_on_line.h"
-#include "doctor/port_hindrances.h"
+#include "doctor/link_hindrances.h"
 #include "kinds/esc/driver/esc_driver.h"
 #include "kinds/esc/links/project_adapter.h"
 #include "kinds/esc/plan/esc_line_plan.h"

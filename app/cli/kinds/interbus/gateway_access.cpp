@@ -5,7 +5,7 @@
 #include "cli/call/subcommand.h"
 #include "cli/call/texts.h"
 #include "doctor/hindrance_of_refusal.h"
-#include "doctor/port_hindrances.h"
+#include "doctor/link_hindrances.h"
 #include "kinds/interbus/gateway/gateway_link.h"
 #include "kinds/interbus/gateway/gateway_refusals.h"
 #include "kinds/interbus/gateway/register_texts.h"

@@ -5,7 +5,6 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_facts.h"
 #include "kinds/canopen/bus/canopen_faults.h"
-#include "kinds/canopen/bus/canopen_pdo_check.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"

@@ -11,4 +11,8 @@ class CanopenSession;
 // tells.
 DataChecks canopenChecks(const CanopenSession &bus, NodeId node, const std::vector<Participant> &planned);
 
+// Whether the node sends its position by itself, or why not, by what it told of its PDO (CiA 301, 7.5.2.37;
+// CiA 406).
+DataCheck canopenPdoCheck(const CanopenSession &bus, int number);
+
 } // namespace codewheel

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/canopen/bus/canopen_pdo_check.h"
-
+#include "kinds/canopen/bus/canopen_checks.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/cob_id.h"
 #include "vocabulary/hex.h"

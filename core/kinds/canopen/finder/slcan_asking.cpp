@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/canopen/finder/slcan_asking.h"
-
 #include "can/can_link_argument.h"
 #include "can/can_refusals.h"
 #include "can/slcan_conversation.h"
 #include "finder/finder_texts.h"
 #include "finder/listening.h"
 #include "kinds/canopen/finder/heard_on_can.h"
+#include "kinds/canopen/finder/slcan_spoken_protocol.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/shown_text.h"

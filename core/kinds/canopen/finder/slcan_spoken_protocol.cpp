@@ -4,7 +4,6 @@
 #include "can/slcan_codec.h"
 #include "finder/finder_texts.h"
 #include "kinds/canopen/finder/heard_on_can.h"
-#include "kinds/canopen/finder/slcan_asking.h"
 
 namespace codewheel {
 namespace {

@@ -9,4 +9,10 @@ namespace codewheel {
 // (ttyACM0).
 std::unique_ptr<const SpokenProtocol> makeSlcanProtocol();
 
+// Of the port, which those on USB do not care about.
+SerialSettings usualSlcanSettings();
+// Asks the adapter who it is, then listens at each rate until somebody is heard. Nothing is sent on the bus:
+// it listens only, and one that cannot is not opened.
+std::unique_ptr<Asking> askSlcanAdapter(const QString &port);
+
 } // namespace codewheel

@@ -3,11 +3,9 @@
 
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/emcy.h"
-#include "kinds/canopen/protocol/lss_explain.h"
 #include "kinds/canopen/protocol/nmt.h"
 #include "kinds/canopen/protocol/pdo_mappings_heard.h"
 #include "kinds/canopen/protocol/sdo_blocks.h"
-#include "kinds/canopen/protocol/sdo_explain.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/canopen/protocol/sdo_explain.h"
-
+#include "kinds/canopen/protocol/canopen_explain.h"
 #include "kinds/canopen/protocol/sdo_abort.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"

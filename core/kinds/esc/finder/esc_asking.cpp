@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/finder/esc_asking.h"
-
 #include "finder/finder_texts.h"
 #include "finder/listening.h"
 #include "kinds/esc/finder/esc_others.h"
+#include "kinds/esc/finder/esc_spoken_protocol.h"
 #include "kinds/esc/line/esc_line_scan.h"
 #include "kinds/esc/plan/esc_line_plan.h"
 #include "kinds/esc/protocol/esc_frame.h"

@@ -2,7 +2,6 @@
 #include "kinds/esc/finder/esc_spoken_protocol.h"
 
 #include "finder/finder_texts.h"
-#include "kinds/esc/finder/esc_asking.h"
 #include "kinds/esc/protocol/esc_frame.h"
 #include "kinds/esc/protocol/esc_request.h"
 

@@ -9,4 +9,11 @@ namespace codewheel {
 // address 00 (manual, "Masteraddress: 00"), so that one request per baud rate finds out where there are any.
 std::unique_ptr<const SpokenProtocol> makeEscProtocol();
 
+// That of the factory first.
+std::vector<SerialSettings> usualEscSettings();
+// How to connect with a line, with or without a master.
+Found escLineAt(const QString &port, const SerialSettings &settings, const QString &sentence);
+// First at the master address at each rate, then at every address where anything came.
+std::unique_ptr<Asking> askForEncoders(const QString &port);
+
 } // namespace codewheel

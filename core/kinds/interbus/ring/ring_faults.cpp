@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/ring_faults.h"
 
-#include "kinds/interbus/ring/encoder_faults.h"
 #include "kinds/interbus/ring/master_look.h"
 #include "kinds/interbus/ring/ring_break.h"
 #include "kinds/interbus/ring/ring_messages.h"

@@ -3,6 +3,8 @@
 
 #include "bus/fault.h"
 
+#include <optional>
+
 namespace codewheel {
 
 class RingSession;
@@ -10,5 +12,8 @@ class RingSession;
 // What is wrong with a ring: what its master says, then what its encoders show, in ring order. The master's
 // codes name no cause except where its manual is known to name one; the sentence follows from the place.
 std::vector<Fault> ringFaults(const RingSession &bus);
+
+// What an encoder of a running ring shows, or leaves in doubt; by its index in the ring.
+std::optional<Fault> encoderFault(const RingSession &bus, std::size_t device);
 
 } // namespace codewheel

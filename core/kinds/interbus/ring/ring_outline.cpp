@@ -5,7 +5,6 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "kinds/interbus/ring/device_leds.h"
-#include "kinds/interbus/ring/encoder_faults.h"
 #include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/master_look.h"
 #include "kinds/interbus/ring/ring_faults.h"

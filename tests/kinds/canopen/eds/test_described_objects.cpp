@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
-#include "kinds/canopen/eds/described_objects.h"
 #include "kinds/canopen/eds/standard_objects.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 
