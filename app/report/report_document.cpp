@@ -4,7 +4,6 @@
 #include "app/report/column_widths.h"
 #include "app/report/sheet_format.h"
 #include "app/report/svg_picture.h"
-#include "report/html_cam_picture.h"
 #include "report/html_report.h"
 #include "report/html_style.h"
 

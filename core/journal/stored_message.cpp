@@ -3,9 +3,9 @@
 
 #include "journal/argument_json.h"
 #include "journal/journal_texts.h"
-#include "vocabulary/families.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/texts_of_kinds.h"
 
 #include <QHash>
 #include <QJsonDocument>

@@ -31,7 +31,6 @@
 #include "kinds/interbus/words/k3_cam_effect.h"
 #include "kinds/interbus/words/profiles.h"
 #include "kinds/interbus/words/word_refusals.h"
-#include "vocabulary/families.h"
 #include "vocabulary/place.h"
 #include "vocabulary/texts_of_kinds.h"
 

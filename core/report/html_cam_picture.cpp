@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/html_cam_picture.h"
-
 #include "report/cam_bars.h"
+#include "report/html_report.h"
 #include "report/printable_text.h"
 
 namespace codewheel {

@@ -16,4 +16,7 @@ QByteArray reportAsHtml(const Report &report);
 // The content of its <body>; `drawn` returns the element of a picture.
 QString reportBody(const Report &report, const std::function<QString(const CamPicture &)> &drawn);
 
+// The picture as <svg>: a row for each cam, active ones filled, inactive ones as an outline.
+QString camPictureAsSvg(const CamPicture &picture);
+
 } // namespace codewheel

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vocabulary/device_error_name.h"
-
 #include "vocabulary/enumeration_rows.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QCoreApplication>
 

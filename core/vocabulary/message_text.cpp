@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vocabulary/device_error_name.h"
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"

@@ -27,4 +27,7 @@ QString messagePattern(const char *text);
 // Of a file with a mistake, from its line and key: a file that is no JSON at all has no key.
 QString brokenFileText(const Refusal &refusal);
 
+// What the manuals call an error of the encoder, for the middle of a sentence: "wrong parameter data".
+QString deviceErrorName(RefusalCode meaning);
+
 } // namespace codewheel

@@ -5,10 +5,10 @@
 #include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "tests/support/places.h"
-#include "vocabulary/families.h"
 #include "vocabulary/message_items.h"
 #include "vocabulary/mode_text.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/texts_of_kinds.h"
 
 #include <QLocale>
 

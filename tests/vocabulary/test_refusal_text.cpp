@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vocabulary/families.h"
 #include "vocabulary/refusal_text.h"
+#include "vocabulary/texts_of_kinds.h"
 
 #include <QRegularExpression>
 #include <QSet>

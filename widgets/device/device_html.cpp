@@ -4,7 +4,7 @@
 #include "catalog/hex_code.h"
 #include "catalog/protocol_rules.h"
 #include "catalog/value_text.h"
-#include "vocabulary/device_error_name.h"
+#include "vocabulary/refusal_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/recording/export_time.h"
-
 #include "cli/call/texts.h"
+#include "cli/recording/export_wish.h"
 #include "vocabulary/local_time.h"
 
 namespace codewheel {

@@ -3,7 +3,6 @@
 
 #include "catalog/catalog.h"
 #include "cli/call/texts.h"
-#include "cli/recording/export_time.h"
 #include "jobs/position_scale.h"
 #include "project/project.h"
 #include "vocabulary/rod_scale.h"

@@ -16,4 +16,9 @@ Checked<TrendExtract> extractMeant(const Call &call, const RecordingFacts &facts
 std::vector<TrendEncoder> encodersOf(const Call &call, const RecordingFacts &facts,
                                      const TrendExtract &extract);
 
+// From --from to --to, both included: local times by the clock of the computer that recorded, or seconds from
+// the beginning (+60) or before the end (-60). Where an hour of the day came twice, from the first to the
+// last of them. Refused if nothing was recorded then.
+Checked<TimeSpan> spanMeant(const Arguments &arguments, const RecordingFacts &facts);
+
 } // namespace codewheel

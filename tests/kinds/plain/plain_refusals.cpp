@@ -2,7 +2,7 @@
 #include "tests/kinds/plain/plain_refusals.h"
 
 #include "vocabulary/enumeration_rows.h"
-#include "vocabulary/families.h"
+#include "vocabulary/texts_of_kinds.h"
 
 #include <QtGlobal>
 

@@ -14,7 +14,7 @@
 #include "kinds/interbus/plan/project_take_over.h"
 #include "kinds/interbus/plan/ring_plan.h"
 #include "kinds/interbus/ring/id_code.h"
-#include "kinds/interbus/simulator/fault_plan_file.h"
+#include "kinds/interbus/simulator/fault_plan.h"
 #include "kinds/interbus/words/device_number.h"
 #include "transfer/project_places.h"
 #include "vocabulary/sentence.h"

@@ -3,7 +3,7 @@
 
 #include "cli/call/texts.h"
 #include "kinds/interbus/plan/ring_plan.h"
-#include "kinds/interbus/simulator/fault_plan_file.h"
+#include "kinds/interbus/simulator/fault_plan.h"
 #include "kinds/interbus/simulator/planned_ring.h"
 #include "vocabulary/bus_names.h"
 

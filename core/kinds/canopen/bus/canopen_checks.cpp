@@ -4,7 +4,6 @@
 #include "bus/bus_outline.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_facts.h"
-#include "kinds/canopen/bus/canopen_faults.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"

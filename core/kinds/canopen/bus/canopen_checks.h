@@ -2,6 +2,9 @@
 #pragma once
 
 #include "bus/data_check.h"
+#include "bus/fault.h"
+
+#include <optional>
 
 namespace codewheel {
 
@@ -14,5 +17,9 @@ DataChecks canopenChecks(const CanopenSession &bus, NodeId node, const std::vect
 // Whether the node sends its position by itself, or why not, by what it told of its PDO (CiA 301, 7.5.2.37;
 // CiA 406).
 DataCheck canopenPdoCheck(const CanopenSession &bus, int number);
+
+// What is wrong with a CAN bus with CANopen: its link, then its encoders, in the order of their numbers.
+std::vector<Fault> canopenFaults(const CanopenSession &bus);
+std::optional<Fault> canopenFaultOf(const CanopenSession &bus, Place place);
 
 } // namespace codewheel

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/canopen/bus/canopen_faults.h"
-
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/bus/canopen_checks.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/encoder_bits.h"
 #include "vocabulary/refusal_text.h"

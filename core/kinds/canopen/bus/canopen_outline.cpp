@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/bus/canopen_outline.h"
 
-#include "kinds/canopen/bus/canopen_faults.h"
+#include "kinds/canopen/bus/canopen_checks.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/canopen_profile.h"
 #include "vocabulary/sentence.h"

@@ -3,7 +3,6 @@
 
 #include "bus/bus_outline.h"
 #include "kinds/esc/line/esc_line_check.h"
-#include "kinds/esc/line/esc_line_faults.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/esc/line/esc_line_faults.h"
-
 #include "bus/bus_outline.h"
+#include "kinds/esc/line/esc_line_checks.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/protocol/esc_bits.h"
 #include "vocabulary/encoder_session.h"

@@ -2,7 +2,7 @@
 #include "kinds/esc/line/esc_line_outline.h"
 
 #include "catalog/device_description.h"
-#include "kinds/esc/line/esc_line_faults.h"
+#include "kinds/esc/line/esc_line_checks.h"
 #include "kinds/esc/line/esc_line_session.h"
 #include "kinds/esc/protocol/esc_bits.h"
 #include "kinds/esc/protocol/esc_line_address.h"

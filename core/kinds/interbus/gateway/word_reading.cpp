@@ -4,7 +4,6 @@
 #include "catalog/explain_word.h"
 #include "catalog/total_range.h"
 #include "kinds/interbus/words/k3_explain.h"
-#include "kinds/interbus/words/k3_plausible.h"
 #include "kinds/interbus/words/position_code.h"
 #include "kinds/interbus/words/profiles.h"
 

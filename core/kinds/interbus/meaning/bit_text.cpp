@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/meaning/bit_text.h"
-
+#include "kinds/interbus/meaning/meaning_parts.h"
 #include "kinds/interbus/meaning/position_format.h"
 #include "kinds/interbus/words/k3_explain.h"
 #include "kinds/interbus/words/k3_word.h"

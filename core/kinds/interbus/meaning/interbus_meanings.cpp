@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/word_meanings.h"
 #include "kinds/interbus/interbus_protocols.h"
-#include "kinds/interbus/meaning/bit_text.h"
 #include "kinds/interbus/meaning/meaning_parts.h"
 #include "kinds/interbus/meaning/position_format.h"
 #include "kinds/interbus/words/k3_explain.h"

@@ -7,8 +7,8 @@
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/position_code.h"
 #include "kinds/interbus/words/word_reach.h"
-#include "vocabulary/device_error_name.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>

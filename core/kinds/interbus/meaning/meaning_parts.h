@@ -3,6 +3,7 @@
 
 #include "catalog/device_description.h"
 #include "vocabulary/meaning.h"
+#include "vocabulary/word.h"
 
 #include <QStringList>
 
@@ -17,5 +18,10 @@ bool takesValue(const DeviceDescription &device, unsigned number, std::int64_t v
 
 // The parts of a meaning's sentence (vocabulary/meaning_text.h) as this device calls them.
 QStringList meaningParts(const DeviceDescription &device, const Meaning &meaning);
+
+// What a single bit of a word means, 0..31: "D28..D25: parameter number".
+QString k3BitText(const DeviceDescription &device, WordDirection direction, int bit);
+QString la66BitText(WordDirection direction, int bit);
+QString positionBitText(const DeviceDescription &device, WordDirection direction, int bit);
 
 } // namespace codewheel

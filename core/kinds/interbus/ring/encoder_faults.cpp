@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/shown_error.h"
 #include "jobs/what_run_makes_valid.h"
-#include "kinds/interbus/ring/ring_faults.h"
+#include "kinds/interbus/ring/ring_checks.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/word_doubts.h"
 #include "kinds/interbus/words/k3_word.h"

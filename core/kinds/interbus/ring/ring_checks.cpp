@@ -4,7 +4,6 @@
 #include "catalog/catalog.h"
 #include "catalog/hex_code.h"
 #include "kinds/interbus/ring/link_figures.h"
-#include "kinds/interbus/ring/ring_faults.h"
 #include "kinds/interbus/ring/ring_outline.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/word_doubts.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/ring/ring_faults.h"
-
 #include "kinds/interbus/ring/master_look.h"
 #include "kinds/interbus/ring/ring_break.h"
+#include "kinds/interbus/ring/ring_checks.h"
 #include "kinds/interbus/ring/ring_messages.h"
 #include "kinds/interbus/ring/ring_outline.h"
 #include "kinds/interbus/ring/ring_refusals.h"

@@ -51,4 +51,12 @@ struct TrainingPlace
 Result<FaultPlan> faultPlanFromJson(const QByteArray &json, const QString &name,
                                     const std::vector<TrainingPlace> &ring);
 
+// The fault plan in the file at `path`: fileNotReadable, fileTooLarge, or what faultPlanFromJson() refuses.
+Result<FaultPlan> loadFaultPlan(const QString &path, const std::vector<TrainingPlace> &ring);
+
+// "1.0: Wire break before it, 3.0: Peripheral fault", in the user's language: the faults that stand in a ring
+// with these places; empty: none. That a device without supply, or one that was replaced, is switched off too
+// goes without saying.
+QString standingFaultsText(const std::vector<TrainingPlace> &ring);
+
 } // namespace codewheel

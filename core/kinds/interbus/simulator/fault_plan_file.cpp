@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/simulator/fault_plan_file.h"
-
+#include "kinds/interbus/simulator/fault_plan.h"
 #include "project/file_access.h"
 
 namespace codewheel {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/simulator/standing_faults.h"
+#include "kinds/interbus/simulator/fault_plan.h"
 
 #include <QStringList>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/words/k3_plausible.h"
-
 #include "kinds/interbus/words/k3_cam_word.h"
+#include "kinds/interbus/words/k3_explain.h"
 
 #include <algorithm>
 #include <array>

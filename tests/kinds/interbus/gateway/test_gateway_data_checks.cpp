@@ -2,7 +2,7 @@
 // Why there is no data of a ring behind a gateway.
 #include "bus/bus_outline.h"
 #include "bus/data_check.h"
-#include "kinds/interbus/ring/ring_faults.h"
+#include "kinds/interbus/ring/ring_checks.h"
 #include "tests/support/gateway_session.h"
 
 namespace codewheel::test {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/ring_refusals.h"
 #include "kinds/interbus/simulator/fault_plan.h"
-#include "kinds/interbus/simulator/fault_plan_file.h"
 #include "kinds/interbus/simulator/training_bus.h"
 #include "tests/support/faulty_ring.h"
 #include "vocabulary/refusal_text.h"

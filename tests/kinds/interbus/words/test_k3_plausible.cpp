@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/words/k3_plausible.h"
+#include "kinds/interbus/words/k3_explain.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_session.h"
-#include "kinds/canopen/eds/described_objects.h"
+#include "kinds/canopen/eds/standard_objects.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/interbus/training/fault_plan_bar.h"
 
-#include "kinds/interbus/simulator/fault_plan_file.h"
+#include "kinds/interbus/simulator/fault_plan.h"
 #include "kinds/interbus/simulator/ring_training_acts.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/look/fonts.h"
