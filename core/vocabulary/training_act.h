@@ -38,14 +38,14 @@ QString keyOf(const TrainingAct &act);
 // "Battery flat: yes.": what is so of a simulated encoder, or is not any more, by the key of its row.
 TrainingAct conditionAct(const QString &act, const char *condition, bool isSo);
 QString conditionText(const TrainingAct &act, const QString &name);
-// Nothing: it is another act. `rows` have a key and a text, which is translated in `context`.
+// Nothing: it is another act. `conditions` have a key and a text, which is translated in `context`.
 template <typename Rows>
-std::optional<QString> conditionText(const TrainingAct &act, const QString &its, const Rows &rows,
+std::optional<QString> conditionText(const TrainingAct &act, const QString &its, const Rows &conditions,
                                      const char *context)
 {
     constexpr std::size_t parts = 3;
     const bool isIts = act.size() == parts && keyOf(act) == its;
-    const auto *row = isIts ? rowByKey(rows, argumentText(act[1])) : nullptr;
+    const auto *row = isIts ? rowByKey(conditions, argumentText(act[1])) : nullptr;
     return row == nullptr
                ? std::nullopt
                : std::optional(conditionText(act, QCoreApplication::translate(context, row->text)));
