@@ -27,7 +27,7 @@ struct Row
     }
 };
 
-constexpr std::array rows{
+constexpr std::array escRuleRows{
     Row{Parameter::steps, Command::stepsPerTurn, Command::writeStepsPerTurn},
     Row{Parameter::revolutions, Command::revolutions, Command::writeRevolutions},
     Row{Parameter::measuringRange, Command::measuringRange, Command::writeMeasuringRange},
@@ -50,8 +50,8 @@ constexpr std::array rows{
 
 Row rowOf(Parameter parameter)
 {
-    const auto found = std::ranges::find(rows, parameter, &Row::parameter);
-    return found == rows.end() ? Row{parameter} : *found;
+    const auto found = std::ranges::find(escRuleRows, parameter, &Row::parameter);
+    return found == escRuleRows.end() ? Row{parameter} : *found;
 }
 
 class EscRules final : public ProtocolRules
