@@ -12,6 +12,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/wrapped_label.h"
 
 #include <QGridLayout>
@@ -76,6 +77,10 @@ CamBoard::CamBoard(CamSheet &sheet, QWidget *parent)
     connectParts();
     showScale();
     showShift();
+    onEvent(this, {QEvent::Resize}, [this] {
+        m_table->setColumnHidden(CamTableModel::encoderColumn, width() < roomForEncoder);
+        m_table->updateGeometry();
+    });
 }
 
 QWidget *CamBoard::makeZoom()
@@ -189,13 +194,6 @@ void CamBoard::addTo(PrintedView &printed) const
     if (!m_note->text().isEmpty())
         printed.values.emplace_back(tr("Note"), m_note->text());
     printed.table = m_table;
-}
-
-void CamBoard::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    m_table->setColumnHidden(CamTableModel::encoderColumn, width() < roomForEncoder);
-    m_table->updateGeometry();
 }
 
 } // namespace codewheel

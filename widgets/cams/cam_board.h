@@ -37,9 +37,6 @@ Q_SIGNALS:
     void programChosen(unsigned number);     // as typed or clicked; may be one that does not exist
     void inputChecked(const QString &wrong); // empty: good, or given up
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     QWidget *makeZoom();
     QWidget *makeWord();

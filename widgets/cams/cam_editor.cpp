@@ -172,12 +172,6 @@ void CamEditor::tellLargest(std::int64_t largest)
     showLive();
 }
 
-void CamEditor::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    showLive();
-}
-
 void CamEditor::showLive()
 {
     if (!m_encoder.isThere() || !isVisible() || m_pages->currentWidget() == m_empty)

@@ -61,9 +61,6 @@ public:
 Q_SIGNALS:
     void trendWanted(const codewheel::Track &track);
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     // What is kept for an encoder while the program runs.
     struct Work

@@ -12,6 +12,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/tool.h"
 #include "widgets/models/age_timer.h"
 
@@ -48,6 +49,7 @@ CamEditor::CamEditor(const Buses &buses, const Catalog &catalog, ProjectDocument
     setFocusProxy(m_board);
     connectParts();
     setEncoder({});
+    onEvent(this, {QEvent::Show}, [this] { showLive(); });
 }
 
 void CamEditor::makePages()

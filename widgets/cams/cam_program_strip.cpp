@@ -6,10 +6,10 @@
 #include "widgets/look/appearance.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/roles.h"
 
 #include <QButtonGroup>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
@@ -37,6 +37,7 @@ CamProgramButton::CamProgramButton(CamSheet &sheet, unsigned number, QWidget *pa
     setText(QString::number(number));
     setAccessibleName(tr("Cam program %1").arg(number));
     describe();
+    onEvent(this, {QEvent::StyleChange}, [this] { updateGeometry(); });
 }
 
 void CamProgramButton::describe()
@@ -68,13 +69,6 @@ QSize CamProgramButton::sizeHint() const
 QSize CamProgramButton::minimumSizeHint() const
 {
     return {9 * grid::unit, sizeHint().height()};
-}
-
-void CamProgramButton::changeEvent(QEvent *event)
-{
-    QAbstractButton::changeEvent(event);
-    if (event->type() == QEvent::StyleChange)
-        updateGeometry();
 }
 
 void CamProgramButton::drawCams(QPainter &painter, const QRectF &room) const

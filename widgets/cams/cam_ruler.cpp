@@ -5,6 +5,7 @@
 #include "widgets/cams/cam_ruler_painter.h"
 #include "widgets/cams/cam_texts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -40,6 +41,15 @@ CamRuler::CamRuler(CamSheet &sheet, QWidget *parent)
     connect(&sheet, &CamSheet::largestChanged, this, &CamRuler::takeRange);
     connect(&sheet, &CamSheet::currentChanged, this, [this] { setGrip(CamGrip::bar); });
     takeRange();
+    onEvent(this, {QEvent::StyleChange, QEvent::FontChange}, [this] { updateGeometry(); });
+    onEvent(this, {QEvent::Leave}, [this] {
+        m_hovered.reset();
+        update();
+    });
+    onEvent(this, {QEvent::Resize}, [this] {
+        m_scale.setColumns(margin, width() - 2 * margin);
+        Q_EMIT viewChanged();
+    });
 }
 
 void CamRuler::setGrip(CamGrip grip)
@@ -129,19 +139,6 @@ double CamRuler::tickDistance() const
     return fontMetrics().horizontalAdvance(cam_texts::position(m_sheet.largest())) + 4 * grid::unit;
 }
 
-void CamRuler::resizeEvent(QResizeEvent *)
-{
-    m_scale.setColumns(margin, width() - 2 * margin);
-    Q_EMIT viewChanged();
-}
-
-void CamRuler::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
-        updateGeometry();
-}
-
 void CamRuler::paintEvent(QPaintEvent *)
 {
     CamRulerPainter painter(*this, tickDistance());
@@ -206,12 +203,6 @@ void CamRuler::mouseMoveEvent(QMouseEvent *event)
         showCursor(hit);
         update();
     }
-}
-
-void CamRuler::leaveEvent(QEvent *)
-{
-    m_hovered.reset();
-    update();
 }
 
 void CamRuler::mouseReleaseEvent(QMouseEvent *event)

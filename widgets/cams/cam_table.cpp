@@ -8,9 +8,9 @@
 #include "widgets/cams/position_input.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/quiet_table.h"
 
-#include <QEvent>
 #include <QKeyEvent>
 
 namespace codewheel {
@@ -98,6 +98,7 @@ CamTable::CamTable(CamSheet &sheet, QWidget *parent)
         connect(&sheet, signal, this, &CamTable::fit);
     connect(&sheet, &CamSheet::programChanged, this, &CamTable::fit);
     fit();
+    onEvent(this, {QEvent::StyleChange, QEvent::FontChange}, [this] { fit(); });
 }
 
 bool CamTable::finishEditing()
@@ -206,13 +207,6 @@ void CamTable::keyPressEvent(QKeyEvent *event)
     if (!event->text().isEmpty() && event->text().front().isPrint())
         setCurrentIndex(position); // so that typing begins there
     QTableView::keyPressEvent(event);
-}
-
-void CamTable::changeEvent(QEvent *event)
-{
-    QTableView::changeEvent(event);
-    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
-        fit();
 }
 
 } // namespace codewheel

@@ -4,9 +4,9 @@
 #include "vocabulary/cam_program.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/roles.h"
 
-#include <QEvent>
 #include <QPainter>
 
 #include <bit>
@@ -27,6 +27,7 @@ CamWordPicture::CamWordPicture(QWidget *parent)
 {
     setAccessibleName(tr("What IN will hold"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    onEvent(this, {QEvent::FontChange, QEvent::StyleChange}, [this] { updateGeometry(); });
 }
 
 void CamWordPicture::setShift(unsigned shift, std::int64_t largest)
@@ -132,13 +133,6 @@ void CamWordPicture::paintEvent(QPaintEvent *)
     drawBrace(painter, lastPartBit, firstPartBit,
               positionBit(firstPartBit) ? tr("bits of the position") : tr("no part of the position"));
     drawBrace(painter, 7, 0, tr("cams"));
-}
-
-void CamWordPicture::changeEvent(QEvent *event)
-{
-    ValueWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        updateGeometry();
 }
 
 } // namespace codewheel

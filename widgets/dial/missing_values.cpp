@@ -11,8 +11,8 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 
-#include <QEvent>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -48,7 +48,8 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
     m_questionArea->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     m_questionArea->setMinimumHeight(1); // in a low panel: it stands in that of the parameters, too
     m_questionArea->hide();
-    m_before->installEventFilter(this);
+    onEventOf(m_before, {QEvent::ShowToParent}, this, [this] { m_questionArea->show(); });
+    onEventOf(m_before, {QEvent::HideToParent}, this, [this] { m_questionArea->hide(); });
     auto *layout = layOut<QVBoxLayout>(this, grid::unit);
     layout->addWidget(m_message);
     layout->addWidget(m_questionArea);
@@ -62,14 +63,6 @@ MissingValues::MissingValues(std::vector<Parameter> needed, QWidget *parent)
         m_message->withdraw();
         tellPositionMode(*m_encoder);
     });
-}
-
-bool MissingValues::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == m_before &&
-        (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent))
-        m_questionArea->setVisible(event->type() == QEvent::ShowToParent);
-    return QWidget::eventFilter(watched, event);
 }
 
 void MissingValues::setEncoder(EncoderSession *encoder)

@@ -39,9 +39,6 @@ public:
 Q_SIGNALS:
     void changed(); // a value has become known, or has changed
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void find();
     void tellMode();

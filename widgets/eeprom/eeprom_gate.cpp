@@ -4,11 +4,11 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/roles.h"
 #include "widgets/look/wrapped_label.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QRegularExpression>
@@ -61,6 +61,7 @@ EepromGate::EepromGate(QWidget *parent)
     connect(m_nevertheless, &QCheckBox::toggled, this, &EepromGate::changed);
     connect(m_place, &QLineEdit::textChanged, this, &EepromGate::changed);
     hide();
+    onEvent(this, {QEvent::PaletteChange, QEvent::StyleChange}, [this] { drawIcon(); });
 }
 
 void EepromGate::setWrites(EncoderSession &encoder, int planned)
@@ -137,13 +138,6 @@ void EepromGate::drawIcon()
     const Role role = m_typed.empty() ? Role::attention : Role::fault;
     m_icon->setPixmap(
         lineIcon(roleIcon(role), role).pixmap(QSize(grid::smallIcon, grid::smallIcon), devicePixelRatioF()));
-}
-
-void EepromGate::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
-        drawIcon();
 }
 
 } // namespace codewheel

@@ -39,9 +39,6 @@ public:
 Q_SIGNALS:
     void changed(); // isOpen() may have changed
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void take(std::vector<EepromWrites> writes);
     void showConcern();

@@ -4,9 +4,9 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/roles.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
@@ -34,6 +34,7 @@ StepList::StepList(const QStringList &titles, QWidget *parent)
     }
     layout->setRowStretch(static_cast<int>(titles.size()), 1);
     draw();
+    onEvent(this, {QEvent::PaletteChange, QEvent::StyleChange}, [this] { draw(); });
 }
 
 void StepList::setCurrent(int step)
@@ -41,13 +42,6 @@ void StepList::setCurrent(int step)
     m_current = step;
     setAccessibleName(tr("Step %1 of %2: %3").arg(step + 1).arg(m_titles.size()).arg(m_titles.at(step)));
     draw();
-}
-
-void StepList::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
-        draw();
 }
 
 void StepList::draw()

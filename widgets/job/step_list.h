@@ -18,9 +18,6 @@ public:
 
     void setCurrent(int step);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void draw();
 

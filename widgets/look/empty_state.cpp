@@ -2,8 +2,8 @@
 #include "widgets/look/empty_state.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -40,6 +40,7 @@ EmptyState::EmptyState(Icon icon, const QString &what, const QString &how, QWidg
     setTexts(what, how);
     setFonts();
     drawIcon();
+    onEvent(this, {QEvent::PaletteChange, QEvent::StyleChange}, [this] { drawIcon(); });
 }
 
 void EmptyState::setTexts(const QString &what, const QString &how)
@@ -57,13 +58,6 @@ void EmptyState::setAction(const QString &text)
     m_action->setToolTip(m_how->text());
     m_action->setVisible(!text.isEmpty());
     setFocusProxy(text.isEmpty() ? nullptr : m_action);
-}
-
-void EmptyState::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
-        drawIcon();
 }
 
 void EmptyState::drawIcon()

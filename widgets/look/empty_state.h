@@ -24,9 +24,6 @@ public:
 Q_SIGNALS:
     void actionTriggered();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void drawIcon();
     void setFonts();

@@ -3,9 +3,9 @@
 
 #include "widgets/look/heading_width.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/wrapped_cells.h"
 
-#include <QEvent>
 #include <QHeaderView>
 #include <QTableView>
 
@@ -106,23 +106,13 @@ void FittedColumns::follow()
         if (before == 0 || now == 0) // hidden, or shown again
             fitSoon();
     });
-    m_table.installEventFilter(this);
-    m_table.viewport()->installEventFilter(this);
+    onEventOf(&m_table, {QEvent::StyleChange, QEvent::FontChange}, this, [this] { fitSoon(); });
+    onEventOf(m_table.viewport(), {QEvent::Resize}, this, [this] { fitSoon(); });
     const QAbstractItemModel *model = m_table.model();
     for (const auto changed : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
         connect(model, changed, this, &FittedColumns::fitSoon);
     connect(model, &QAbstractItemModel::modelReset, this, &FittedColumns::fitSoon);
     connect(model, &QAbstractItemModel::dataChanged, this, &FittedColumns::fitSoon);
-}
-
-bool FittedColumns::eventFilter(QObject *watched, QEvent *event)
-{
-    const bool isOther = watched == &m_table
-                             ? event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange
-                             : event->type() == QEvent::Resize;
-    if (isOther)
-        fitSoon();
-    return QObject::eventFilter(watched, event);
 }
 
 // Once for all rows that change, and before they are painted.

@@ -22,9 +22,6 @@ public:
     // one line, and the others have theirs first.
     static void useIn(QTableView &table, int stretched);
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     FittedColumns(QTableView &table, int stretched);
     void follow();

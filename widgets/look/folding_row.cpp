@@ -2,6 +2,7 @@
 #include "widgets/look/folding_row.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 
 #include <QBoxLayout>
 #include <QEvent>
@@ -20,6 +21,7 @@ FoldingRow::FoldingRow(QWidget *first, QWidget *second, QWidget *parent)
     m_layout->setSpacing(grid::margin);
     m_layout->addWidget(first, 1, Qt::AlignTop);
     m_layout->addWidget(second, 0);
+    onEvent(this, {QEvent::Resize}, [this] { fold(); });
 }
 
 int FoldingRow::least(const QWidget &part) const
@@ -30,12 +32,6 @@ int FoldingRow::least(const QWidget &part) const
 QSize FoldingRow::minimumSizeHint() const
 {
     return {std::max(least(*m_first), least(*m_second)), QWidget::minimumSizeHint().height()};
-}
-
-void FoldingRow::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fold();
 }
 
 // A part may need more or less room than before.

@@ -4,6 +4,7 @@
 #include "widgets/look/bring_into_sight.h"
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 
 #include <QAccessible>
 #include <QClipboard>
@@ -70,6 +71,11 @@ InlineMessage::InlineMessage(QWidget *parent)
     m_otherAction->hide();
     m_copy->hide();
     hide();
+    onEvent(this, {QEvent::PaletteChange, QEvent::StyleChange}, [this] {
+        drawIcon();
+        showText();
+    });
+    onEvent(this, {QEvent::Resize}, [this] { arrange(); });
 }
 
 void InlineMessage::showMessage(Role role, const QString &sentence, const QString &actionText,
@@ -227,12 +233,6 @@ QSize InlineMessage::minimumSizeHint() const
     return {std::min(least.width(), margins.left() + widest + margins.right()), least.height()};
 }
 
-void InlineMessage::resizeEvent(QResizeEvent *event)
-{
-    QFrame::resizeEvent(event);
-    arrange();
-}
-
 // Buttons go beside the sentence, unless below it they take less height.
 void InlineMessage::arrange()
 {
@@ -253,15 +253,6 @@ void InlineMessage::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Base));
     painter.fillRect(QRect(0, 0, grid::unit, height()), roleColor(m_role, palette()));
-}
-
-void InlineMessage::changeEvent(QEvent *event)
-{
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
-        drawIcon();
-        showText();
-    }
 }
 
 void InlineMessage::drawIcon()

@@ -4,11 +4,11 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QCoreApplication>
-#include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QScopedValueRollback>
@@ -52,6 +52,7 @@ LogTable::LogTable(const QString &name, QWidget *parent)
         if (m_follow != nullptr)
             m_follow->setChecked(bar->sliderPosition() >= bar->maximum());
     });
+    onEvent(this, {QEvent::FontChange, QEvent::StyleChange}, [this] { setLineHeight(); });
 }
 
 void LogTable::setTextColumn(int column, int fewestLetters)
@@ -262,13 +263,6 @@ void LogTable::selectionChanged(const QItemSelection &selected, const QItemSelec
 {
     QTableView::selectionChanged(selected, deselected);
     Q_EMIT chosenChanged();
-}
-
-void LogTable::changeEvent(QEvent *event)
-{
-    QTableView::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        setLineHeight();
 }
 
 } // namespace codewheel

@@ -51,7 +51,6 @@ protected:
     void focusInEvent(QFocusEvent *event) override;
     void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
     void selectionChanged(const QItemSelection &selected, const QItemSelection &deselected) override;
-    void changeEvent(QEvent *event) override;
 
 private:
     bool isFollowing() const;

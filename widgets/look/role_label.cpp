@@ -3,8 +3,8 @@
 
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -22,6 +22,7 @@ RoleLabel::RoleLabel(QWidget *parent)
     m_word->setText(roleWord(m_role));
     setAccessibleName(m_word->text());
     drawIcon();
+    onEvent(this, {QEvent::PaletteChange, QEvent::StyleChange}, [this] { drawIcon(); });
 }
 
 void RoleLabel::setWrapping()
@@ -44,13 +45,6 @@ void RoleLabel::setState(Role role, const QString &word)
 QString RoleLabel::word() const
 {
     return m_word->text();
-}
-
-void RoleLabel::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
-        drawIcon();
 }
 
 void RoleLabel::drawIcon()

@@ -24,9 +24,6 @@ public:
     Role role() const { return m_role; }
     QString word() const;
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void drawIcon();
 

@@ -10,6 +10,7 @@
 #include "widgets/look/layouts.h"
 #include "widgets/look/log_table.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/save_file.h"
 #include "widgets/messages/message_details.h"
 #include "widgets/messages/message_filter_bar.h"
@@ -18,7 +19,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -72,6 +72,8 @@ MessagesView::MessagesView(MessageModel &messages, QWidget *parent)
     connect(m_note, &InlineMessage::actionTriggered, this, &MessagesView::act);
     connectModel();
     updateContent();
+    onEvent(this, {QEvent::FontChange, QEvent::StyleChange}, [this] { setColumnWidths(); });
+    onEvent(this, {QEvent::Resize}, [this] { showChosen(); });
 }
 
 MessagesView::~MessagesView()
@@ -245,12 +247,6 @@ void MessagesView::paintEvent(QPaintEvent *event)
     m_messages.see();
 }
 
-void MessagesView::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    showChosen();
-}
-
 std::vector<qint64> MessagesView::chosenIds() const
 {
     std::vector<qint64> chosen;
@@ -362,13 +358,6 @@ void MessagesView::endExport(const QString &failure)
              tr("%1 could not be written: %2. Choose another folder or name.")
                  .arg(m_export->fileName(), failure));
     m_export->deleteLater();
-}
-
-void MessagesView::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        setColumnWidths();
 }
 
 } // namespace codewheel

@@ -48,9 +48,7 @@ Q_SIGNALS:
     void goToWanted(codewheel::Place place); // which a message is about
 
 protected:
-    void changeEvent(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void makeTable();

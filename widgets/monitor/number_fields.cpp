@@ -6,9 +6,9 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/monitor/word_format.h"
 
-#include <QEvent>
 #include <QLabel>
 
 namespace codewheel {
@@ -64,6 +64,10 @@ NumberFields::NumberFields(const QString &place, const WordForm &form, bool edit
     connect(m_hex, &QLineEdit::editingFinished, this, &NumberFields::hexLeft);
     setDisplay(m_display);
     showNumbers();
+    onEvent(this, {QEvent::PaletteChange}, [this] {
+        if (m_old)
+            showAge();
+    });
 }
 
 void NumberFields::setOld(bool old)
@@ -92,13 +96,6 @@ void NumberFields::showAge()
         colors.setResolveMask(m_old ? colors.resolveMask() : 0);
         field->setPalette(colors);
     }
-}
-
-void NumberFields::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_old)
-        showAge();
 }
 
 QLabel *NumberFields::captionOf(QWidget *field, const QString &caption)

@@ -36,9 +36,6 @@ Q_SIGNALS:
     void problemChanged(const QString &sentence); // empty: it is gone
     void entered();                               // Return on a valid word, which is then selected
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void showAge();
     QLabel *captionOf(QWidget *field, const QString &caption);

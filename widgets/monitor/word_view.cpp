@@ -4,6 +4,7 @@
 #include "widgets/look/appearance.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 #include "widgets/monitor/word_view_accessible.h"
 
 #include <QApplication>
@@ -49,6 +50,8 @@ WordView::WordView(const WordForm &form, std::vector<Line> lines, QWidget *paren
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
     arrange();
+    onEvent(this, {QEvent::Resize}, [this] { arrange(); });
+    onEvent(this, {QEvent::Leave}, [this] { setHoveredBit({}); });
 }
 
 int WordView::captionWidth(const QStringList &captions)
@@ -183,11 +186,6 @@ void WordView::arrange()
     update();
 }
 
-void WordView::resizeEvent(QResizeEvent *)
-{
-    arrange();
-}
-
 bool WordView::event(QEvent *event)
 {
     if (event->type() == QEvent::ToolTip) {
@@ -299,11 +297,6 @@ void WordView::setHoveredBit(std::optional<WordBit> bit)
 void WordView::mouseMoveEvent(QMouseEvent *event)
 {
     setHoveredBit(bitAt(event->position().toPoint()));
-}
-
-void WordView::leaveEvent(QEvent *)
-{
-    setHoveredBit({});
 }
 
 void WordView::mousePressEvent(QMouseEvent *event)

@@ -7,6 +7,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/wrapped_label.h"
 #include "widgets/palette/palette_delegate.h"
 #include "widgets/palette/palette_model.h"
@@ -82,6 +83,8 @@ CommandPalette::CommandPalette(QWidget &window)
             leave();
     });
     hide();
+    onEvent(this, {QEvent::FontChange, QEvent::StyleChange},
+            [this] { m_note->setFont(textFont(TextSize::small)); });
 }
 
 CommandPalette::~CommandPalette()
@@ -289,13 +292,6 @@ bool CommandPalette::eventFilter(QObject *watched, QEvent *event)
         !isOurs(watched) && QApplication::activePopupWidget() == nullptr)
         close(); // the click goes where it was meant to go
     return QFrame::eventFilter(watched, event);
-}
-
-void CommandPalette::changeEvent(QEvent *event)
-{
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        m_note->setFont(textFont(TextSize::small));
 }
 
 // Over the middle of the window, as high as its rows need.

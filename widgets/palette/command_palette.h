@@ -39,7 +39,6 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
-    void changeEvent(QEvent *event) override;
 
 private:
     bool takeKey(int key, Qt::KeyboardModifiers modifiers);

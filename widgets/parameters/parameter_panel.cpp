@@ -16,6 +16,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/role_label.h"
 #include "widgets/models/age_text.h"
 #include "widgets/models/device_traits.h"
@@ -31,7 +32,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
@@ -77,6 +77,7 @@ ParameterPanel::ParameterPanel(const Buses &buses, WantedValues &wanted, QWidget
     layOutColumn(this, {m_whose, {m_pages, 1}});
     connectParts();
     setEncoder({});
+    onEvent(this, {QEvent::Resize}, [this] { giveWayToQuestion(); });
 }
 
 QWidget *ParameterPanel::makeTablePage()
@@ -166,7 +167,7 @@ void ParameterPanel::connectParts()
     connect(m_functions, &EncoderFunctions::refused, this, &ParameterPanel::showRefusal);
     connect(m_message, &InlineMessage::actionTriggered, this, &ParameterPanel::bringBack);
     connect(m_setPosition, &QAction::triggered, this, &ParameterPanel::askWherePositionIs);
-    m_before->installEventFilter(this);
+    onEventOf(m_before, {QEvent::ShowToParent, QEvent::HideToParent}, this, [this] { giveWayToQuestion(); });
     connect(m_job, &JobStrip::asks, this, [this](bool isAsking) {
         m_values->setVisible(!isAsking);
         m_note->setVisible(!isAsking && !m_note->text().isEmpty());
@@ -186,20 +187,6 @@ void ParameterPanel::connectParts()
         connect(m_model, &QAbstractItemModel::modelReset, this, show);
         connect(m_model, &QAbstractItemModel::dataChanged, this, show);
     }
-}
-
-void ParameterPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    giveWayToQuestion();
-}
-
-bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == m_before &&
-        (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent))
-        giveWayToQuestion();
-    return QWidget::eventFilter(watched, event);
 }
 
 // In a low panel, all else that is said gives way to the question whether it is the same encoder.

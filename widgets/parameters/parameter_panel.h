@@ -60,10 +60,6 @@ Q_SIGNALS:
     void wizardRequested();
     void refusalShown(); // after one of the function actions
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     enum class Cause { input, refusal, outcome };
 

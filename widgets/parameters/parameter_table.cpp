@@ -4,13 +4,13 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/parameters/parameter_delegate.h"
 #include "widgets/parameters/parameter_model.h"
 #include "widgets/parameters/value_input.h"
 
 #include <QApplication>
-#include <QEvent>
 #include <QKeyEvent>
 
 #include <algorithm>
@@ -45,6 +45,7 @@ ParameterTable::ParameterTable(ParameterModel &model, QWidget *parent)
         connect(&model, changed, this, &ParameterTable::fitColumns);
     connect(&model, &QAbstractItemModel::modelReset, this, &ParameterTable::fitColumns);
     connect(&model, &QAbstractItemModel::dataChanged, this, &ParameterTable::fitColumns);
+    onEvent(this, {QEvent::StyleChange, QEvent::FontChange}, [this] { fitColumns(); });
 }
 
 bool ParameterTable::finishEditing()
@@ -217,13 +218,6 @@ void ParameterTable::fitColumns()
     setColumnWidth(ParameterModel::knownColumn, std::clamp(values / 2, known, values - wanted));
     spanColumns();
     scheduleDelayedItemsLayout(); // values take more lines in a narrower column
-}
-
-void ParameterTable::changeEvent(QEvent *event)
-{
-    QTableView::changeEvent(event);
-    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)
-        fitColumns();
 }
 
 } // namespace codewheel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/recent_list.h"
 
+#include "widgets/look/on_event.h"
+
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QDir>
@@ -38,6 +40,10 @@ RecentList::RecentList(QWidget *parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setTabKeyNavigation(false);
     connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem *item) { open(row(item)); });
+    onEvent(this, {QEvent::PaletteChange}, [this] {
+        for (int row = 0; row < count(); ++row)
+            show(*item(row), m_files[static_cast<std::size_t>(row)]);
+    });
 }
 
 void RecentList::setFiles(const std::vector<RecentFile> &files)
@@ -67,14 +73,6 @@ void RecentList::show(QListWidgetItem &item, const RecentFile &file)
     item.setToolTip(why.isEmpty() ? QDir::toNativeSeparators(file.path)
                                   : tr("%1: %2").arg(QDir::toNativeSeparators(file.path), why));
     item.setForeground(why.isEmpty() ? QBrush() : palette().brush(QPalette::Disabled, QPalette::Text));
-}
-
-void RecentList::changeEvent(QEvent *event)
-{
-    QListWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        for (int row = 0; row < count(); ++row)
-            show(*item(row), m_files[static_cast<std::size_t>(row)]);
 }
 
 void RecentList::open(int row)

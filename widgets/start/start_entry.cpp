@@ -2,10 +2,10 @@
 #include "widgets/start/start_entry.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/wrapped_label.h"
 
 #include <QAction>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
@@ -40,6 +40,9 @@ StartEntry::StartEntry(QAction &action, QWidget *parent)
     connect(&action, &QAction::changed, this, &StartEntry::follow);
     connect(this, &QPushButton::clicked, &action, &QAction::trigger);
     follow();
+    onEvent(this, {QEvent::PaletteChange, QEvent::StyleChange}, [this] {
+        m_icon->setPixmap(m_action.icon().pixmap({grid::largeIcon, grid::largeIcon}, devicePixelRatioF()));
+    });
 }
 
 void StartEntry::follow()
@@ -53,13 +56,6 @@ void StartEntry::follow()
     setEnabled(m_action.isEnabled());
     setVisible(m_action.isVisible());
     updateGeometry();
-}
-
-void StartEntry::changeEvent(QEvent *event)
-{
-    QPushButton::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
-        m_icon->setPixmap(m_action.icon().pixmap({grid::largeIcon, grid::largeIcon}, devicePixelRatioF()));
 }
 
 QSize StartEntry::sizeHint() const

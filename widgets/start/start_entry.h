@@ -20,9 +20,6 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void follow();
 

@@ -7,6 +7,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 #include "widgets/structure/name_delegate.h"
 #include "widgets/structure/structure_columns.h"
 #include "widgets/structure/structure_header.h"
@@ -14,7 +15,6 @@
 #include "widgets/structure/structure_tree.h"
 #include "widgets/structure/tree_filter.h"
 
-#include <QEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -98,7 +98,8 @@ StructureView::StructureView(QWidget *parent)
     for (const int column :
          {StructureModel::deviceColumn, StructureModel::stateColumn, StructureModel::positionColumn})
         allowEliding(*m_tree, column);
-    m_tree->viewport()->installEventFilter(this);
+    // A scroll bar may come or go, too.
+    onEventOf(m_tree->viewport(), {QEvent::Resize}, this, [this] { placeColumns(); });
     m_tree->hide();
 
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -135,25 +136,12 @@ StructureView::StructureView(QWidget *parent)
     connect(m_model, &QAbstractItemModel::modelReset, this, &StructureView::restoreRow);
     connect(m_model, &QAbstractItemModel::rowsInserted, this, &StructureView::showWhetherEmpty);
     setFocusProxy(m_tree);
+    onEvent(this, {QEvent::FontChange, QEvent::StyleChange}, [this] { placeColumns(); });
 }
 
 void StructureView::placeColumns()
 {
     codewheel::placeColumns(*m_tree, m_levels);
-}
-
-void StructureView::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        placeColumns();
-}
-
-bool StructureView::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::Resize) // a scroll bar may come or go, too
-        placeColumns();
-    return QWidget::eventFilter(watched, event);
 }
 
 void StructureView::showTitles()

@@ -75,10 +75,6 @@ Q_SIGNALS:
     void busOpened(codewheel::BusId bus);
     void busMenuRequested(codewheel::BusId bus, const QPoint &globalPosition);
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-    void changeEvent(QEvent *event) override;
-
 private:
     void placeColumns();
     void showWhetherEmpty();

@@ -5,10 +5,10 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icon_cells.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QEvent>
 #include <QHeaderView>
 
 namespace codewheel {
@@ -58,6 +58,7 @@ TrafficTable::TrafficTable(TrafficModel &rows, const QString &name, QWidget *par
         if (has(column))
             allowEliding(*this, rows.columnOf(column));
     setColumnWidths();
+    onEvent(this, {QEvent::FontChange, QEvent::StyleChange}, [this] { setColumnWidths(); });
 }
 
 TrafficTable::~TrafficTable()
@@ -133,13 +134,6 @@ QString TrafficTable::exportText() const
         text += cells.join(u'\t') + u'\n';
     }
     return text;
-}
-
-void TrafficTable::changeEvent(QEvent *event)
-{
-    LogTable::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        setColumnWidths();
 }
 
 } // namespace codewheel

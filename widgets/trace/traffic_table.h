@@ -51,9 +51,6 @@ public:
     // All rows shown, with date and time.
     QString exportText() const;
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     bool has(TrafficColumn column) const;
     void setColumnWidths();

@@ -11,6 +11,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/project/project_document.h"
 #include "widgets/transfer/replace_device_step.h"
 #include "widgets/transfer/replace_position_step.h"
@@ -63,6 +64,8 @@ ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocu
     connect(&project, &ProjectDocument::changed, this, &ReplacePage::followProject);
     connect(&buses, &Buses::changed, this, &ReplacePage::followBuses);
     showButtons();
+    onEvent(this, {QEvent::Show}, [this] { m_isResultSeen = m_isResultSeen || current() == m_account; });
+    onEvent(this, {QEvent::Resize}, [this] { showList(); });
 }
 
 void ReplacePage::makeSteps()
@@ -223,18 +226,6 @@ void ReplacePage::leaveProject()
         return;
     replace(m_replacing.place);
     Q_EMIT closeRequested();
-}
-
-void ReplacePage::showEvent(QShowEvent *event)
-{
-    Page::showEvent(event);
-    m_isResultSeen = m_isResultSeen || current() == m_account;
-}
-
-void ReplacePage::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    showList();
 }
 
 void ReplacePage::showList()

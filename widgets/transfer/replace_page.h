@@ -47,10 +47,6 @@ public:
 Q_SIGNALS:
     void messaged(const codewheel::Message &message);
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-    void showEvent(QShowEvent *event) override;
-
 private:
     // A replacement that did not become done: the next try at its place begins with what was given.
     struct Unfinished

@@ -64,13 +64,6 @@ void TransferPage::choose(What what, std::optional<Place> number)
     showPlan();
 }
 
-void TransferPage::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    if (m_stage->currentWidget() == m_choosing)
-        showPlan();
-}
-
 QString TransferPage::effect() const
 {
     return m_stage->currentWidget() == m_done ? tr("What was written. Nothing more is sent.")

@@ -45,9 +45,6 @@ public:
 Q_SIGNALS:
     void messaged(const codewheel::Message &message);
 
-protected:
-    void showEvent(QShowEvent *event) override;
-
 private:
     void layOut();
     void connectAll();

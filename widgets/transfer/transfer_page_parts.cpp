@@ -9,6 +9,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/wrapped_label.h"
 #include "widgets/project/project_document.h"
 #include "widgets/transfer/transfer_page.h"
@@ -62,6 +63,10 @@ TransferPage::TransferPage(const Buses &buses, const Catalog &catalog, ProjectDo
     layOut();
     connectAll();
     showSummary();
+    onEvent(this, {QEvent::Show}, [this] {
+        if (m_stage->currentWidget() == m_choosing)
+            showPlan();
+    });
 }
 
 void TransferPage::layOut()

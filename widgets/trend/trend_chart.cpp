@@ -3,6 +3,7 @@
 
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 #include "widgets/trend/lane_layout.h"
 #include "widgets/trend/mark_text.h"
 #include "widgets/trend/ticks.h"
@@ -90,6 +91,10 @@ TrendChart::TrendChart(QWidget *parent)
     m_item->setZValue(aboveGrid);
     useColors();
     connect(chart(), &QChart::plotAreaChanged, this, &TrendChart::showItem);
+    onEvent(this, {QEvent::PaletteChange, QEvent::FontChange}, [this] {
+        useColors();
+        showItem();
+    });
 }
 
 QSize TrendChart::sizeHint() const
@@ -175,15 +180,6 @@ void TrendChart::showAxes()
 void TrendChart::showItem()
 {
     m_item->show(m_shown, plot(), palette());
-}
-
-void TrendChart::changeEvent(QEvent *event)
-{
-    QChartView::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        useColors();
-        showItem();
-    }
 }
 
 // With Shift it scrolls.

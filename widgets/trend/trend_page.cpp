@@ -156,14 +156,6 @@ void TrendPage::showFrame()
         m_view->showFrame();
 }
 
-void TrendPage::showEvent(QShowEvent *event)
-{
-    Page::showEvent(event);
-    m_scales.look();
-    m_view->showAnew();
-    showMemory();
-}
-
 // What is at the cursors at once; what goes through all samples between them once they rest.
 void TrendPage::showValues()
 {
@@ -282,13 +274,6 @@ void TrendPage::dropEvent(QDropEvent *event)
         event->acceptProposedAction();
         showTrack({*place, Channel::position, {}});
     }
-}
-
-void TrendPage::resizeEvent(QResizeEvent *event)
-{
-    Page::resizeEvent(event);
-    showColumns();
-    giveTableRoom();
 }
 
 } // namespace codewheel

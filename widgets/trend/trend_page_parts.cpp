@@ -10,6 +10,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/quiet_table.h"
 #include "widgets/look/tool.h"
 #include "widgets/look/wrapped_label.h"
@@ -111,6 +112,15 @@ TrendPage::TrendPage(Buses &buses, Histories &histories, std::function<QString(P
     showValues();
     showMemory();
     setFocusProxy(m_view->findChild<TrendChart *>());
+    onEvent(this, {QEvent::Show}, [this] {
+        m_scales.look();
+        m_view->showAnew();
+        showMemory();
+    });
+    onEvent(this, {QEvent::Resize}, [this] {
+        showColumns();
+        giveTableRoom();
+    });
 }
 
 void TrendPage::makeTools()

@@ -3,6 +3,7 @@
 
 #include "widgets/look/describe.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/palettes.h"
 #include "widgets/trend/trend_chart.h"
 
@@ -56,6 +57,7 @@ TrendView::TrendView(const Histories &histories, const TrendTracks &tracks, Enco
         m_scales.look();
         update([] {});
     });
+    onEvent(this, {QEvent::PaletteChange}, [this] { showAnew(); });
 }
 
 // Of what is watched now, unless all curves are of recordings.
@@ -91,13 +93,6 @@ void TrendView::takeTime()
         return m_histories.archiveOf(one.track.place) == nullptr;
     });
     m_time.setAll(*all, isWatched ? all->to : played().value_or(all->to));
-}
-
-void TrendView::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        showAnew();
 }
 
 // Until the picture would have moved by a pixel, nothing changes, unless what is kept grows in the middle of

@@ -56,9 +56,6 @@ Q_SIGNALS:
     void scalesChanged(); // other units, and so other values
     void followChanged(bool follows);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     std::optional<Instant> played() const;
     void takeTime();

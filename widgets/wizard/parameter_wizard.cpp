@@ -7,6 +7,7 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/models/shown_encoder.h"
 #include "widgets/wizard/device_page.h"
 #include "widgets/wizard/direction_page.h"
@@ -76,6 +77,10 @@ ParameterWizard::ParameterWizard(Buses &buses, WantedValues &wanted, QWidget *pa
     });
     connect(&wanted, &WantedValues::changed, this, [this] { m_setup->takeWanted(); });
     showPage(device);
+    onEvent(this, {QEvent::Resize}, [this] {
+        m_stepList->setVisible(width() >= wizardStepsFrom);
+        m_stepName->setVisible(width() < wizardStepsFrom);
+    });
 }
 
 // The pages are destroyed before what they share: a field that loses the focus would still take its value.
@@ -187,13 +192,6 @@ void ParameterWizard::goOn(const UnderWay &before)
     showPage(before.page);
     if (before.page == handshake || before.page == report)
         m_handshakePage->resume(before.handshake);
-}
-
-void ParameterWizard::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    m_stepList->setVisible(width() >= wizardStepsFrom);
-    m_stepName->setVisible(width() < wizardStepsFrom);
 }
 
 void ParameterWizard::focusPage()

@@ -71,9 +71,6 @@ Q_SIGNALS:
     void encoderChosen(codewheel::Place place);      // in its list
     void goesOn(const codewheel::FollowingJob &job); // its handshake has another job
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-
 private:
     void makePages();
     void beginAnew();

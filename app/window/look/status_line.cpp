@@ -6,9 +6,9 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/may_elide.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/role_label.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QLayout>
 #include <QStatusBar>
@@ -54,7 +54,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     bar.setSizeGripEnabled(false);
     bar.setMinimumWidth(narrowest);
     bar.setContentsMargins(0, 0, grid::unit, 0);
-    bar.installEventFilter(this);
+    onEventOf(&bar, {QEvent::Resize, QEvent::LayoutRequest}, this, [this] { fit(); });
     // Permanent, since the bar hides all other widgets while it shows a status tip.
     add(m_state);
     add(m_mode);
@@ -62,7 +62,7 @@ StatusLine::StatusLine(QStatusBar &bar, QObject *parent)
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hint->setObjectName(QStringLiteral("hint"));
     m_hint->setIndent(grid::margin);
-    m_hint->installEventFilter(this);
+    onEventOf(m_hint, {QEvent::Resize}, this, [this] { showHint(); });
     bar.addPermanentWidget(m_hint, 1);
     bar.addPermanentWidget(m_writes);
     allowEliding(*m_hint);
@@ -140,15 +140,6 @@ void StatusLine::setEncoder(EncoderSession *encoder)
 {
     m_encoder = encoder;
     showFrame();
-}
-
-bool StatusLine::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == &m_bar && (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest))
-        fit();
-    if (watched == m_hint && event->type() == QEvent::Resize)
-        showHint();
-    return QObject::eventFilter(watched, event);
 }
 
 // As far as there is room for it.

@@ -42,9 +42,6 @@ public:
     void setEncoder(EncoderSession *encoder);
     void showFrame();
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void showHint();
     struct Figure

@@ -2,6 +2,7 @@
 #include "app/window/look/tool_bar_fit.h"
 
 #include "app/window/buses/mode_switch.h"
+#include "widgets/look/on_event.h"
 
 #include <QAction>
 #include <QEvent>
@@ -21,23 +22,8 @@ ToolBarFit::ToolBarFit(QToolBar &bar, ModeSwitch &mode, const QWidget &alarmStop
     , m_measured(new QToolButton(&bar))
 {
     m_measured->hide();
-    bar.installEventFilter(this);
-}
-
-bool ToolBarFit::eventFilter(QObject *watched, QEvent *event)
-{
-    switch (event->type()) {
-    case QEvent::Resize:
-    case QEvent::LayoutRequest:
-    case QEvent::StyleChange:
-    case QEvent::FontChange:
-    case QEvent::Show:
-        fit();
-        break;
-    default:
-        break;
-    }
-    return QObject::eventFilter(watched, event);
+    using enum QEvent::Type;
+    onEventOf(&bar, {Resize, LayoutRequest, StyleChange, FontChange, Show}, this, [this] { fit(); });
 }
 
 QList<QToolButton *> ToolBarFit::buttons() const

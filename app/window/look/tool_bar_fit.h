@@ -21,9 +21,6 @@ class ToolBarFit : public QObject
 public:
     ToolBarFit(QToolBar &bar, ModeSwitch &mode, const QWidget &alarmStop);
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void fit();
     QList<QToolButton *> buttons() const; // those that can do without words

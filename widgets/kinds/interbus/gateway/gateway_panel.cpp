@@ -8,6 +8,7 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/role_label.h"
 
 #include <QEvent>
@@ -84,7 +85,11 @@ void GatewayPanel::makeTable()
     m_table->verticalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + grid::unit);
     m_table->verticalHeader()->setTextElideMode(Qt::ElideRight);
-    m_table->installEventFilter(this);
+    onEventOf(m_table, {QEvent::Resize}, this, [this] { // the titles give way to the figures
+        const int figures = QFontMetrics(numberFont()).horizontalAdvance(QString(figureDigits, u'0'));
+        m_table->verticalHeader()->setMaximumWidth(
+            std::max(0, m_table->width() - figures - 2 * grid::margin));
+    });
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const auto fit = [this] {
@@ -93,17 +98,6 @@ void GatewayPanel::makeTable()
     };
     connect(m_figures, &QAbstractItemModel::modelReset, this, fit);
     fit();
-}
-
-// The titles of its only table give way to the figures. Other events come while the panel is being made.
-bool GatewayPanel::eventFilter(QObject *watched, QEvent *event)
-{
-    auto *table = qobject_cast<QTableView *>(watched);
-    if (table != nullptr && event->type() == QEvent::Resize)
-        table->verticalHeader()->setMaximumWidth(std::max(
-            0, table->width() - QFontMetrics(numberFont()).horizontalAdvance(QString(figureDigits, u'0')) -
-                   2 * grid::margin));
-    return ScrolledPanel::eventFilter(watched, event);
 }
 
 void GatewayPanel::setGateway(const QString &gateway)

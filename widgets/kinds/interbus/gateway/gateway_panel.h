@@ -31,9 +31,6 @@ Q_SIGNALS:
     void connectionWanted(); // its settings
     void registersWanted();
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void makeTable();
     QPushButton *addButton(const QString &text, const QString &toolTip);

@@ -5,8 +5,8 @@
 #include "kinds/interbus/ring/master_text.h"
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
@@ -53,6 +53,10 @@ StatusBits::StatusBits(QWidget *parent)
     }
     measure();
     arrange(usualColumns);
+    onEvent(this, {QEvent::FontChange, QEvent::StyleChange}, [this] { measure(); });
+    onEvent(this, {QEvent::Resize}, [this] {
+        arrange(std::clamp((width() + grid::groupGap) / (m_widest + grid::groupGap), 1, mostColumns));
+    });
 }
 
 // All as wide as the widest bit when set, so that nothing moves when one is.
@@ -85,19 +89,6 @@ QSize StatusBits::sizeHint() const
 QSize StatusBits::minimumSizeHint() const
 {
     return {std::max(m_widest, m_hex->minimumSizeHint().width()), m_grid->minimumSize().height()};
-}
-
-void StatusBits::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    arrange(std::clamp((width() + grid::groupGap) / (m_widest + grid::groupGap), 1, mostColumns));
-}
-
-void StatusBits::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        measure();
 }
 
 void StatusBits::showBits(std::uint16_t bits)

@@ -6,8 +6,8 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/layouts.h"
+#include "widgets/look/on_event.h"
 
-#include <QEvent>
 #include <QLabel>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void SeatPanel::makePanel(BusId ring, const SharedControls &controls)
             Q_EMIT acted(*m_unit, place, what);
     });
     m_column->addWidget(m_panel, 1);
-    m_panel->widget()->installEventFilter(this);
+    onEventOf(m_panel->widget(), {QEvent::LayoutRequest}, this, [this] { fitWidth(); });
     fitWidth();
 }
 
@@ -46,13 +46,6 @@ void SeatPanel::makePanel(BusId ring, const SharedControls &controls)
 void SeatPanel::fitWidth()
 {
     setFixedWidth(std::max({narrowest, minimumWidth(), m_panel->sizeHint().width()}));
-}
-
-bool SeatPanel::eventFilter(QObject *watched, QEvent *event)
-{
-    if (event->type() == QEvent::LayoutRequest)
-        fitWidth();
-    return QWidget::eventFilter(watched, event);
 }
 
 // What was done last is still told of the seat before.

@@ -32,9 +32,6 @@ public:
 Q_SIGNALS:
     void acted(int unit, codewheel::Place place, const codewheel::TrainingAct &what);
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void makePanel(BusId ring, const SharedControls &controls);
     void fitWidth();
