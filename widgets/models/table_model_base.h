@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <functional>
@@ -122,11 +123,12 @@ protected:
     virtual QVariant headerCell(int column, int role) const
     {
         const ColumnHead &head = heads()[static_cast<std::size_t>(column)];
+        const char *context = metaObject()->className();
         switch (role) {
         case Qt::DisplayRole:
-            return metaObject()->tr(head.title, nullptr);
+            return QCoreApplication::translate(context, head.title);
         case Qt::ToolTipRole:
-            return head.tip != nullptr ? metaObject()->tr(head.tip, nullptr) : QVariant();
+            return head.tip != nullptr ? QCoreApplication::translate(context, head.tip) : QVariant();
         case Qt::TextAlignmentRole:
             return head.alignment != 0 ? QVariant(head.alignment | Qt::AlignVCenter) : QVariant();
         default:
