@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/postgres_database.h"
 
-#include "recording/postgres_errors.h"
 #include "recording/recording_tables.h"
 #include "recording/server_texts.h"
 

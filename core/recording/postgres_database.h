@@ -40,4 +40,9 @@ private:
     Stored<void> makeTables(const QString &name) const;
 };
 
+// Why there is no connection: PostgreSQL's library tells it as an English text and nothing else.
+DatabaseError connectionError(const ServerAddress &address, const QString &text);
+// Why a statement failed: by its SQLSTATE; without one the connection is lost.
+DatabaseError statementError(const QSqlError &error);
+
 } // namespace codewheel

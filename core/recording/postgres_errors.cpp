@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "recording/postgres_errors.h"
-
+#include "recording/postgres_database.h"
 #include "recording/server_texts.h"
 
 #include <QRegularExpression>

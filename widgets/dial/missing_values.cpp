@@ -2,7 +2,7 @@
 #include "widgets/dial/missing_values.h"
 
 #include "catalog/device_description.h"
-#include "vocabulary/position_mode.h"
+#include "vocabulary/encoder_session.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/job/known_before_bar.h"
 #include "widgets/look/content_scroll_area.h"

@@ -3,8 +3,8 @@
 
 #include "catalog/device_description.h"
 #include "catalog/value_text.h"
+#include "vocabulary/encoder_session.h"
 #include "vocabulary/known_words.h"
-#include "vocabulary/position_mode.h"
 #include "vocabulary/refusal_text.h"
 #include "widgets/job/known_before_bar.h"
 #include "widgets/job/known_text.h"

@@ -3,7 +3,7 @@
 
 #include "cli/call/arguments.h"
 #include "cli/call/texts.h"
-#include "vocabulary/position_mode.h"
+#include "vocabulary/encoder_session.h"
 #include "vocabulary/refusal_text.h"
 
 #include <QtGlobal>

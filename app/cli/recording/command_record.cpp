@@ -7,7 +7,6 @@
 #include "cli/project/transfer_call.h"
 #include "cli/recording/passing_time.h"
 #include "cli/recording/record_news.h"
-#include "cli/recording/record_trigger.h"
 #include "cli/recording/record_wish.h"
 #include "cli/recording/recording_facts.h"
 #include "history/histories.h"

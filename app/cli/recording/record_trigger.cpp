@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/recording/record_trigger.h"
-
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "cli/bus/bus_access.h"
 #include "cli/bus/places.h"
 #include "cli/call/texts.h"
+#include "cli/recording/record_wish.h"
 #include "history/track.h"
 #include "recording/trigger_text.h"
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "cli/bus/places.h"
+#include "cli/call/subcommand.h"
 #include "recording/bus_recorder.h"
+#include "recording/recording_trigger.h"
 
 #include <array>
 
@@ -56,5 +58,9 @@ inline constexpr std::array recordOptions{
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "only values and messages, without words and requests as they pass")},
 };
+
+// The trigger typed as `text` (recording/trigger_text.h). Its place is written as any PLACE, or is a bus; an
+// encoder is asked so that it shows what the trigger waits for. Refused if it has no such bit.
+Checked<RecordingTrigger> triggerMeant(const Call &call, const QString &text);
 
 } // namespace codewheel

@@ -22,4 +22,7 @@ QString fileValueText(const std::optional<canopen::FileValue> &value, std::optio
 // For standard error.
 void complainOfNotes(const Terminal &terminal, const canopen::EdsNotes &notes);
 
+// Makes a description of the device in the user's folder, by which it is known from then on.
+Checked<Answer> importDeviceFile(const Call &call, const QString &path, const canopen::DeviceFile &file);
+
 } // namespace codewheel

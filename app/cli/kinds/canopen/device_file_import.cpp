@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/canopen/device_file_import.h"
-
 #include "catalog/catalog.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/consent.h"
 #include "cli/encoder/parameter_arguments.h"
+#include "cli/kinds/canopen/device_file_check.h"
 #include "kinds/canopen/eds/device_description_json.h"
 #include "kinds/canopen/protocol/canopen_profile.h"
 #include "kinds/canopen/protocol/device_of_type.h"

@@ -8,7 +8,6 @@
 #include "cli/call/texts.h"
 #include "cli/kinds/esc/device_on_line.h"
 #include "cli/kinds/esc/esc_line_access.h"
-#include "cli/kinds/esc/explain_line.h"
 #include "cli/kinds/esc/scan_line.h"
 #include "kinds/esc/protocol/esc_forms.h"
 #include "kinds/esc/protocol/esc_profile.h"

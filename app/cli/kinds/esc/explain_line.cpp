@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/kinds/esc/explain_line.h"
-
 #include "catalog/device_description.h"
 #include "cli/bus/places.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/esc/esc_line_access.h"
+#include "cli/kinds/esc/esc_line_link_kind.h"
 #include "cli/kinds/esc/esc_line_trace.h"
 #include "kinds/esc/line/typed_request.h"
 #include "kinds/esc/protocol/esc_frame.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/canopen/eds/octets_value.h"
-
+#include "kinds/canopen/eds/typed_value.h"
 #include "kinds/canopen/protocol/object_value.h"
 
 #include <bit>

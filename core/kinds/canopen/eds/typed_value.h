@@ -2,6 +2,8 @@
 #pragma once
 
 #include "kinds/canopen/eds/device_file.h"
+#include "kinds/canopen/eds/file_value.h"
+#include "kinds/canopen/protocol/octets.h"
 
 #include <QString>
 
@@ -20,5 +22,9 @@ std::optional<std::vector<std::uint8_t>> octetsTyped(const QString &typed, std::
 // The limit of the file that the value is beyond. Empty: none, as far as they are known.
 std::optional<FileValue> limitBroken(const FileObject &object, const FileValue &value,
                                      std::optional<int> node);
+
+// What a device has answered for an object, as a device file has it: numbers by the sign of their type and
+// the width of the answer, octets as hexadecimal digits.
+FileValue fileValueOf(std::optional<DataType> type, Octets octets);
 
 } // namespace codewheel::canopen

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/eds/compare_files.h"
 #include "kinds/canopen/eds/dcf_writer.h"
-#include "kinds/canopen/eds/octets_value.h"
+#include "kinds/canopen/eds/typed_value.h"
 #include "tests/kinds/canopen/eds/file_literal.h"
 
 #include <gmock/gmock.h>

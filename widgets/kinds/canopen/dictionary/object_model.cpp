@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/canopen/dictionary/object_model.h"
 
-#include "kinds/canopen/eds/octets_value.h"
+#include "kinds/canopen/eds/typed_value.h"
 #include "kinds/canopen/protocol/sdo_abort.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"

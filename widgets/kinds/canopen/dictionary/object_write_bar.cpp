@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/canopen/dictionary/object_write_bar.h"
 
-#include "kinds/canopen/eds/octets_value.h"
 #include "kinds/canopen/eds/typed_value.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
