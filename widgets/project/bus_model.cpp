@@ -9,9 +9,7 @@
 #include <algorithm>
 
 namespace codewheel {
-namespace {
-
-} // namespace
+namespace {} // namespace
 
 BusModel::BusModel(ProjectDocument &document, QObject *parent)
     : TableModelBase(parent)
