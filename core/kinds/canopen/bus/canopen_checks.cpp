@@ -162,6 +162,14 @@ DataCheck heardCheck(const CanopenSession &bus, int number)
         return failedCheck(DataCheck::Id::reached, what, expected,
                            CanopenCheckText::tr("its heartbeat is lost"),
                            canopenFaultOf(bus, bus.placeOf(CanopenAddress{number}.place()))->text);
+    const Freshness freshness = bus.encoder(CanopenAddress{number}.place())->freshness();
+    if (freshness.reason() == Freshness::Reason::silent && isDisturbed(bus.latest()))
+        return failedCheck(
+            DataCheck::Id::reached, what, expected, CanopenCheckText::tr("heard, and silent"),
+            sentence(CanopenCheckText::tr("Node %1 was heard and does not answer, and frames are disturbed: "
+                                          "two devices may have its number. Connect one of them alone. If "
+                                          "it is the only one, see to rate, terminators and wires."),
+                     {QString::number(number)}));
     return passedCheck(DataCheck::Id::reached, what, expected, expected);
 }
 

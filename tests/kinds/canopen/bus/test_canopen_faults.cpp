@@ -244,6 +244,26 @@ TEST_F(CanopenBusFaults, TwoNodesWithOneNumberAreNoticed)
     EXPECT_FALSE(bus->latest().heard(6)->isDoubled);
 }
 
+// Neither has a heartbeat, and what both send at once is destroyed.
+TEST_F(CanopenBusFaults, TwoNodesThatDestroyTheirFramesMayHaveOneNumber)
+{
+    auto encoders = canopen::trainingEncoders();
+    for (canopen::CanopenEncoderPlan &each : encoders) {
+        each.cyclicTimer = 10;
+        each.heartbeat = 0;
+        each.quirks.startsItself = true;
+    }
+    encoders[2].node = 6;
+    connectTo(encoders);
+    operate(10s);
+    ASSERT_FALSE(bus->latest().heard(6)->isDoubled);
+    const auto check = difference(six.node);
+    ASSERT_TRUE(check);
+    EXPECT_EQ(check->id, DataCheck::Id::reached);
+    EXPECT_TRUE(check->remedy.contains(QStringLiteral("two devices may have its number")))
+        << check->remedy.toStdString();
+}
+
 // Each of their frames is held back, so that answers to requests that have timed out go on coming.
 TEST_F(CanopenBusFaults, NodesThatAnswerLateAreNotTwo)
 {
