@@ -131,6 +131,22 @@ LastPositions::LastPositions(const Buses &buses, QObject *parent)
         look(*bus);
 }
 
+void LastPositions::beginReplacement(Place number)
+{
+    m_watched[number].isReplaced = false;
+}
+
+// A new one may have shown itself since the first time.
+void LastPositions::takeReplaced(Place number)
+{
+    Watched &its = m_watched[number];
+    if (its.isReplaced)
+        return;
+    keepBefore(its, Since::gone);
+    its.earlier.reset();
+    its.isReplaced = its.before.has_value();
+}
+
 std::optional<SeenPosition> LastPositions::at(Place number) const
 {
     const Watched *its = watched(number);
@@ -249,7 +265,7 @@ bool LastPositions::isBack(const Watched &watched, std::int64_t position)
 // Then it was not away, and the loss before that counts.
 void LastPositions::comeBack(Watched &watched, std::int64_t position)
 {
-    if (isBack(watched, position))
+    if (!watched.isReplaced && isBack(watched, position))
         watched.before = watched.earlier;
     watched.earlier.reset();
 }
@@ -258,6 +274,8 @@ void LastPositions::comeBack(Watched &watched, std::int64_t position)
 void LastPositions::keepBefore(Watched &watched, Since since)
 {
     const bool isGone = since == Since::gone;
+    if (watched.isReplaced)
+        return;
     if (watched.last && (isGone || !watched.before || watched.before->since != Since::gone)) {
         watched.earlier = watched.before;
         watched.before = withScale(watched.last, watched.scale);
@@ -319,6 +337,8 @@ void LastPositions::follow(const EncoderSession &encoder)
     });
     connect(its, &EncoderSession::finished, this, [this, its](const Outcome &outcome) {
         const bool hasDone = outcome.result || outcome.eepromWrites > 0;
+        if (!outcome.written.empty() || outcome.eepromWrites > 0)
+            m_watched[its->place()].isReplaced = false;
         const bool isInDoubt = outcome.inDoubt.reset || outcome.inDoubt.position;
         if ((m_watched[its->place()].mayBeScaled && hasDone) || isInDoubt)
             scaledAnew(its->place(), Scaled::perhapsOtherwise);

@@ -68,6 +68,12 @@ public:
 
     explicit LastPositions(const Buses &buses, QObject *parent = nullptr);
 
+    // The encoder there is to be replaced: whatever was begun before.
+    void beginReplacement(Place number);
+    // From now on another encoder may show itself there. at() stays that of the one before until something
+    // was written to the new one.
+    void takeReplaced(Place number);
+
     // The one to give to a new encoder: the position before the encoder went away, if it did; otherwise
     // before nobody saw it for long; otherwise the newest one. While it is away once more, and nothing was
     // written at its place in between, that before the first time.
@@ -90,6 +96,7 @@ private:
         std::optional<SeenPosition> earlier{}; // the one before that, until it shows whether it is back
         QDateTime lookedAt{};                  // invalid: never
         std::chrono::milliseconds awayFor{};   // as seen
+        bool isReplaced = false;               // `before` is of the encoder that was replaced
         bool mayBeScaled = false;              // by the job that runs, apart from values it writes
 
         const std::optional<SeenPosition> &replaced() const; // of the encoder to be replaced

@@ -74,6 +74,25 @@ TEST_F(LastPositionsOfTheRing, ThePositionBeforeAnEncoderWentIsKeptWhenAnotherOn
     EXPECT_EQ(positions.at(fraba)->position, before);
 }
 
+// Nobody saw it go, and the new one shows itself, goes, and comes back somewhere else.
+TEST_F(LastPositionsOfTheRing, ThePositionBeforeAReplacementIsThatOfTheEncoderThatWasThere)
+{
+    pass(100);
+    const auto before = encoder(fraba).latest().position;
+    const auto isOfBefore = [&] { return positions.at(fraba)->position == before; };
+    positions.takeReplaced(fraba);
+    goAndReturn(20'000);
+    EXPECT_TRUE(isOfBefore());
+    positions.takeReplaced(fraba);
+    goAndReturn();
+    EXPECT_TRUE(isOfBefore());
+    EXPECT_EQ(positions.at(fraba)->since, Since::gone);
+    EXPECT_EQ(positions.newest(fraba)->position, encoder(fraba).latest().position);
+    carryOutJob(WriteParameters{{{Parameter::preset, 1}}, false, {}});
+    goAndReturn();
+    EXPECT_FALSE(isOfBefore()) << "it is in use";
+}
+
 TEST_F(LastPositionsOfTheRing, AnEncoderBehindAFaultOfTheRingIsGone)
 {
     pass(100);

@@ -35,7 +35,7 @@ constexpr int replaceStepsFrom = 680; // logical pixels, as in the wizard
 } // namespace
 
 ReplacePage::ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
-                         const LastPositions &positions, QWidget *parent)
+                         LastPositions &positions, QWidget *parent)
     : Page(parent)
     , m_replacing{.buses = buses, .catalog = catalog, .project = project}
     , m_positions(positions)
@@ -100,6 +100,7 @@ void ReplacePage::addStep(ReplaceStep *step)
     m_pages->addWidget(scroll);
     m_steps.push_back(step);
     connect(step, &ReplaceStep::changed, this, &ReplacePage::showButtons);
+    connect(step, &ReplaceStep::givesPlace, this, [this] { m_positions.takeReplaced(m_replacing.place); });
 }
 
 bool ReplacePage::isBusy() const
@@ -134,6 +135,7 @@ void ReplacePage::replace(Place number)
     if (isBusy() || isResultNew)
         return;
     m_replacing.place = number;
+    m_positions.beginReplacement(number);
     takePlanned();
     const bool isAgain = m_unfinished && m_unfinished->place == number;
     m_replacing.now = isAgain ? m_unfinished->label : Replacement{};

@@ -31,7 +31,7 @@ class ReplacePage : public Page
 public:
     // All must outlive it.
     ReplacePage(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
-                const LastPositions &positions, QWidget *parent = nullptr);
+                LastPositions &positions, QWidget *parent = nullptr);
 
     // What the kind of the bus adds, from the next replace() on.
     void setStepsOfKind(MakeReplaceSteps make) { m_makeStepsOfKind = std::move(make); }
@@ -81,7 +81,7 @@ private:
 
     Replacing m_replacing;
     std::optional<Unfinished> m_unfinished;
-    const LastPositions &m_positions;
+    LastPositions &m_positions;
     MakeReplaceSteps m_makeStepsOfKind;
     std::vector<ReplaceStep *> m_steps;
     ReplaceStep *m_device = nullptr;

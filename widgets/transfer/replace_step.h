@@ -56,7 +56,8 @@ public:
     virtual QString doneSoFar() const { return {}; }
 
 Q_SIGNALS:
-    void changed(); // mayGoOn, mayGoBack
+    void changed();    // mayGoOn, mayGoBack
+    void givesPlace(); // to the new encoder, which may show itself there from now on
 
 protected:
     Replacing &m_replacing;

@@ -36,7 +36,7 @@ public:
     // What their encoders have shown.
     Histories &histories() { return m_histories; }
     RecordingAtWork &recording() { return m_recording; }
-    const LastPositions &positions() const { return m_positions; }
+    LastPositions &positions() { return m_positions; }
     std::vector<const LedgerKeeper *> ledgers() const;
     template <class Bus>
     Bus *first() const // of this class; null: there is none
@@ -83,7 +83,7 @@ private:
     std::pair<Names, Names> m_names; // of those whose places others may also have, and of all
     Buses m_sessions;
     Histories m_histories{m_sessions};
-    const LastPositions m_positions{m_sessions};
+    LastPositions m_positions{m_sessions};
     std::vector<std::unique_ptr<BusAtWork>> m_buses;
     Recordings *const m_recordings;
     RecordingAtWork m_recording{m_sessions, m_histories, [this] { return wallClock(); }}; // ends first

@@ -25,7 +25,7 @@ void explain(QAction &action, const QString &what)
 } // namespace
 
 TransferPages::TransferPages(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
-                             FindValuesBefore findBefore, const LastPositions &positions,
+                             FindValuesBefore findBefore, LastPositions &positions,
                              const WindowActions &actions, QStackedWidget &pages, QObject *parent)
     : QObject(parent)
     , m_buses(buses)

@@ -28,7 +28,7 @@ class TransferPages : public QObject
 public:
     // All must outlive it; the pages are put into `pages`.
     TransferPages(const Buses &buses, const Catalog &catalog, ProjectDocument &project,
-                  FindValuesBefore findBefore, const LastPositions &positions, const WindowActions &actions,
+                  FindValuesBefore findBefore, LastPositions &positions, const WindowActions &actions,
                   QStackedWidget &pages, QObject *parent = nullptr);
 
     // What the kind of a bus adds to a replacement on it; before a page is shown.

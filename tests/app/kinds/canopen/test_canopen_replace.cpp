@@ -138,6 +138,29 @@ TEST_F(CanopenReplace, OneWithoutANumberGetsNumberAndValuesAndBothAreProven)
     EXPECT_EQ(objectOf(newOne, 0x6001), 1'024);
 }
 
+// The new one shows itself, loses its supply, and comes back somewhere else.
+TEST_F(CanopenReplace, ThePositionThatIsOfferedIsThatOfTheEncoderThatWasThere)
+{
+    switchSupply(oldSix, true);
+    advance(3'000);
+    const auto before = shown->plant().positions().newest(nodeSix);
+    ASSERT_TRUE(before);
+    switchSupply(oldSix, false);
+    openAtNumber();
+    giveNumber();
+    canBus().training()->withEncoder(newOne,
+                                     [](canopen::SimulatedNode &node) { node.shaft().turnBy(20'000); });
+    advance(2'000);
+    switchSupply(newOne, false);
+    advance(5'000);
+    canBus().training()->withEncoder(newOne,
+                                     [](canopen::SimulatedNode &node) { node.shaft().turnBy(30'000); });
+    switchSupply(newOne, true);
+    advance(5'000);
+    ASSERT_NE(shown->plant().positions().newest(nodeSix)->position, before->position);
+    EXPECT_EQ(shown->plant().positions().at(nodeSix)->position, before->position);
+}
+
 // A row of steps is beside it, and the buttons of the page below.
 TEST_F(CanopenReplace, AltAndALetterDoesOneThing)
 {

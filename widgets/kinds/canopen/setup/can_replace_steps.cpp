@@ -74,6 +74,7 @@ CanReplaceNumberStep::CanReplaceNumberStep(Replacing &replacing, QWidget *parent
     connect(m_number, &QSpinBox::valueChanged, this, &CanReplaceNumberStep::chooseDevice);
     connect(m_view, &NodeSetupView::changed, this, &CanReplaceNumberStep::takeSerial);
     connect(m_view, &NodeSetupView::changed, this, &ReplaceStep::changed);
+    connect(m_view, &NodeSetupView::aboutToWrite, this, &ReplaceStep::givesPlace);
     connect(m_view, &NodeSetupView::numbered, this,
             [this](int before, int after) { m_hasGivenNumber = m_hasGivenNumber || before != after; });
     connect(m_view, &NodeSetupView::messaged, this, &CanReplaceNumberStep::messaged);

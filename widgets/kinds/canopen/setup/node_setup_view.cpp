@@ -341,6 +341,7 @@ void NodeSetupView::send()
         ask();
         return;
     }
+    Q_EMIT aboutToWrite();
     m_check.reset();
     m_setup = std::make_unique<canopen::NodeSetup>(m_wanted);
     setStage(Stage::writing);

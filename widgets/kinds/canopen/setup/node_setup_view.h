@@ -65,6 +65,7 @@ public:
 
 Q_SIGNALS:
     void changed(); // any of the above
+    void aboutToWrite();
     void messaged(const codewheel::Message &message);
     // It is there with its new number. 0: it had none before.
     void numbered(int before, int after);
