@@ -229,7 +229,7 @@ void ConnectPage::askToReplace()
                  "for them then counts for the real ones.")
             : tr("This bus is connected. It is disconnected first."),
         tr("Disconnect and connect"));
-    m_problem->focusAction();
+    m_problem->focusSafe();
     m_asksToReplace = true;
 }
 

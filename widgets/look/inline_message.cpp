@@ -7,9 +7,9 @@
 #include "widgets/look/on_event.h"
 
 #include <QAccessible>
+#include <QApplication>
 #include <QClipboard>
 #include <QEvent>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -127,7 +127,7 @@ void InlineMessage::setCommand(const QString &command)
 
 void InlineMessage::copyCommand()
 {
-    QGuiApplication::clipboard()->setText(m_command);
+    QApplication::clipboard()->setText(m_command);
     m_copy->setText(tr("Copied"));
 }
 
@@ -159,9 +159,11 @@ void InlineMessage::showText()
         m_text.isEmpty() ? QString() : Qt::convertFromPlainText(m_text)); // where it has not enough room
 }
 
-void InlineMessage::focusAction()
+void InlineMessage::focusSafe()
 {
-    m_action->setFocus(Qt::OtherFocusReason);
+    QAbstractButton *safe =
+        m_otherAction->isHidden() ? static_cast<QAbstractButton *>(m_close) : m_otherAction;
+    safe->setFocus(Qt::OtherFocusReason);
     QTimer::singleShot(0, this, [this] { bringIntoSight(*this); }); // once it has its place
 }
 
@@ -169,12 +171,26 @@ void InlineMessage::withdraw()
 {
     if (m_text.isEmpty())
         return; // called 30 times a second with nothing to withdraw
+    giveFocusBack();
     hide();
     m_text.clear();
     m_detail.clear();
     setCommand({});
     showText();
     setAccessibleName({});
+}
+
+// Otherwise it would go to the next part of the window.
+void InlineMessage::giveFocusBack()
+{
+    if (!isAncestorOf(QApplication::focusWidget()))
+        return;
+    for (QWidget *its = previousInFocusChain(); its != this; its = its->previousInFocusChain())
+        if (parentWidget()->isAncestorOf(its) && !isAncestorOf(its) && its->isVisible() && its->isEnabled() &&
+            (its->focusPolicy() & Qt::TabFocus) != 0) {
+            its->setFocus(Qt::OtherFocusReason);
+            return;
+        }
 }
 
 QString InlineMessage::sentence() const

@@ -30,8 +30,9 @@ public:
     // attention or fault, or running for good news.
     void showMessage(Role role, const QString &sentence, const QString &actionText = {},
                      const QString &otherActionText = {});
-    // A question: by the keyboard, its action is the next thing.
-    void focusAction();
+    // A question: by the keyboard, what leaves all as it is comes next, the other action or closing it. The
+    // focus goes back to what is before it once it is withdrawn.
+    void focusSafe();
     // Its command is shown below the sentence, and can be copied.
     void showTrouble(Role role, const Trouble &trouble, const QString &actionText = {});
     QString command() const { return m_command; }
@@ -63,6 +64,7 @@ private:
     void copyCommand();
     void takeNoClickYet(QAbstractButton *button);
     bool hasActions() const;
+    void giveFocusBack();
 
     Role m_role = Role::attention;
     QString m_text;

@@ -117,7 +117,7 @@ void CanSearchPage::ask()
         return;
     }
     m_message->showMessage(Role::attention, whatIsAsked(), tr("&Ask now"));
-    m_message->focusAction();
+    m_message->focusSafe();
 }
 
 void CanSearchPage::start()

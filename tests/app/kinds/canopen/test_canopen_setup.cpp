@@ -9,6 +9,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -147,6 +148,39 @@ TEST_F(CanopenSetup, NothingIsWrittenBeforeTheQuestionIsAnswered)
     EXPECT_EQ(writesOf(encoderSix), 0);
     widget<QSpinBox>("nodeSetupNumber").setValue(10); // which is not what was asked about
     EXPECT_EQ(told(), QString());
+}
+
+// By the keyboard what sends nothing comes first, and nothing is to be looked for.
+TEST_F(CanopenSetup, TheQuestionIsInSightAndReturnTwiceSendsNothing)
+{
+    resizeTo({1024, 640});
+    openFor(nodeSix);
+    wantNumber(9);
+    widget<QComboBox>("nodeSetupRate").setCurrentIndex(4); // which has more to say
+    auto &write = widget<QPushButton>("nodeSetupWrite");
+    write.setFocus();
+    QTest::keyClick(&write, Qt::Key_Space);
+    advance(50);
+    QTest::qWait(50);
+    auto &message = widget<InlineMessage>("nodeSetupMessage");
+    const QWidget *room = view().parentWidget();
+    EXPECT_TRUE(room->rect().contains(QRect(message.mapTo(room, QPoint()), message.size())))
+        << message.height();
+    ASSERT_TRUE(message.isAncestorOf(QApplication::focusWidget()));
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space})
+        QTest::keyClick(QApplication::focusWidget(), key);
+    advance(5'000);
+    EXPECT_EQ(writesOf(encoderSix), 0);
+    EXPECT_TRUE(write.hasFocus());
+}
+
+TEST_F(CanopenSetup, TheFocusStaysOnThePageWhileANumberIsGiven)
+{
+    openFor(nodeSix);
+    write(9);
+    EXPECT_TRUE(view().isToBeProven());
+    EXPECT_TRUE(widget<QPushButton>("nodeSetupCheck").hasFocus())
+        << QApplication::focusWidget()->objectName().toStdString();
 }
 
 TEST_F(CanopenSetup, TheEncoderHasItsNewNumberInTheTreeAndItIsProvenOnceItsSupplyWasOff)

@@ -206,7 +206,7 @@ void ObjectWriteBar::ask()
     m_octets = *octets;
     m_question->showMessage(Role::attention, question(*octets) + warnings(*octets), tr("W&rite it"),
                             tr("Do &not write"));
-    m_question->focusAction();
+    m_question->focusSafe();
 }
 
 QString ObjectWriteBar::textOf(const std::vector<std::uint8_t> &octets) const

@@ -18,6 +18,7 @@
 #include "widgets/look/layouts.h"
 #include "widgets/look/wrapped_label.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -328,7 +329,7 @@ void NodeSetupView::ask()
     m_message->showMessage(Role::attention,
                            node_setup_text::consequences(m_wanted) + u' ' + tr("Shall it be written?"),
                            tr("&Send"));
-    m_message->focusAction();
+    m_message->focusSafe();
 }
 
 // What was asked about is what is sent.
@@ -533,6 +534,8 @@ void NodeSetupView::showWhatIsPossible()
 {
     const QString whyNot = whyNotSent();
     const bool isRead = m_stage == Stage::read;
+    const QPointer<QWidget> focused = QApplication::focusWidget();
+    const bool isFocused = isAncestorOf(focused);
     const auto enable = [&](QPushButton *button, bool isMeant, const QString &toolTip,
                             const QString &whyElse) {
         button->setEnabled(isMeant && whyNot.isEmpty() && !isBusy());
@@ -550,6 +553,20 @@ void NodeSetupView::showWhatIsPossible()
     m_cancel->setEnabled(isBusy() && (m_stage == Stage::searching || m_stage == Stage::writing));
     m_fields->setEnabled(isRead);
     m_rate->setEnabled(wish().way != NodeSetupWish::Way::object);
+    if (isFocused && (!focused->isEnabled() || focused == m_steps))
+        focusNext();
+}
+
+// What had the focus cannot be used now. While nothing can, the steps have it.
+void NodeSetupView::focusNext()
+{
+    for (QWidget *next :
+         std::initializer_list<QWidget *>{m_cancel, m_checkNow, m_write, m_number, m_read, m_find})
+        if (next->isEnabled() && next->isVisible()) {
+            next->setFocus(Qt::OtherFocusReason);
+            return;
+        }
+    m_steps->setFocus(Qt::OtherFocusReason);
 }
 
 } // namespace codewheel

@@ -102,6 +102,7 @@ private:
     void showConsequences();
     void showSteps();
     void showWhatIsPossible();
+    void focusNext();
     canopen::NodeSetupWish wish() const;
     QString whyNotSent() const;  // anything; empty: it can be
     QString whyNotAsked() const; // what was entered; empty: it can be
