@@ -126,7 +126,8 @@ void CanBusPanel::showState()
     if (!isOpen)
         m_state->setState(Role::inactive, tr("Not connected"));
     else if (!m_bus->latest().connected)
-        m_state->setState(Role::fault, tr("No link; it is looked for each second"));
+        m_state->setState(Role::fault,
+                          tr("No link; it is looked for each second. What is below is of before"));
     else if (m_bus->isOperating())
         m_state->setState(Role::running, tr("Open, in Operate"));
     else
@@ -150,6 +151,7 @@ void CanBusPanel::showFigures()
     for (const auto &[fact, label] : m_facts) {
         const QString text = m_bus && m_bus->isOpen() ? fact->text(*m_bus) : QString();
         label->setText(text.isEmpty() ? QStringLiteral("\u2013") : text);
+        label->setEnabled(m_bus && m_bus->latest().connected);
     }
 }
 

@@ -75,6 +75,7 @@ CanNodeRow CanNodeModel::rowFor(const CanopenSession &bus, int number)
     const auto nmtState = heard->stateOrCommanded();
     row.isWaiting = nmtState == canopen::NmtState::stopped || nmtState == canopen::NmtState::preOperational;
     row.since = known.since;
+    row.isOld = !bus.latest().connected;
     return row;
 }
 
@@ -131,8 +132,10 @@ QString CanNodeModel::textOf(const CanNodeRow &row, int column)
     }
     if (column == error)
         return row.errors.isEmpty() ? nothingToTell : row.errors;
-    return row.isHeard ? row.state + u'\n' + sentence(tr("since %1", "a time of day"), {row.since})
-                       : tr("not heard");
+    if (!row.isHeard)
+        return tr("not heard");
+    const QString state = row.state + u'\n' + sentence(tr("since %1", "a time of day"), {row.since});
+    return row.isOld ? tr("before the link was lost:") + u'\n' + state : state;
 }
 
 QVariant CanNodeModel::cell(const CanNodeRow &row, int column, int role) const
@@ -144,6 +147,8 @@ QVariant CanNodeModel::cell(const CanNodeRow &row, int column, int role) const
     case Qt::DecorationRole:
         if (column != node)
             return {};
+        if (row.isOld)
+            return lineIcon(Icon::inactive, Role::inactive);
         if (row.isInTrouble)
             return lineIcon(Icon::fault, Role::fault);
         if (row.isWaiting)

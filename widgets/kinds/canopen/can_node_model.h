@@ -20,6 +20,7 @@ struct CanNodeRow
     bool isHeard = false;
     bool isInTrouble = false;
     bool isWaiting = false; // stopped or pre-operational
+    bool isOld = false;     // as before the link was lost
     QString state;          // with heartbeat and PDOs, a line each
     QString errors;         // empty: none
     QString since;          // it is like that; empty: not known

@@ -73,6 +73,27 @@ TEST_F(CanBusPanelTest, AllNodesOfASmallBusAreShownAtOnce)
     EXPECT_LE(table().verticalScrollBar()->maximum(), 1) << "its lower edge";
 }
 
+TEST_F(CanBusPanelTest, WithoutALinkWhatWasHeardIsOfBefore)
+{
+    const auto load = [this] {
+        const auto labels = panel.findChildren<QLabel *>();
+        return *std::ranges::find(labels, QStringLiteral("Load"), &QLabel::accessibleName);
+    };
+    open(EncoderBus::Start::watching);
+    bus->advance(1500ms);
+    EXPECT_FALSE(cell(6, CanNodeModel::state).contains(QStringLiteral("before")));
+    EXPECT_TRUE(load()->isEnabled());
+    link->isGone = true;
+    bus->advance(1s);
+    EXPECT_TRUE(cell(6, CanNodeModel::state).startsWith(QStringLiteral("before the link was lost:")))
+        << cell(6, CanNodeModel::state).toStdString();
+    EXPECT_FALSE(load()->isEnabled());
+    link->isGone = false;
+    bus->advance(3s);
+    EXPECT_FALSE(cell(6, CanNodeModel::state).contains(QStringLiteral("before")));
+    EXPECT_TRUE(load()->isEnabled());
+}
+
 TEST_F(CanBusPanelTest, ListsEncodersAndWhoeverIsHeard)
 {
     EXPECT_EQ(table().model()->rowCount(), 0);
