@@ -48,8 +48,8 @@ constexpr auto canopenBusMessageRows = std::to_array<SentenceRow>({
     {CanopenBusMessageId::deviceNumbered, "canopenDeviceNumbered",
      QT_TRANSLATE_NOOP("Message", "A device without a number has stored one: it is node %1 now.")},
     {CanopenBusMessageId::nodeRateStored, "canopenNodeRateStored",
-     QT_TRANSLATE_NOOP("Message", "It says that it has stored the rate %1 kBit/s, in force once its supply "
-                                  "was off and on.")},
+     QT_TRANSLATE_NOOP("Message", "Node %2 says that it has stored the rate %1 kBit/s, in force once its "
+                                  "supply was off and on.")},
     {CanopenBusMessageId::objectWritten, "canopenObjectWritten",
      QT_TRANSLATE_NOOP("Message", "%1 was written: %2.")},
     {CanopenBusMessageId::objectInDoubt, "canopenObjectInDoubt",

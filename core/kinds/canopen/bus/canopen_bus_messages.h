@@ -21,7 +21,7 @@ enum class CanopenBusMessageId : std::uint8_t {
     stopsNotSent,     //
     nodeNumbered,     // number before, number now
     deviceNumbered,   // number
-    nodeRateStored,   // kBit/s
+    nodeRateStored,   // kBit/s, node, as from then on
     objectWritten,    // object, value
     objectInDoubt,    // object, value
     nmtSent,          // NmtCommand, node; 0: all

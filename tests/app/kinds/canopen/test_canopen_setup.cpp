@@ -3,6 +3,7 @@
 #include "app/window/window_actions.h"
 #include "tests/app/kinds/canopen/canopen_window_test.h"
 #include "tests/app/question.h"
+#include "vocabulary/refusal_text.h"
 #include "widgets/kinds/canopen/setup/node_setup_page.h"
 #include "widgets/kinds/canopen/setup/node_setup_view.h"
 #include "widgets/kinds/canopen/setup/setup_steps.h"
@@ -319,11 +320,16 @@ TEST_F(CanopenSetup, ARateIsStoredAndCheckedAtThatRateOnly)
     openFor(nodeSeven);
     click("nodeSetupRead");
     advance(2'000);
+    QString said;
+    QObject::connect(&view(), &NodeSetupView::messaged, &view(),
+                     [&](const Message &message) { said = messageText(message); });
     widget<QComboBox>("nodeSetupRate").setCurrentIndex(4);
     click("nodeSetupWrite");
     agree();
     untilDone(10'000);
     EXPECT_TRUE(told().contains(QStringLiteral("250 kBit/s"))) << told().toStdString();
+    EXPECT_TRUE(said.contains(QStringLiteral("Node 7 says that it has stored the rate 250 kBit/s")))
+        << said.toStdString();
     EXPECT_TRUE(view().isToBeProven());
     click("nodeSetupCheck");
     advance(5'000);

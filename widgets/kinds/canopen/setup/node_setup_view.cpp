@@ -370,7 +370,7 @@ void NodeSetupView::takeWritten()
     Q_EMIT messaged(
         {.place = wanted.nodeBefore ? Place{bus, CanopenAddress{*wanted.nodeBefore}.place()} : Place{bus},
          .id = CanopenBusMessageId::nodeRateStored,
-         .arguments = {inKilobits(wanted.rate->rate)}});
+         .arguments = {inKilobits(wanted.rate->rate), std::int64_t{wanted.nodeAfter()}}});
 }
 
 void NodeSetupView::check()
