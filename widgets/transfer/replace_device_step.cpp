@@ -34,6 +34,14 @@ bool isNamed(const DeviceDescription *device)
 
 } // namespace
 
+const DeviceDescription *deviceBefore(const Replacing &replacing)
+{
+    if (const auto *planned = replacing.catalog.find(replacing.before.participant.deviceKey))
+        return planned;
+    const EncoderSession *connected = replacing.buses.encoder(replacing.place);
+    return connected != nullptr ? &connected->device() : nullptr;
+}
+
 ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     : ReplaceStep(replacing, tr("New encoder"), parent)
     , m_planned(wrappedLabel(this))
@@ -62,13 +70,23 @@ ReplaceDeviceStep::ReplaceDeviceStep(Replacing &replacing, QWidget *parent)
     connect(m_serial, &QLineEdit::textChanged, this, &ReplaceDeviceStep::take);
 }
 
+// A field that loses the focus with it has nothing to tell any more.
+ReplaceDeviceStep::~ReplaceDeviceStep()
+{
+    m_key->disconnect(this);
+}
+
 void ReplaceDeviceStep::enter()
 {
     const ProjectDevice &before = m_replacing.before;
-    const DeviceDescription *device = m_replacing.catalog.find(before.participant.deviceKey);
+    const DeviceDescription *device = deviceBefore(m_replacing);
     const QString serial = before.label.serialNumber;
+    const bool isPlanned = device == m_replacing.catalog.find(before.participant.deviceKey);
     m_planned->setText(
-        tr("At %1 the project has: %2%3. Switch the supply off, replace the encoder, and switch it on again.")
+        (isPlanned ? tr("At %1 the project has: %2%3. Switch the supply off, replace the encoder, and switch "
+                        "it on again.")
+                   : tr("At %1 the bus has: %2%3. Switch the supply off, replace the encoder, and switch it "
+                        "on again."))
             .arg(m_replacing.place.shown(), participantName(device),
                  serial.isEmpty() ? QString() : tr(", serial number %1").arg(serial)));
     m_key->setPlaceholderText(exampleOfKey());

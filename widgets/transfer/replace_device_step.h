@@ -12,6 +12,9 @@ namespace codewheel {
 
 class InlineMessage;
 
+// The encoder that was there: as planned, or, where no project has it, as it is on the bus. Null: not known.
+const DeviceDescription *deviceBefore(const Replacing &replacing);
+
 // Which encoder is there now: by the key on its label or a choice from the catalog, with its serial number;
 // and how it differs from the previous one.
 class ReplaceDeviceStep final : public ReplaceStep
@@ -20,6 +23,7 @@ class ReplaceDeviceStep final : public ReplaceStep
 
 public:
     explicit ReplaceDeviceStep(Replacing &replacing, QWidget *parent = nullptr);
+    ~ReplaceDeviceStep() override;
 
     void enter() override;
     bool leave() override;

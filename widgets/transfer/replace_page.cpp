@@ -262,7 +262,7 @@ QString ReplacePage::title() const
 QString ReplacePage::about() const
 {
     QStringList parts{m_replacing.place.shown(), m_replacing.before.station,
-                      participantName(m_replacing.catalog.find(m_replacing.before.participant.deviceKey))};
+                      participantName(deviceBefore(m_replacing))};
     parts.removeAll(QString());
     return parts.join(QStringLiteral("  "));
 }

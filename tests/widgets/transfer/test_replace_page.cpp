@@ -92,6 +92,18 @@ TEST_F(ReplacePageTest, TheTechniciansNight)
     EXPECT_TRUE(account().startsWith(QStringLiteral("Encoder replaced")));
 }
 
+TEST_F(ReplacePageTest, AnEncoderThatNoProjectHasIsNamedAsOnTheBus)
+{
+    project.setProject({}, {});
+    page.replace(fraba);
+    const QString name = session.encoder(fraba).device().fullName();
+    EXPECT_TRUE(page.about().contains(name)) << page.about().toStdString();
+    const auto texts = page.findChildren<QLabel *>();
+    EXPECT_TRUE(std::ranges::any_of(texts, [&](const QLabel *each) {
+        return each->text().contains(QStringLiteral("the bus has: ") + name);
+    }));
+}
+
 TEST_F(ReplacePageTest, TheSecondOfTwoQuickPressesDoesNotWrite)
 {
     page.replace(fraba);
