@@ -91,6 +91,7 @@ void CanSearchPage::setBus(CanopenSession *bus)
     m_message->withdraw();
     m_last.clear();
     m_found->show({});
+    m_empty->setTexts(tr("No search yet"), whatIsAsked());
     m_content->setCurrentWidget(m_empty);
     if (bus != nullptr) {
         connect(bus, &CanopenSession::scanned, this, &CanSearchPage::showScan);

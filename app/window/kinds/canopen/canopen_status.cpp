@@ -31,9 +31,13 @@ ShownStatus CanopenStatus::of(const CanopenSession &session)
         places, [&bus](Place place) { return bus.heard(CanopenAddress::of(place.node).node) != nullptr; });
     const bool isWhole = heard == std::ssize(places) && bus.status.state != CanState::busOff;
     const QString text =
-        sentence(tr("%1, %2 kBit/s, load %3 %, %4 of %5 heard", "CAN adapter, rate, encoders"),
-                 {name, inKilobits(session.rate()), percent(bus.figures.load), QString::number(heard),
-                  QString::number(places.size())});
+        places.empty()
+            ? sentence(tr("%1, %2 kBit/s, load %3 %, nodes heard: %4", "CAN adapter, rate"),
+                       {name, inKilobits(session.rate()), percent(bus.figures.load),
+                        QString::number(bus.nodes.size())})
+            : sentence(tr("%1, %2 kBit/s, load %3 %, %4 of %5 heard", "CAN adapter, rate, encoders"),
+                       {name, inKilobits(session.rate()), percent(bus.figures.load), QString::number(heard),
+                        QString::number(places.size())});
     const QLocale locale;
     const QString figures = sentence(
         tr("CAN bus: %1 frames received, %2 sent, %3 error frames. State of the "

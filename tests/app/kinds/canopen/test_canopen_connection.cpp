@@ -171,14 +171,19 @@ TEST_F(CanopenConnection, TheStatusLineTellsAdapterRateLoadAndWhoIsHeard)
     canActions().training->trigger();
     tree().choose(nodeSix);
     advance(1'500);
-    QStringList shownTexts;
-    for (const auto *label : window().statusBar()->findChildren<QLabel *>())
-        if (label->isVisible())
-            shownTexts << label->text();
-    EXPECT_TRUE(shownTexts.join(u'\n').contains(QStringLiteral("125 kBit/s, load ")))
-        << shownTexts.join(u'\n').toStdString();
-    EXPECT_TRUE(shownTexts.join(u'\n').contains(QStringLiteral("3 of 3 heard")))
-        << shownTexts.join(u'\n').toStdString();
+    const auto shownTexts = [this] {
+        QStringList texts;
+        for (const auto *label : window().statusBar()->findChildren<QLabel *>())
+            if (label->isVisible())
+                texts << label->text();
+        return texts.join(u'\n');
+    };
+    EXPECT_TRUE(shownTexts().contains(QStringLiteral("125 kBit/s, load "))) << shownTexts().toStdString();
+    EXPECT_TRUE(shownTexts().contains(QStringLiteral("3 of 3 heard"))) << shownTexts().toStdString();
+    for (const Place place : session().places())
+        (void)session().remove(place);
+    advance(500);
+    EXPECT_TRUE(shownTexts().contains(QStringLiteral("nodes heard: 3"))) << shownTexts().toStdString();
 }
 
 TEST(CanInterfacesOfTheForm, TellWhatTheSystemTellsAndTheCommandThatHelps)

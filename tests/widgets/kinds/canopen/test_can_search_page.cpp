@@ -4,6 +4,7 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
@@ -100,6 +101,10 @@ TEST_F(CanSearchPageTest, ListsWhoAnswersAndHandsOverTheTickedThatAreNew)
     EXPECT_EQ(taken.front().deviceKey, QStringLiteral("canopen-406-linear"));
     table().model()->setData(table().model()->index(2, 0), Qt::Unchecked, Qt::CheckStateRole);
     EXPECT_FALSE(button("canTake").isEnabled());
+    page.setBus(bus.get()); // connected anew
+    const auto texts = page.findChildren<QLabel *>();
+    EXPECT_TRUE(std::ranges::any_of(
+        texts, [](const QLabel *each) { return each->text() == QStringLiteral("No search yet"); }));
 }
 
 TEST_F(CanSearchPageTest, ASearchThatIsCancelledSaysSo)
