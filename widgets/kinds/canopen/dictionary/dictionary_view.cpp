@@ -372,12 +372,16 @@ void DictionaryView::showSource()
 
 void DictionaryView::showCounts()
 {
+    const int shown = m_filter->rowCount();
+    const int inOneOnly = m_onlyDifferent->isChecked() ? m_filter->inOneFileOnly() : 0;
+    const QString all = QString::number(m_rows->rowCount());
     m_counts->setText(
         m_transfers->isBusy() && m_reading > 1
             ? sentence(tr("%1 of %2 read"),
                        {QString::number(m_reading - m_transfers->left() - 1), QString::number(m_reading)})
-            : sentence(tr("%1 of %2"),
-                       {QString::number(m_filter->rowCount()), QString::number(m_rows->rowCount())}));
+        : inOneOnly > 0 ? sentence(tr("%1 differ, then %2 that are not in both, of %3"),
+                                   {QString::number(shown - inOneOnly), QString::number(inOneOnly), all})
+                        : sentence(tr("%1 of %2"), {QString::number(shown), all}));
 }
 
 void DictionaryView::showProgress()

@@ -2,6 +2,7 @@
 #include "widgets/kinds/canopen/dictionary/object_filter.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace codewheel {
 
@@ -28,6 +29,23 @@ void ObjectFilter::setOnlyDifferent(bool only)
 {
     m_isOnlyDifferent = only;
     invalidateFilter();
+    sort(only ? 0 : -1);
+}
+
+int ObjectFilter::inOneFileOnly() const
+{
+    int count = 0;
+    for (int row = 0; row < rowCount(); ++row)
+        count += m_rows.isInOneFileOnly(m_rows.rowAt(mapToSource(index(row, 0)).row())) ? 1 : 0;
+    return count;
+}
+
+bool ObjectFilter::lessThan(const QModelIndex &left, const QModelIndex &right) const
+{
+    const auto rank = [this](const QModelIndex &its) {
+        return std::pair(m_rows.isInOneFileOnly(m_rows.rowAt(its.row())), its.row());
+    };
+    return rank(left) < rank(right);
 }
 
 bool ObjectFilter::isIn(Group group, canopen::SdoObject object)

@@ -20,12 +20,14 @@ public:
 
     void setText(const QString &text); // in object, name, value or meaning
     void setGroup(Group group);
-    void setOnlyDifferent(bool only); // ObjectModel::isDifferent()
+    void setOnlyDifferent(bool only); // ObjectModel::isDifferent(), those of other values first
+    int inOneFileOnly() const;        // of the rows shown
 
     static bool isIn(Group group, canopen::SdoObject object);
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex &parent) const override;
+    bool lessThan(const QModelIndex &left, const QModelIndex &right) const override;
 
 private:
     bool hasText(int row) const;

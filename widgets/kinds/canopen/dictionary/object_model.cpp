@@ -115,6 +115,12 @@ bool ObjectModel::isDifferent(const ObjectRow &row) const
     return row.difference || row.differsFromProject() || row.differsFromFile(m_node);
 }
 
+bool ObjectModel::isInOneFileOnly(const ObjectRow &row) const
+{
+    return row.difference && row.difference->kind != canopen::ObjectDifference::Kind::differs &&
+           !row.differsFromProject() && !row.differsFromFile(m_node);
+}
+
 std::span<const ColumnHead> ObjectModel::heads() const
 {
     static constexpr ColumnHead all[] = {

@@ -25,8 +25,9 @@ public:
     // Each object that differs has the other value beside its own.
     void setDifferences(const std::vector<canopen::ObjectDifference> &differences);
     void setWanted(const std::vector<canopen::WantedObject> &wanted); // by the project
-    bool isDifferent(const ObjectRow &row) const; // from its file, the project or the file compared with
-    int rowOf(canopen::SdoObject object) const;   // -1: none
+    bool isDifferent(const ObjectRow &row) const;     // from its file, the project or the file compared with
+    bool isInOneFileOnly(const ObjectRow &row) const; // which is all that differs
+    int rowOf(canopen::SdoObject object) const;       // -1: none
 
 protected:
     std::span<const ColumnHead> heads() const override;

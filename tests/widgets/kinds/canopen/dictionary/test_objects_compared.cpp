@@ -2,6 +2,8 @@
 // Objects beside what the project wants and what other files have.
 #include "tests/widgets/kinds/canopen/dictionary/dictionary_view_test.h"
 
+#include <QLabel>
+
 namespace codewheel {
 namespace {
 
@@ -120,6 +122,31 @@ TEST_F(ObjectsCompared, WhatOnlyTheOtherFileHasIsARow)
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_FALSE(file.readAll().contains("[6002]"));
+}
+
+// The others are those of another device.
+TEST_F(ObjectsCompared, OtherValuesAreListedBeforeWhatOneOfBothDoesNotHave)
+{
+    ASSERT_TRUE(view.openFile(fileOf(test::rotorFile)));
+    read("6001h:0");
+    QByteArray other = test::rotorFile;
+    other.replace("SupportedObjects=4\n1=0x6001\n2=0x6004\n3=0x1010",
+                  "SupportedObjects=3\n1=0x6001\n2=0x6004");
+    other.replace("\n4=0x6503", "\n3=0x6503");
+    other.replace("[1010]\nObjectType=9\nSubNumber=1\n"
+                  "[1010sub1]\nParameterName=Save all\nDataType=7\nAccessType=rw\n",
+                  "");
+    other.replace("DefaultValue=1000", "DefaultValue=1000\nParameterValue=500");
+    ASSERT_TRUE(view.compareWith(fileOf(other, "other.dcf")));
+    action("Differences")->trigger();
+    ASSERT_EQ(table->model()->rowCount(), 2);
+    EXPECT_EQ(cell(0, ObjectModel::object), QStringLiteral("6001h:0"));
+    EXPECT_EQ(cell(1, ObjectModel::object), QStringLiteral("1010h:1"));
+    EXPECT_TRUE(std::ranges::any_of(view.findChildren<QLabel *>(), [](const QLabel *each) {
+        return each->text().startsWith(QStringLiteral("1 differ, then 1 that are not in both"));
+    }));
+    action("Differences")->trigger();
+    EXPECT_EQ(cell(0, ObjectModel::object), QStringLiteral("1010h:1"));
 }
 
 TEST_F(ObjectsCompared, TheChosenObjectStaysChosenWhenAFileIsComparedWith)
