@@ -306,7 +306,7 @@ QString TrafficModel::countsText(int shown) const
     if (isHeld())
         texts << tr("paused, %Ln new", nullptr, waiting());
     if (dropped() > 0)
-        texts << sentence(tr("%1 dropped"), {QLocale().toString(dropped())});
+        texts << sentence(tr("%1 older ones not kept"), {QLocale().toString(dropped())});
     return texts.join(QStringLiteral("; "));
 }
 

@@ -58,7 +58,8 @@ public:
                      ControlCharacters controls = shownControls()) const;
     // In the locale's short format.
     QString dateTimeText(const ShownTraffic &row) const;
-    // "9 rows; paused, 3 new; 500 dropped", or "2 of 9 rows shown; ..." where a filter hides the others.
+    // "9 rows; paused, 3 new; 500 older ones not kept", or "2 of 9 rows shown; ..." where a filter hides the
+    // others.
     QString countsText(int shown) const;
     // A table for other programs, with a header: comma-separated, UTF-8, time in ISO 8601, whatever the
     // locale.

@@ -73,9 +73,11 @@ void CanTrafficFilter::apply()
     Q_EMIT changed();
 }
 
-// A row without a direction tells a whole transfer.
+// A row without a direction tells a whole transfer, or that another connection begins, which is always seen.
 bool CanTrafficFilter::isWanted(const TrafficRow &row) const
 {
+    if (!row.kind && !row.identifier)
+        return true;
     const bool isTransfer = !row.kind && row.identifier;
     if (m_asTransfers ? row.isOfTransfer : isTransfer)
         return false;

@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -100,6 +101,23 @@ TEST_F(CanTrafficViewTest, ATransferIsOneRowOrItsFrames)
     ASSERT_GE(meanings().size(), 2);
     EXPECT_EQ(meanings().at(meanings().size() - 2), QStringLiteral("Node 5: read 6502h:0"));
     EXPECT_FALSE(meanings().last().endsWith(QStringLiteral(" ms)")));
+}
+
+TEST_F(CanTrafficViewTest, WhereAnotherConnectionBeginsIsSeenUnderEachFilter)
+{
+    view.setMostRows(100);
+    operate();
+    pass(20s);
+    EXPECT_TRUE(std::ranges::any_of(view.findChildren<QLabel *>(), [](const QLabel *each) {
+        return each->text().endsWith(QStringLiteral(" older ones not kept"));
+    }));
+    view.setBus(nullptr);
+    view.setBus(bus.get());
+    filter->setText(QStringLiteral("can:6"));
+    EXPECT_EQ(meanings().last(), QStringLiteral("Another connection begins here."));
+    pass(3s);
+    EXPECT_GT(meanings().indexOf(QStringLiteral("Another connection begins here.")), 0);
+    EXPECT_NE(meanings().last(), QStringLiteral("Another connection begins here."));
 }
 
 TEST_F(CanTrafficViewTest, ServicesAreHiddenAndShown)
