@@ -53,6 +53,7 @@ struct DataCheck
         search,    // for encoders on the bus
         monitor,
         positionMode, // the user knows that the encoder is in it
+        startNode,    // the encoder itself, which does not run
     };
 
     Id id = Id::link;

@@ -111,6 +111,7 @@ QAction *WhyInWindow::actionFor(DataCheck::Action action) const
     case DataCheck::Action::registers:
     case DataCheck::Action::confirm:
     case DataCheck::Action::search:
+    case DataCheck::Action::startNode:
         break;
     }
     return views != nullptr ? views->actionFor(action) : nullptr;

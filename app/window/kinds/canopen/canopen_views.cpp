@@ -79,6 +79,7 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
     , m_bus(bus)
     , m_actions(windowParts.actions.ofKind<CanopenActions>())
     , m_keeper(new CanopenKeeper(bus, this))
+    , m_startNode(new QAction(nmtAction(canopen::NmtCommand::start).label(), this))
     , m_recognition(new NodeRecognition(bus.project(), this))
     , m_search(own(new CanSearchPage(&windowParts.pages)))
     , m_places{makePlace(), makePlace(), makePlace(), makePlace()}
@@ -115,7 +116,20 @@ CanopenViews::CanopenViews(CanopenAtWork &bus, const WindowParts &windowParts, Q
         if (chosen())
             showSetup(CanopenAddress::of(chosen()->node).node);
     });
+    connect(m_startNode, &QAction::triggered, this, [this] {
+        if (chosen())
+            askToCommand(CanopenAddress::of(chosen()->node).node, canopen::NmtCommand::start);
+    });
     begin(*m_keeper, *m_search);
+}
+
+QAction *CanopenViews::actionFor(DataCheck::Action action) const
+{
+    if (action != DataCheck::Action::startNode)
+        return AskedBusViews::actionFor(action);
+    m_startNode->setEnabled(chosen() && session() != nullptr && session()->isOperating() &&
+                            session()->latest().connected);
+    return m_startNode;
 }
 
 PagePlace *CanopenViews::makePlace()

@@ -73,6 +73,7 @@ public:
     std::optional<WorkUnderWay> underWay() const override;
     void breakOff(const std::function<void(bool isSettled)> &then) override;
     ReplaceStepsOfKind replaceSteps(Replacing &replacing) override;
+    QAction *actionFor(DataCheck::Action action) const override;
 
     void showSetup(std::optional<int> node); // empty: of a device without a number, to be found
 
@@ -134,6 +135,7 @@ private:
     CanopenKeeper *m_keeper;
     std::optional<Place> m_wouldStop; // the node that a job asks to stop
     QPointer<QMessageBox> m_commandQuestion;
+    QAction *m_startNode; // the chosen one, after the question
     NodeRecognition *m_recognition;
     CanSearchPage *m_search;
     Places m_places;

@@ -189,7 +189,8 @@ DataCheck nodeStateCheck(const CanopenSession &bus, int number)
     if (state == NmtState::stopped)
         return failedCheck(DataCheck::Id::state, what, expected, stateText(node),
                            CanopenCheckText::tr("The node is stopped: it sends no positions and answers "
-                                                "nothing. Start it (NMT), in Operate."));
+                                                "nothing. Start it (NMT), in Operate."),
+                           bus.isOperating() ? DataCheck::Action::startNode : DataCheck::Action::operate);
     if (state == NmtState::preOperational && !bus.isOperating())
         return failedCheck(DataCheck::Id::state, what, expected, stateText(node),
                            CanopenCheckText::tr("The node is pre-operational: it sends no positions by "
@@ -202,7 +203,8 @@ DataCheck nodeStateCheck(const CanopenSession &bus, int number)
     return remarkOf(
         std::move(passed),
         CanopenCheckText::tr("The node is pre-operational: it is asked for its position. Its PDOs "
-                             "come once it is started (NMT)."));
+                             "come once it is started (NMT)."),
+        DataCheck::Action::startNode);
 }
 
 DataCheck nodeAlarmCheck(const CanopenSession &bus, Place place)

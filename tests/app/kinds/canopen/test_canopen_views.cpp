@@ -165,6 +165,35 @@ TEST_F(CanopenViewsTest, ANodeIsStoppedOnceThatIsAgreedToAndIsSeenStopped)
     EXPECT_TRUE(comes([this] { return stateOf(6) == canopen::NmtState::operational; }));
 }
 
+TEST_F(CanopenViewsTest, WhyThereIsNoDataStartsANodeAfterTheSameQuestion)
+{
+    ASSERT_EQ(stateOf(6), canopen::NmtState::preOperational);
+    tree().choose(nodeSix);
+    actions().whyNoData->trigger();
+    advance(100);
+    const auto start = [this]() -> QPushButton * {
+        for (auto *each : page()->findChildren<QPushButton *>())
+            if (each->isVisible() && plainLabel(each->text()) == QStringLiteral("Start"))
+                return each;
+        return nullptr;
+    };
+    ASSERT_NE(start(), nullptr);
+    QTest::qWait(400); // what has just come takes no click
+    QTest::mouseClick(start(), Qt::LeftButton);
+    advance(200);
+    EXPECT_EQ(stateOf(6), canopen::NmtState::preOperational) << "it is asked first";
+    ASSERT_NE(question(), nullptr);
+    EXPECT_TRUE(question()->text().contains(QStringLiteral("6 (06h)")));
+    click(*question(), QStringLiteral("Start"));
+    EXPECT_TRUE(comes([this] { return stateOf(6) == canopen::NmtState::operational; }));
+    EXPECT_EQ(start(), nullptr);
+    session().send(canopen::NmtRequest{canopen::NmtCommand::stop, 6}.frame());
+    EXPECT_TRUE(comes([&] { return start() != nullptr; }));
+    actions().watch->trigger();
+    advance(500);
+    EXPECT_EQ(start(), nullptr) << "nothing is sent in Watch";
+}
+
 TEST_F(CanopenViewsTest, InWatchNoCommandIsSent)
 {
     canActions().nodes->trigger();
