@@ -15,6 +15,7 @@
 #include "widgets/structure/structure_tree.h"
 #include "widgets/structure/tree_filter.h"
 
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -159,6 +160,17 @@ void StructureView::addBus(EncoderBus &bus)
     if (!places.empty() && !(before && has(*before)))
         choose(places.front());
     askForMake();
+    QTimer::singleShot(0, this, [this, id = bus.id()] { scrollTo(id); }); // once it has all its rows
+}
+
+// As much of it as there is room for. What is chosen stays so.
+void StructureView::scrollTo(BusId bus)
+{
+    const QModelIndex index = m_model->indexOf(bus);
+    if (!row())
+        m_tree->setCurrentIndex(m_model->index(0, 0, index));
+    m_tree->scrollTo(m_model->index(m_model->rowCount(index) - 1, 0, index));
+    m_tree->scrollTo(index);
 }
 
 void StructureView::removeBus(BusId bus)

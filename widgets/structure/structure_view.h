@@ -77,6 +77,7 @@ Q_SIGNALS:
 
 private:
     void placeColumns();
+    void scrollTo(BusId bus);
     void showWhetherEmpty();
     void restoreRow();
     void askForMake();

@@ -17,6 +17,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableView>
+#include <QTreeView>
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -243,6 +244,22 @@ TEST_F(CanopenViewsTest, ThePositionOfANodeThatWasNotStartedIsOnTheDial)
     const auto &shown = window().findChild<DialPanel *>()->findChild<CodeDisc *>()->state();
     EXPECT_TRUE(shown.position);
     EXPECT_EQ(shown.position, session().encoder(nodeSix)->latest().position);
+}
+
+// Below a ring with many devices.
+TEST_F(CanopenWindowTest, ABusThatIsNewIsScrolledTo)
+{
+    resizeTo({1024, 640});
+    auto &rows = *window().findChild<QTreeView *>(QStringLiteral("structure"));
+    const auto before = tree().row();
+    canActions().training->trigger();
+    advance(1'500);
+    QTest::qWait(50);
+    EXPECT_EQ(tree().row(), before);
+    const QModelIndex bus = rows.model()->index(rows.model()->rowCount() - 1, 0);
+    for (const QModelIndex &row : {bus, rows.model()->index(2, 0, bus)}) // and its last encoder
+        EXPECT_TRUE(rows.viewport()->rect().contains(rows.visualRect(row)))
+            << row.data().toString().toStdString();
 }
 
 TEST_F(CanopenWindowTest, ThePanelsOfACanBusComeWithIt)
