@@ -15,6 +15,7 @@
 #include "bus/bus_outline.h"
 #include "bus/buses.h"
 #include "bus/word_channel.h"
+#include "widgets/cams/cam_editor.h"
 #include "widgets/input/text_fields.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/messages/message_model.h"
