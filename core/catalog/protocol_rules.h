@@ -109,6 +109,13 @@ inline bool isRod(const DeviceDescription &device)
     return protocolRules(device.profile).measuresLength(device);
 }
 
+// An object that can only be written is a command to its device, such as one that stores and resets: no
+// setting that another encoder could be given.
+inline bool isCommand(const DeviceDescription &device, const ParameterDescription &parameter)
+{
+    return protocolRules(device.profile).hasObjects() && parameter.canBeWritten && !parameter.canBeRead;
+}
+
 inline bool activatesByRun(const DeviceDescription &device)
 {
     return protocolRules(device.profile).activatesByRun();

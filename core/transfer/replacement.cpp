@@ -91,7 +91,7 @@ ReplacementDifferences differencesOf(const ProjectDevice &planned, const DeviceD
 ParameterValues settingsOfNew(const ProjectDevice &planned, const DeviceDescription *device)
 {
     ParameterValues values = storedSettings(planned, device);
-    for (const ParameterValue &wanted : withoutItsPlace(planned.wanted))
+    for (const ParameterValue &wanted : wantedSettings(planned, device))
         replaceValue(values, wanted);
     return values;
 }

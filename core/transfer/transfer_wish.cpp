@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/transfer_wish.h"
 
+#include "catalog/protocol_rules.h"
 #include "jobs/values_to_write.h"
 #include "project/planned_device.h"
 #include "transfer/project_places.h"
@@ -29,6 +30,16 @@ ParameterValues withoutItsPlace(ParameterValues values)
     return values;
 }
 
+ParameterValues wantedSettings(const ProjectDevice &device, const DeviceDescription *description)
+{
+    ParameterValues values = withoutItsPlace(device.wanted);
+    std::erase_if(values, [description](const ParameterValue &value) {
+        const ParameterDescription *its = description ? description->find(value.parameter) : nullptr;
+        return its != nullptr && isCommand(*description, *its);
+    });
+    return values;
+}
+
 bool isSetting(const DeviceDescription *device, const ParameterValue &value)
 {
     const Parameter parameter = value.parameter;
@@ -37,7 +48,7 @@ bool isSetting(const DeviceDescription *device, const ParameterValue &value)
     const ParameterDescription *its = device ? device->find(parameter) : nullptr;
     if (its == nullptr)
         return parameter < Parameter::lineAddress && parameter != Parameter::rodLength;
-    return its->canBeWritten && its->takes(value.value);
+    return its->canBeWritten && !isCommand(*device, *its) && its->takes(value.value);
 }
 
 ParameterValues storedSettings(const ProjectDevice &device, const DeviceDescription *description)
@@ -57,13 +68,14 @@ TransferWish wishOf(const ProjectDevice &device, TransferSource source, const Pr
                       .deviceCode = device.participant.deviceCode,
                       .deviceKey = device.participant.deviceKey,
                       .hindrance = places.hindrance(device.place())};
+    const auto planned = plannedDescription(device, catalog);
+    const DeviceDescription *description = planned ? &*planned : nullptr;
     if (source == TransferSource::wanted) {
-        wish.values = withoutItsPlace(device.wanted);
+        wish.values = wantedSettings(device, description);
         wish.cams = device.wantedCams;
         return wish;
     }
-    const auto description = plannedDescription(device, catalog);
-    wish.values = storedSettings(device, description ? &*description : nullptr);
+    wish.values = storedSettings(device, description);
     for (const StoredCams &stored : device.storedCams)
         wish.cams.push_back(stored.program);
     return wish;

@@ -37,6 +37,10 @@ enum class TransferSource : std::uint8_t { wanted, stored };
 TransferWish wishOf(const ProjectDevice &device, TransferSource source, const ProjectPlaces &places,
                     const Catalog &catalog);
 
+// What is wanted of the device that a transfer may write: neither its place on the bus nor commands
+// (isCommand).
+ParameterValues wantedSettings(const ProjectDevice &device, const DeviceDescription *description);
+
 // What was stored of the device that an encoder of this description may be given (isSetting).
 ParameterValues storedSettings(const ProjectDevice &device, const DeviceDescription *description);
 
@@ -49,7 +53,7 @@ ParameterValues withoutItsPlace(ParameterValues values);
 
 // Whether this is something an encoder is set to and that can be given to another one, or later to the same
 // one: not what it merely reports, such as the preset of an encoder whose preset command sets the position,
-// and not its place on the bus (address, baud rate). `device`: null if not known.
+// not its place on the bus (address, baud rate), and no command (isCommand). `device`: null if not known.
 bool isSetting(const DeviceDescription *device, const ParameterValue &value);
 
 } // namespace codewheel

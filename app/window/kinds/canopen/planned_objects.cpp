@@ -26,7 +26,7 @@ std::vector<canopen::WantedObject> wantedOf(const CanopenAtWork &bus, Place plac
     const DeviceDescription *device = descriptionAt(bus, place, planned);
     if (device == nullptr || device->profile != profile::cia406)
         return {};
-    return canopen::wantedObjects(*device, withoutItsPlace(planned.wanted), planned.wantedCams);
+    return canopen::wantedObjects(*device, wantedSettings(planned, device), planned.wantedCams);
 }
 
 QString fileOf(const ProjectDevice &planned, const QString &project)

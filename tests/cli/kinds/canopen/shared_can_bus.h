@@ -18,6 +18,7 @@ public:
     // `line` may contain --link canopen:training with settings, and --ledger.
     CliRun runLine(const QString &line, const Person &person = {});
     canopen::SimulatedCanopenPlant &plant() { return m_plant; }
+    Catalog &catalog() { return m_catalog; }
     // Of the encoder that is node 6.
     std::uint64_t eepromWritesOf6();
     canopen::NmtState stateOf6();
