@@ -117,7 +117,8 @@ void DescriptionReader::readIdentity(const JsonObject &json, DeviceDescription &
     rules.readDialect(json, device);
     device.vendor = json.textOr("vendor", {});
     rules.readPlaceOnBus(json, device);
-    for (const char *key : {"vendorNumber", "productNumber", "revisionNumber", "nodeNumberObject"})
+    for (const char *key :
+         {"vendorNumber", "productNumber", "revisionNumber", "nodeNumberObject", "rateObject", "rates"})
         if (json.has(key) && !rules.hasObjects())
             json.report(key, tr("Only an encoder on CANopen has one. Leave it out."));
     device.physicalStepsPerTurn = static_cast<int>(json.number("physicalStepsPerTurn", 0, mostStepsPerTurn));
@@ -349,7 +350,8 @@ DeviceDescription readDescription(const Json::Value &root, const Catalog &catalo
                            "physicalTurns", "coding",        "parameters",     "errors",
                            "capabilities",  "quirks",        "tablesOf",       "connectors",
                            "leds",          "supply",        "limits",         "orderingKey",
-                           "vendorNumber",  "productNumber", "revisionNumber", "nodeNumberObject"},
+                           "vendorNumber",  "productNumber", "revisionNumber", "nodeNumberObject",
+                           "rateObject",    "rates"},
                           faults);
     DeviceDescription device;
     DescriptionReader::readIdentity(json, device);

@@ -257,7 +257,6 @@ Checked<QString> CanopenAccess::deviceAt(const Call &call, CanopenAddress addres
     return its.isEmpty() ? usualDeviceOnNode() : its;
 }
 
-// Only as far as a description needs it.
 Checked<canopen::ToldIdentity> CanopenAccess::identityOf(const Call &call, int node)
 {
     canopen::ToldIdentity identity{};

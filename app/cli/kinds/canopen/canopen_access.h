@@ -89,6 +89,8 @@ public:
     };
     enum class WhenStopped : std::uint8_t { ends, goesOn };
 
+    // What the node tells, as far as a description of the catalog needs it to be recognised.
+    Checked<canopen::ToldIdentity> identityOf(const Call &call, int node);
     // By hand, in Operate, each to its end. Refused after Ctrl+C, unless it `goesOn`, as to find out what
     // became of a write; and where more than one answer comes.
     Checked<canopen::SdoOutcome> transfer(const canopen::SdoRequest &request,
@@ -122,7 +124,6 @@ private:
     Complaint aboutOpening(const Refusal &why) const;
     QString howToAgree(const Refusal &why) const;
     Checked<QString> deviceAt(const Call &call, CanopenAddress address);
-    Checked<canopen::ToldIdentity> identityOf(const Call &call, int node);
     Checked<EncoderSession *> heard(EncoderSession *encoder);
     Checked<EncoderSession *> inContact(EncoderSession *encoder);
     int showing(const Reading &reading) const; // the node; 0: none of this bus

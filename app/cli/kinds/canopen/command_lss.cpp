@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
 #include "cli/bus/places.h"
 #include "cli/call/text_table.h"
 #include "cli/call/texts.h"
@@ -6,7 +7,8 @@
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
 #include "cli/kinds/canopen/canopen_link_kind.h"
-#include "cli/kinds/canopen/object_argument.h"
+#include "cli/kinds/canopen/object_writing.h"
+#include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/lss_rates.h"
 #include "kinds/canopen/protocol/lss_selection.h"
 #include "kinds/canopen/setup/identity_reading.h"
@@ -480,16 +482,92 @@ Checked<Answer> lssNode(const Call &call, CanopenAccess &bus)
     return answer;
 }
 
+// The numbers that stand for rates, and whose they are.
+struct RateTable
+{
+    std::vector<NumberedRate> rates{};
+    std::optional<canopen::SdoObject> object{}; // of the maker, at `where`; empty: they are those of LSS
+    NodeMeant where{};
+
+    const NumberedRate *find(long long rate) const
+    {
+        const auto found = std::ranges::find(rates, rate, &NumberedRate::rate);
+        return found != rates.end() ? &*found : nullptr;
+    }
+};
+
+// Those of CiA 305, and what the description of the node that --of names has of its own.
+Checked<RateTable> rateTable(const Call &call, CanopenAccess &bus)
+{
+    RateTable table;
+    for (const canopen::LssRate &one : canopen::lssRates)
+        table.rates.push_back({one.rate, one.place});
+    const auto of = call.arguments.value("--of");
+    if (!of)
+        return table;
+    const auto where = nodeMeant(call, *of);
+    if (!where)
+        return tl::unexpected(where.error());
+    const auto told = bus.identityOf(call, where->node());
+    if (!told)
+        return tl::unexpected(told.error());
+    const DeviceDescription *device = canopen::describedNode(call.catalog.devices(), *told);
+    const CanopenDevice its = device != nullptr ? canopenDevice(*device) : CanopenDevice();
+    table.object = its.rateObject;
+    table.where = *where;
+    if (its.rateObject)
+        table.rates.clear();
+    for (const NumberedRate &one : its.rates) {
+        std::erase_if(table.rates, [&](const NumberedRate &other) {
+            return other.number == one.number || other.rate == one.rate;
+        });
+        table.rates.push_back(one);
+    }
+    return table;
+}
+
+Checked<Answer> writeRateObject(const Call &call, const RateTable &table, const NumberedRate &rate)
+{
+    if (!call.arguments.has("--json"))
+        call.terminal.print(
+            sentence(CommandLine::tr("Its maker has the rate in %1: %2 stands for %3 Bd."),
+                     {table.object->text(), QString::number(rate.number), QString::number(rate.rate)}) +
+            u'\n');
+    const ObjectArgument what{.object = *table.object,
+                              .value = QString::number(rate.number),
+                              .type = canopen::ObjectType::u8,
+                              .parameter = nullptr};
+    auto answer = writeObject(call, table.where, what);
+    if (!answer)
+        return answer;
+    answer->json.insert(QStringLiteral("rate"), rate.rate);
+    addPlace(answer->json, call, table.where.place);
+    if (!answer->complaint)
+        answer->text += sentence(CommandLine::tr("The rate is in force once it was stored (codewheel-cli od "
+                                                 "%1 write 1010:1=save) and the supply switched off and on."),
+                                 {table.where.place.node.toString()}) +
+                        u'\n';
+    return answer;
+}
+
 Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
 {
+    const auto table = rateTable(call, bus);
+    if (!table)
+        return tl::unexpected(table.error());
     const auto rate = parseNumber(call.arguments.rest.value(1));
-    const canopen::LssRate *row = canopen::lssRate(rate.value_or(0));
+    const NumberedRate *row = table->find(rate.value_or(0));
+    const auto rateText = [](const NumberedRate &one) { return QString::number(one.rate); };
+    if (row == nullptr && table->object)
+        return badInput(QStringLiteral("lssRateWrong"),
+                        CommandLine::tr("\"%1\" is not a rate of this device. Give one of these, in Bd: %2."),
+                        {call.arguments.rest.value(1), listed(table->rates, rateText)});
     if (row == nullptr)
         return badInput(QStringLiteral("lssRateWrong"),
                         CommandLine::tr("\"%1\" is not a rate of CiA 305. Give one of these, in Bd: %2."),
-                        {call.arguments.rest.value(1),
-                         listed(canopen::lssRates,
-                                [](const canopen::LssRate &one) { return QString::number(one.rate); })});
+                        {call.arguments.rest.value(1), listed(table->rates, rateText)});
+    if (table->object)
+        return writeRateObject(call, *table, *row);
     const bool activates = call.arguments.has("--activate");
     if (activates && !call.arguments.has("--alone"))
         return badInput(
@@ -503,7 +581,7 @@ Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
                             "that of a serial adapter. Store the rate (codewheel-cli lss store), "
                             "switch the supply of the device off and on, and set the rate of the "
                             "interface."));
-    return writeByLss(call, bus, {.kind = LssRequest::Kind::setRate, .number = row->place},
+    return writeByLss(call, bus, {.kind = LssRequest::Kind::setRate, .number = row->number},
                       sentence(CommandLine::tr("Give it the rate %1 Bd?"), {QString::number(row->rate)}),
                       activates ? row->rate : 0);
 }
@@ -592,6 +670,9 @@ const Subcommand lssCommand{
         "there;\n"
         "with --alone of whoever is there, where one device is alone on the bus. scan and show tell its\n"
         "identity and number; node 9 gives it a number, rate 250000 a rate in Bd, and store keeps both.\n"
+        "Where the description of the node has the object of the rate, or other numbers for rates than CiA "
+        "305,\n"
+        "rate with --of goes by them.\n"
         "\n"
         "Before anything is written its identity is read from it and shown, and it is asked for; where "
         "nobody\n"

@@ -6,6 +6,7 @@
 #include "kinds/canopen/protocol/sdo.h"
 
 #include <optional>
+#include <vector>
 
 namespace codewheel {
 
@@ -28,6 +29,15 @@ inline const CanopenReach *canopenReach(const ParameterDescription &parameter)
     return parameter.reach.as<CanopenReach>();
 }
 
+// A rate, and the number that stands for it.
+struct NumberedRate
+{
+    int rate = 0; // Bd
+    int number = 0;
+
+    friend bool operator==(const NumberedRate &, const NumberedRate &) = default;
+};
+
 // What a description says of an encoder on CANopen beyond its parameters.
 struct CanopenDevice
 {
@@ -37,6 +47,8 @@ struct CanopenDevice
     std::optional<std::uint32_t> revision{}; // 1018h:3
     std::optional<canopen::SdoObject>
         nodeNumber{}; // a maker's object, an u8, in force after storing and reset
+    std::optional<canopen::SdoObject> rateObject{}; // likewise
+    std::vector<NumberedRate> rates{}; // of the rateObject; without one, of LSS: more than CiA 305 has
 
     friend bool operator==(const CanopenDevice &, const CanopenDevice &) = default;
 };

@@ -94,6 +94,7 @@ public:
     void checkAbilities(const JsonObject &json, const DeviceDescription &device) const override;
 
 private:
+    static void readRates(const JsonObject &json, CanopenDevice &its);
     static void checkObject(const JsonObject &row, const ParameterDescription &parameter,
                             const DeviceDescription &device, const CanopenReach &reach);
     static void checkWritten(const JsonObject &row, const DeviceDescription &device,
@@ -117,7 +118,37 @@ void CanopenRules::readDialect(const JsonObject &json, DeviceDescription &device
             json.report("nodeNumberObject", tr("The object of the node number is one of the maker (2000h to "
                                                "5FFFh), and the vendorNumber says whose."));
     }
+    readRates(json, its);
     device.ofKind = KindData(its);
+}
+
+// The numbers of an object are the maker's own; where LSS has others than CiA 305, the maker is known too.
+void CanopenRules::readRates(const JsonObject &json, CanopenDevice &its)
+{
+    constexpr std::int64_t largestNumber = 0xFF;
+    constexpr std::int64_t highestRate = 1'000'000;
+    if (json.has("rateObject")) {
+        its.rateObject = objectOf(json.text("rateObject"));
+        if (!its.vendor || !its.rateObject || !isMakers(*its.rateObject) || !json.has("rates"))
+            json.report("rateObject", tr("The object of the rate is one of the maker (2000h to 5FFFh), the "
+                                         "vendorNumber says whose, and rates what its numbers stand for."));
+    }
+    if (!json.has("rates"))
+        return;
+    if (!its.vendor)
+        json.report("rates",
+                    tr("Which rates have other numbers depends on the make: give the description the "
+                       "vendorNumber of the device (1018h:1)."));
+    for (const JsonObject &row : json.array("rates", {"number", "rate"})) {
+        const NumberedRate one{.rate = static_cast<int>(row.number("rate", 1, highestRate)),
+                               .number = static_cast<int>(row.number("number", 0, largestNumber))};
+        const auto isTaken = [&](const NumberedRate &other) {
+            return other.rate == one.rate || other.number == one.number;
+        };
+        if (std::ranges::any_of(its.rates, isTaken))
+            row.report("rate", tr("This rate or its number is here twice."));
+        its.rates.push_back(one);
+    }
 }
 
 void CanopenRules::readReach(const JsonObject &row, ParameterDescription &parameter,

@@ -2,6 +2,7 @@
 #include "kinds/canopen/protocol/nmt.h"
 #include "tests/cli/kinds/canopen/shared_can_bus.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
@@ -94,6 +95,67 @@ TEST(CliLss, ForOneAloneNobodyKnowsWhoElseTookPart)
     EXPECT_THAT(run.out, HasSubstr("Whether other devices took part as well is not known."));
     SharedCanBus several;
     EXPECT_EQ(errorKey(several.runLine(QStringLiteral("lss show --alone --json"))), "lssNoAnswer");
+}
+
+// Node 6 as of a make whose description says this of its rates. It has 3010h:1, with 0 and 1.
+class CliRates : public testing::Test
+{
+protected:
+    CliRates()
+        : bus(encoders())
+    {}
+    void describe(const QByteArray &rates)
+    {
+        QFile generic(QStringLiteral(CODEWHEEL_ROOT "/resources/devices/canopen-406-multi-turn.json"));
+        ASSERT_TRUE(generic.open(QIODevice::ReadOnly));
+        QByteArray json = generic.readAll();
+        json.replace("\"key\": \"canopen-406-multi-turn\",",
+                     "\"key\": \"rotor\", \"vendor\": \"Rotor Works\", \"vendorNumber\": \"10Dh\", "
+                     "\"productNumber\": \"25h\", " +
+                         rates + ',');
+        ASSERT_TRUE(bus.catalog().add(json, QStringLiteral("rotor.json")));
+    }
+    int object()
+    {
+        return bus.runLine(QStringLiteral("od can:6 read 3010:1 --json")).json()[u"value"].toInt(-1);
+    }
+
+    SharedCanBus bus;
+
+private:
+    static std::vector<canopen::CanopenEncoderPlan> encoders()
+    {
+        auto encoders = canopen::trainingEncoders();
+        encoders[1].quirks.speedIsOff = true;
+        return encoders;
+    }
+};
+
+TEST_F(CliRates, AreWrittenToTheObjectThatTheDescriptionNames)
+{
+    describe(
+        R"("rateObject": "3010:1", "rates": [{"number": 0, "rate": 125000}, {"number": 1, "rate": 100000}])");
+    EXPECT_EQ(bus.runLine(QStringLiteral("lss rate 100000 --of can:6")).exit, 2) << "nobody to ask";
+    EXPECT_EQ(object(), 0);
+    const CliRun run = bus.runLine(QStringLiteral("lss rate 100000 --of can:6 --yes"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Its maker has the rate in 3010h:1: 1 stands for 100000 Bd."));
+    EXPECT_THAT(run.out, HasSubstr("codewheel-cli od can:6 write 1010:1=save"));
+    EXPECT_EQ(object(), 1);
+    const CliRun wrong = bus.runLine(QStringLiteral("lss rate 500000 --of can:6 --yes"));
+    EXPECT_EQ(wrong.exit, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("in Bd: 125000, 100000."));
+}
+
+// The simulated one takes the numbers of CiA 305 only.
+TEST_F(CliRates, OfLssMayHaveOtherNumbers)
+{
+    describe(R"("rates": [{"number": 5, "rate": 100000}])");
+    EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("lss rate 100000 --of can:6 --yes --json"))), "lssRefused");
+    EXPECT_EQ(bus.runLine(QStringLiteral("lss rate 250000 --of can:6 --yes")).exit, 0);
+    EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("lss rate 100000 --of can:5 --yes --json"))),
+              "lssRateWrong")
+        << "another device";
 }
 
 TEST(CliLss, WrongCallsAreRefused)

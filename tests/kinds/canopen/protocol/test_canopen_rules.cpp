@@ -85,6 +85,23 @@ TEST(CanopenRules, TheObjectOfTheNodeNumberIsOneOfTheMaker)
         EXPECT_EQ(faultOf(withRow(row, key)), QStringLiteral("nodeNumberObject")) << key;
 }
 
+TEST(CanopenRules, RatesWithNumbersOfTheirOwnNeedAMake)
+{
+    const QByteArray row =
+        R"({"parameter": "steps", "object": "6001", "type": "u32", "minimum": 1, "maximum": 2})";
+    const QByteArray rates = R"("rates": [{"number": 5, "rate": 100000}],)";
+    const QByteArray vendor = R"("vendorNumber": "10Dh",)";
+    EXPECT_EQ(faultOf(withRow(row, vendor + rates)), QString());
+    EXPECT_EQ(faultOf(withRow(row, vendor + rates + R"("rateObject": "3001",)")), QString());
+    EXPECT_EQ(faultOf(withRow(row, rates)), QStringLiteral("rates"));
+    EXPECT_EQ(faultOf(withRow(row, vendor + R"("rateObject": "3001",)")), QStringLiteral("rateObject"));
+    EXPECT_EQ(faultOf(withRow(row, vendor + rates + R"("rateObject": "6001",)")),
+              QStringLiteral("rateObject"));
+    EXPECT_EQ(faultOf(withRow(row, vendor + R"("rates": [{"number": 5, "rate": 100000},
+                                                     {"number": 5, "rate": 50000}],)")),
+              QStringLiteral("rates[1].rate"));
+}
+
 TEST(CanopenRules, ObjectsAreOfCanopenOnly)
 {
     QByteArray json =
