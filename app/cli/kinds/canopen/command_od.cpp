@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
 #include "cli/bus/places.h"
+#include "cli/call/help.h"
 #include "cli/call/json.h"
 #include "cli/call/texts.h"
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/canopen/device_on_node.h"
 #include "cli/kinds/canopen/object_writing.h"
+#include "cli/kinds/canopen/planned_objects_answer.h"
 
 #include <array>
 
@@ -15,7 +17,7 @@ namespace {
 
 constexpr const char *odExamples[] = {"od can:5 read 6004 --link canopen:training",
                                       "od can:5 read 1018:4 --json", "od can:5 write 6001=4096 --yes",
-                                      "od can:5 write 1010:1=save"};
+                                      "od can:5 write 1010:1=save", "od can:5 --project crane.codewheel"};
 
 constexpr std::array odOptions{
     Option{"--type", "TYPE",
@@ -51,9 +53,26 @@ Checked<Answer> runOdRead(const Call &call, const NodeMeant &where, const Object
     return answer;
 }
 
+Checked<Answer> listObjects(const Call &call, const QString &typed)
+{
+    const auto where = nodeMeant(call, typed);
+    if (!where)
+        return tl::unexpected(where.error());
+    auto answer = answerOfPlannedObjects(call, *where);
+    if (answer)
+        addPlace(answer->json, call, where->place);
+    return answer;
+}
+
 Checked<Answer> runOd(const Call &call)
 {
     const QStringList &words = call.arguments.rest;
+    if (words.size() == 1)
+        return listObjects(call, words[0]);
+    if (words.size() == 2)
+        return badInput(QStringLiteral("missingArgument"),
+                        CommandLine::tr("Something is missing. Usage: codewheel-cli %1"),
+                        {callOf(call.command)});
     const bool reads = words[1] == QStringLiteral("read");
     if (!reads && words[1] != QStringLiteral("write"))
         return badInput(QStringLiteral("odActionWrong"),
@@ -78,7 +97,7 @@ Checked<Answer> runOd(const Call &call)
 
 const Subcommand odCommand{
     .name = "od",
-    .usage = "PLACE read|write OBJECT[=VALUE] [--type TYPE] [--yes]",
+    .usage = "PLACE [read|write OBJECT[=VALUE]] [--type TYPE] [--yes]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "read or write an object of a node on CANopen"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",
@@ -91,10 +110,14 @@ const Subcommand odCommand{
         "be\n"
         "asked, --yes is needed. It is sent once, and read back. A write to 1010h or 1011h counts as a "
         "write\n"
-        "to the EEPROM."),
+        "to the EEPROM.\n"
+        "\n"
+        "Without read or write the objects are listed that the encoder may have, with their defaults: those "
+        "of\n"
+        "the file that the project has of it, or else of its description. Nothing is read."),
     .examples = odExamples,
     .options = odOptions,
-    .arguments = {3},
+    .arguments = {1, 3},
     .needsBus = true,
     .textIsAccount = true,
     .run = runOd,

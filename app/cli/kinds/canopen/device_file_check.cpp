@@ -73,9 +73,6 @@ QJsonValue unsignedJson(const std::optional<std::uint32_t> &number)
 
 QJsonObject deviceFileJson(const DeviceFile &file)
 {
-    QJsonArray objects;
-    for (const FileObject &object : file.objects)
-        objects.append(fileObjectJson(object));
     const canopen::FileIdentity &identity = file.identity;
     const auto intJson = [](std::optional<int> number) {
         return number ? QJsonValue(*number) : QJsonValue();
@@ -85,32 +82,12 @@ QJsonObject deviceFileJson(const DeviceFile &file)
             {QStringLiteral("vendorNumber"), unsignedJson(identity.vendor)},
             {QStringLiteral("productNumber"), unsignedJson(identity.product)},
             {QStringLiteral("revisionNumber"), unsignedJson(identity.revision)},
-            {QStringLiteral("objects"), objects},
+            {QStringLiteral("objects"), fileObjectsJson(file)},
             {QStringLiteral("commissioning"),
              QJsonObject{{QStringLiteral("node"), intJson(file.commissioning.node)},
                          {QStringLiteral("rate"), intJson(file.commissioning.rate)}}},
             {QStringLiteral("notes"), notesJson(file.notes.kept())},
             {QStringLiteral("moreNotes"), static_cast<qint64>(file.notes.left())}};
-}
-
-QString objectLines(const DeviceFile &file)
-{
-    using enum TextTable::Align;
-    TextTable table({left, left, left, left, right, right, right, left, right});
-    table.add({CommandLine::tr("object"), CommandLine::tr("name"), CommandLine::tr("type"),
-               CommandLine::tr("access"), CommandLine::tr("default"), CommandLine::tr("minimum"),
-               CommandLine::tr("maximum"), CommandLine::tr("mapped"), CommandLine::tr("value")});
-    for (const FileObject &object : file.objects) {
-        const auto value = [&](const std::optional<canopen::FileValue> &its) {
-            return orDash(fileValueText(its, object.type));
-        };
-        table.add({canopen::objectName(object.object), object.name,
-                   object.type ? canopen::dataTypeKey(*object.type) : QStringLiteral("-"),
-                   orDash(accessText(object.access)), value(object.factory), value(object.minimum),
-                   value(object.maximum), object.isMapped ? CommandLine::tr("yes") : CommandLine::tr("no"),
-                   value(object.value)});
-    }
-    return table.toString();
 }
 
 QString commissioningText(const canopen::Commissioning &its)
@@ -131,7 +108,7 @@ QString deviceFileText(const QString &path, const DeviceFile &file)
                             {path, who.isEmpty() ? CommandLine::tr("device without a name") : who,
                              numberText(static_cast<std::int64_t>(file.objects.size()))});
     text += u'\n' + commissioningText(file.commissioning) + u'\n';
-    return text + objectLines(file);
+    return text + fileObjectLines(file);
 }
 
 Complaint fileComplaint(RefusalId id, std::vector<RefusalArgument> arguments)
@@ -162,6 +139,34 @@ QJsonObject refusedJson(const QString &path, const EdsNote &why)
 }
 
 } // namespace
+
+QString fileObjectLines(const DeviceFile &file)
+{
+    using enum TextTable::Align;
+    TextTable table({left, left, left, left, right, right, right, left, right});
+    table.add({CommandLine::tr("object"), CommandLine::tr("name"), CommandLine::tr("type"),
+               CommandLine::tr("access"), CommandLine::tr("default"), CommandLine::tr("minimum"),
+               CommandLine::tr("maximum"), CommandLine::tr("mapped"), CommandLine::tr("value")});
+    for (const FileObject &object : file.objects) {
+        const auto value = [&](const std::optional<canopen::FileValue> &its) {
+            return orDash(fileValueText(its, object.type));
+        };
+        table.add({canopen::objectName(object.object), object.name,
+                   object.type ? canopen::dataTypeKey(*object.type) : QStringLiteral("-"),
+                   orDash(accessText(object.access)), value(object.factory), value(object.minimum),
+                   value(object.maximum), object.isMapped ? CommandLine::tr("yes") : CommandLine::tr("no"),
+                   value(object.value)});
+    }
+    return table.toString();
+}
+
+QJsonArray fileObjectsJson(const DeviceFile &file)
+{
+    QJsonArray objects;
+    for (const FileObject &object : file.objects)
+        objects.append(fileObjectJson(object));
+    return objects;
+}
 
 bool isCanopenDeviceFile(const QString &path)
 {

@@ -4,6 +4,8 @@
 #include "cli/call/subcommand.h"
 #include "kinds/canopen/eds/device_file.h"
 
+#include <QJsonArray>
+
 namespace codewheel {
 
 // By its name: EDS or DCF.
@@ -13,6 +15,10 @@ Checked<canopen::DeviceFile> canopenDeviceFile(const QString &path);
 
 // For `devices --check`: what the file says.
 Answer checkOfDeviceFile(const Call &call, const QString &path);
+
+// Its objects, one row each.
+QString fileObjectLines(const canopen::DeviceFile &file);
+QJsonArray fileObjectsJson(const canopen::DeviceFile &file);
 
 // Of what was refused in it: line, key and sentence.
 Complaint complaintAboutDeviceFile(const QString &path, const canopen::EdsNote &why);

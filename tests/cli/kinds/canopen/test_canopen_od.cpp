@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinds/canopen/plan/canopen_plan.h"
+#include "kinds/canopen/protocol/canopen_address.h"
+#include "project/project_file.h"
 #include "tests/cli/kinds/canopen/shared_can_bus.h"
 
+#include <QFile>
+#include <QJsonArray>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
@@ -116,6 +121,93 @@ TEST(CliOd, WrongCallsAreRefusedBeforeAnythingIsSent)
     EXPECT_EQ(key("od can:5 read 6004 --type f32"), "optionNotAllowed");
     EXPECT_EQ(key("od can:6 write 6001=4294967296 --yes"), "objectValueWrong");
     EXPECT_EQ(errorKey(runLine(QStringLiteral("od 1.0 read 6004 --json"))), "notANode");
+}
+
+// A planned encoder, number 17, on a bus that the project has no link for.
+class CliOdOfPlan : public testing::Test
+{
+protected:
+    CliOdOfPlan()
+        : m_before(qgetenv("XDG_DATA_HOME"))
+    {
+        qputenv("XDG_DATA_HOME", folder.path().toLocal8Bit());
+    }
+    ~CliOdOfPlan() override { qputenv("XDG_DATA_HOME", m_before); }
+
+    void plan(const QString &device, const QString &file = {})
+    {
+        Project project;
+        setCanopenPlan(project, firstCanBus, {});
+        std::vector<ProjectDevice> devices(1);
+        devices[0].standAt({firstCanBus, NodeId("can:17")});
+        devices[0].participant.deviceKey = device;
+        if (!file.isEmpty())
+            devices[0].set(CanopenEncoderSettings{.file = file});
+        setDevicesOn(project, firstCanBus, std::move(devices));
+        ASSERT_TRUE(saveProject(project, path));
+    }
+    CliRun od(const QString &options = {}) const
+    {
+        return runLine(
+            QStringLiteral("od can:17 --link project --project %1 %2").arg(path, options).trimmed());
+    }
+    QString write(const QString &name)
+    {
+        QFile file(folder.filePath(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("[DeviceInfo]\nVendorName=Rotor Works\nProductName=Rotor 13\n"
+                   "[1000]\nParameterName=Device type\nDataType=7\nAccessType=ro\nDefaultValue=0x20196\n"
+                   "[1800]\nParameterName=TPDO 1\nObjectType=9\n[1800sub1]\nParameterName=Identifier\n"
+                   "DataType=7\nAccessType=rw\nDefaultValue=$NODEID+0x180\n"
+                   "[2101]\nParameterName=Filter depth\nDataType=5\nAccessType=rw\nDefaultValue=7\n"
+                   "[6001]\nParameterName=Steps\nDataType=7\nAccessType=rw\nDefaultValue=4096\n");
+        return file.fileName();
+    }
+
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("p.codewheel"));
+
+private:
+    const QByteArray m_before;
+};
+
+TEST_F(CliOdOfPlan, TheImportedDescriptionTellsObjectsAndDefaultsAndNothingIsRead)
+{
+    EXPECT_EQ(runLine(QStringLiteral("eds %1 --import").arg(write(QStringLiteral("rotor.eds")))).exit, 0);
+    plan(QStringLiteral("rotor-works-rotor-13"));
+    const CliRun run = od();
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Node 17 (11h): nothing was read. Objects and defaults are those that the "
+                                   "description of Rotor Works Rotor 13 tells"));
+    EXPECT_THAT(run.out, testing::ContainsRegex("\n2101:0 +Filter depth +u8 +ro +7 "));
+    EXPECT_THAT(run.out, testing::ContainsRegex("\n6001:0 .* 4096 "));
+    const QJsonObject json = od(QStringLiteral("--json")).json();
+    EXPECT_EQ(json[u"isRead"], false);
+    EXPECT_EQ(json[u"device"], QStringLiteral("rotor-works-rotor-13"));
+    EXPECT_EQ(json[u"place"], QStringLiteral("can:17"));
+    EXPECT_GT(json[u"objects"].toArray().size(), 20);
+}
+
+TEST_F(CliOdOfPlan, TheFileOfTheProjectGoesBeforeTheDescription)
+{
+    write(QStringLiteral("rotor.eds"));
+    plan(QStringLiteral("canopen-406-multi-turn"), QStringLiteral("/elsewhere/rotor.eds"));
+    const CliRun run = od();
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("those of " + folder.filePath(QStringLiteral("rotor.eds")).toStdString()));
+    EXPECT_THAT(run.out, testing::ContainsRegex("\n1800:1 +Identifier +u32 +rw +401 ")) << "of node 17";
+    plan(QStringLiteral("canopen-406-multi-turn"), QStringLiteral("/elsewhere/gone.eds"));
+    const CliRun gone = od();
+    EXPECT_EQ(gone.exit, 0);
+    EXPECT_THAT(gone.err, HasSubstr("/elsewhere/gone.eds"));
+    EXPECT_THAT(gone.out, HasSubstr("CiA 406, of which no device has all"));
+}
+
+TEST_F(CliOdOfPlan, AnActionWithoutAnObjectIsNoList)
+{
+    plan(QStringLiteral("canopen-406-multi-turn"));
+    EXPECT_EQ(errorKey(runLine(QStringLiteral("od can:17 read --json --link project --project ") + path)),
+              "missingArgument");
 }
 
 } // namespace
