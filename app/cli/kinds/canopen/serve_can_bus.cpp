@@ -35,6 +35,7 @@ canopen::SimulatedCanopenPlant plantOf(ServeCanPlan plan)
         encoder.rate = plan.rate;
     canopen::SimulatedCanopenPlant plant(plan.encoders, plan.seed);
     plant.bus()->setFaults(plan.faults);
+    plant.setBackground(plan.background);
     for (const std::size_t which : plan.silent)
         plant.withEncoder(which, [](canopen::SimulatedNode &node) { node.setOn(false); });
     return plant;

@@ -35,6 +35,12 @@ constexpr std::array canServiceOptions{
     delayOption,
     silentOption,
     seedOption,
+    Option{"--load", "PERCENT",
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "canopen: devices that are no encoders take so much of the bus (0)")},
+    Option{"--master", nullptr,
+           QT_TRANSLATE_NOOP("codewheel::CommandLine",
+                             "canopen: a master is at work, with SYNC and SDO requests of its own")},
     Option{"--quirk", "QUIRK",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "canopen: what makers do otherwise, on all encoders; several as "
@@ -59,11 +65,13 @@ Checked<void> takeFaults(const Arguments &arguments, ServeCanPlan &plan)
         {"--delayed", 0, 0, mostOfThousand, plan.faults.late},
         {"--delay", usualServedDelay, 1, longestServedDelay, delay},
         {"--seed", 1, 0, largestSeed, seed},
+        {"--load", 0, 0, canopen::BackgroundPlan::highestLoad, plan.background.load},
     };
     if (const auto taken = takeNumbers(arguments, rows); !taken)
         return taken;
     plan.faults.delay = std::chrono::milliseconds(delay);
     plan.seed = static_cast<std::uint32_t>(seed);
+    plan.background.hasMaster = arguments.has("--master");
     return {};
 }
 

@@ -13,6 +13,7 @@ struct ServeCanPlan
     std::optional<QString> interface {}; // empty: an SLCAN adapter on a pseudo terminal
     int rate = 125'000;                  // Bd
     CanBusFaults faults{};
+    canopen::BackgroundPlan background{};
     std::uint32_t seed = 1;
     std::vector<canopen::CanopenEncoderPlan> encoders{};
     std::vector<std::size_t> silent{}; // of the encoders

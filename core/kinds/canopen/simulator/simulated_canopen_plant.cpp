@@ -41,11 +41,24 @@ std::vector<CanopenEncoderPlan> trainingEncoders()
 SimulatedCanopenPlant::SimulatedCanopenPlant(const std::vector<CanopenEncoderPlan> &encoders,
                                              std::uint32_t seed)
     : m_bus(std::make_shared<SimulatedCanBus>(seed))
+    , m_background(std::make_shared<BackgroundTraffic>(encoders.empty() ? CanopenEncoderPlan().rate
+                                                                        : encoders.front().rate))
 {
     for (const CanopenEncoderPlan &plan : encoders) {
         m_nodes.push_back(std::make_shared<SimulatedNode>(plan));
         m_bus->add(m_nodes.back());
     }
+    m_bus->add(m_background);
+}
+
+void SimulatedCanopenPlant::setBackground(const BackgroundPlan &plan)
+{
+    m_bus->locked([&] { m_background->set(plan); });
+}
+
+BackgroundPlan SimulatedCanopenPlant::background() const
+{
+    return m_bus->locked([this] { return m_background->plan(); });
 }
 
 } // namespace codewheel::canopen

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "can/simulator/simulated_can_bus.h"
+#include "kinds/canopen/simulator/background_traffic.h"
 #include "kinds/canopen/simulator/simulated_node.h"
 
 namespace codewheel::canopen {
@@ -21,6 +22,10 @@ public:
 
     // For the trainer.
     std::size_t count() const { return m_nodes.size(); }
+    // On the wire, before whoever comes to the bus later.
+    std::size_t participants() const { return m_nodes.size() + 1; }
+    void setBackground(const BackgroundPlan &plan);
+    BackgroundPlan background() const;
     // Calls `change` with an encoder, counted from 0 in the order of the plans.
     template <typename Change>
     auto withEncoder(std::size_t which, Change change)
@@ -31,6 +36,7 @@ public:
 private:
     std::shared_ptr<SimulatedCanBus> m_bus;
     std::vector<std::shared_ptr<SimulatedNode>> m_nodes;
+    std::shared_ptr<BackgroundTraffic> m_background;
 };
 
 } // namespace codewheel::canopen

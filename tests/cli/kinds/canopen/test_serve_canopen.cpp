@@ -135,6 +135,14 @@ TEST(CliServeCan, QuirksSilentOnesAndRateAreOptions)
     EXPECT_THAT(scan.out, Not(HasSubstr("can:5")));
 }
 
+TEST(CliServeCan, OthersMayUseTheBusToo)
+{
+    ServedCan bus(QStringLiteral("--load 60 --master"));
+    const QJsonObject json = bus.runLine(QStringLiteral("monitor can:6 --for 2 --json")).json();
+    EXPECT_GT(json[u"figures"][u"load"].toDouble(), 0.3); // a busy machine
+    EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("od can:6 read 6004 --json"))), "canopenOtherMaster");
+}
+
 TEST(CliServeCan, BadOptionsAreRefusedBeforeAnythingIsServed)
 {
     const std::pair<const char *, const char *> rows[] = {
@@ -144,6 +152,7 @@ TEST(CliServeCan, BadOptionsAreRefusedBeforeAnythingIsServed)
         {"serve canopen --quirk noisy", "optionNotAllowed"},
         {"serve canopen --silent 9", "optionNotAllowed"},
         {"serve canopen --lost 1001", "optionOutOfRange"},
+        {"serve canopen --load 96", "optionOutOfRange"},
         {"serve canopen --echo", "optionOfOtherService"},
         {"serve esc --quirk autostart", "optionOfOtherService"},
     };

@@ -116,7 +116,7 @@ void CanFaultsBox::setDelay(int milliseconds)
 void CanFaultsBox::setAlone(bool on)
 {
     change([&](CanBusFaults &faults) {
-        faults.brokenAfter = on ? std::optional(m_plant->count()) : std::nullopt;
+        faults.brokenAfter = on ? std::optional(m_plant->participants()) : std::nullopt;
     });
     Q_EMIT acted(canAct(on ? CanAct::adapterAlone : CanAct::adapterNotAlone));
 }
