@@ -11,6 +11,10 @@ _codewheel_cli() {
         line=${line%%$'\t'*}
         case $line in
             :files) _filedir ;;
+            ":files "*:) # behind log:
+                cur=${cur#*"${line#:files }"}
+                _filedir
+                ;;
             ":files "*) _filedir "${line#:files }" ;;
             *)
                 [[ $cur == [\'\"]* ]] || line=$(printf '%q' "$line")

@@ -123,6 +123,10 @@ TEST(Completion, FilesAreLeftToTheShell)
     EXPECT_THAT(completed(QStringLiteral("scan --project ")), ElementsAre(":files codewheel"));
     EXPECT_THAT(completed(QStringLiteral("export ni")), ElementsAre(":files cwrec"));
     EXPECT_THAT(completed(QStringLiteral("cams 1.0 read ca")), ElementsAre(":files"));
+    EXPECT_THAT(completed(QStringLiteral("monitor can:5 --link log:ni")), ElementsAre(":files log:"));
+    EXPECT_THAT(completed(QStringLiteral("monitor can:5 --link=log:ni")), ElementsAre(":files log:"));
+    EXPECT_THAT(completed(QStringLiteral("monitor can:5 --link log:night.log,us")),
+                ElementsAre("log:night.log,usual-mapping="));
 }
 
 TEST(Completion, IsSilentAboutACallThatMakesNoSense)

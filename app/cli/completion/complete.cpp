@@ -239,6 +239,8 @@ Candidates CallSoFar::links(const QString &typed) const
                 std::ranges::copy(settings(*kind, typed), std::back_inserter(all));
                 continue;
             }
+            if (kind->leadsToFile())
+                all.push_back({filesMark + u' ' + begin});
             for (const QString &where : kind->ends(scheme))
                 all.push_back({begin + where});
             if (kind->leadsToPlanned())

@@ -20,7 +20,8 @@ struct Candidate
 
 // For shells: what the last of these words may be, as far as it is typed. They are the words behind
 // "codewheel-cli". Opens no link and sends nothing; a call that makes no sense has no candidates. ":files",
-// with a suffix behind it if only those make sense, stands for names of files, which the shell knows.
+// with a suffix behind it if only those make sense, stands for names of files, which the shell knows; ":files
+// log:" for names that stand behind that.
 std::vector<Candidate> candidates(const QStringList &words);
 
 // "complete -- WORD...", which the completion of the shells calls and no help mentions: prints a candidate

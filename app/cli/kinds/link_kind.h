@@ -82,6 +82,8 @@ public:
     {
         return std::nullopt;
     }
+    // What stands behind its schemes is a file, whose name the shell completes.
+    virtual bool leadsToFile() const { return false; }
     // With its parameters limited by the settings of --link.
     virtual Checked<DeviceDescription> asOnLink(const Call &call, DeviceDescription device) const;
     // What only listens there, as typed; where nothing was typed, at all places of this computer.

@@ -34,6 +34,7 @@ public:
     QString bus() const override { return QString::fromLatin1(canopenKind); }
     QStringList schemes() const override { return {QStringLiteral("log")}; }
     bool leadsToPlanned() const override { return false; }
+    bool leadsToFile() const override { return true; }
     QString help() const override
     {
         return CommandLine::tr(
