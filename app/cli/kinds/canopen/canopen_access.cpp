@@ -71,13 +71,7 @@ CanopenAccess::CanopenAccess(const CanopenLink &settings, std::unique_ptr<Canope
     , m_session(std::move(session))
 {
     QObject::connect(m_session.get(), &CanopenSession::passed, m_session.get(),
-                     [this](const CanopenRow &row) {
-                         const auto cob = row.frame.isExtended || row.frame.isRemote || row.frame.isError
-                                              ? std::nullopt
-                                              : canopen::CobId::of(row.frame.id);
-                         if (cob && cob->service == canopen::CobId::Service::tpdo && cob->number == 1)
-                             m_firstPdos[cob->node] = row.frame;
-                     });
+                     [this](const CanopenRow &row) { m_firstPdos.take(row.frame); });
 }
 
 std::unique_ptr<CanopenAccess> CanopenAccess::to(const CanopenLink &link, const Catalog &catalog, BusId id)

@@ -6,9 +6,9 @@
 #include "cli/kinds/canopen/canopen_link.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/described_node.h"
+#include "kinds/canopen/protocol/first_pdos_heard.h"
 
 #include <functional>
-#include <map>
 #include <memory>
 
 namespace codewheel {
@@ -130,12 +130,12 @@ private:
 
     CanopenLink m_link;
     std::unique_ptr<CanopenSession> m_session;
-    std::vector<NodeOnBus> m_found;      // by the search
-    std::map<int, CanFrame> m_firstPdos; // by node, each the newest
-    SlcanLink *m_adapter = nullptr;      // of the session; null: it uses none
-    std::optional<Refusal> m_notOpened;  // the reason
-    std::optional<StopSignals> m_stop;   // while something is done by hand
-    bool m_isStopped = false;            // by Ctrl+C
+    std::vector<NodeOnBus> m_found; // by the search
+    canopen::FirstPdosHeard m_firstPdos;
+    SlcanLink *m_adapter = nullptr;     // of the session; null: it uses none
+    std::optional<Refusal> m_notOpened; // the reason
+    std::optional<StopSignals> m_stop;  // while something is done by hand
+    bool m_isStopped = false;           // by Ctrl+C
 };
 
 } // namespace codewheel

@@ -79,9 +79,9 @@ QStringList CanopenAccess::remarks(const Reading &reading) const
         if (const QString errors = nodeTroubles(*node).join(QStringLiteral("; ")); !errors.isEmpty())
             texts << errors;
     }
-    if (const auto pdo = m_firstPdos.find(number); pdo != m_firstPdos.end() && !reading.position)
+    if (const CanFrame *pdo = m_firstPdos.of(number); pdo != nullptr && !reading.position)
         texts << sentence(CommandLine::tr("PDO1 %1, which is position %2 if it is mapped as CiA 406 has it"),
-                          {octetsText(pdo->second.data()), QString::number(assumedPosition(pdo->second))});
+                          {octetsText(pdo->data()), QString::number(assumedPosition(*pdo))});
     if (reading.alarms)
         texts << canopen::encoderBitTexts(canopen::object::alarms.index, *reading.alarms);
     if (reading.warnings)
@@ -97,9 +97,9 @@ QJsonObject CanopenAccess::remarksJson(const Reading &reading) const
         {QStringLiteral("nmt"), node != nullptr ? nmtStateJson(node->state) : QJsonValue()},
         {QStringLiteral("alarms"), reading.alarms ? QJsonValue(*reading.alarms) : QJsonValue()},
         {QStringLiteral("warnings"), reading.warnings ? QJsonValue(*reading.warnings) : QJsonValue()}};
-    if (const auto pdo = m_firstPdos.find(number); pdo != m_firstPdos.end() && !reading.position) {
-        json.insert(QStringLiteral("pdo1"), octetsText(pdo->second.data()));
-        json.insert(QStringLiteral("positionIfUsual"), qint64{assumedPosition(pdo->second)});
+    if (const CanFrame *pdo = m_firstPdos.of(number); pdo != nullptr && !reading.position) {
+        json.insert(QStringLiteral("pdo1"), octetsText(pdo->data()));
+        json.insert(QStringLiteral("positionIfUsual"), qint64{assumedPosition(*pdo)});
     }
     return json;
 }

@@ -401,7 +401,7 @@ void Cia406Driver::takePdo(const CanFrame &frame, Instant now)
         return;
     if (const auto heard = m_heard.of(frame))
         takeValues(heard->mapping, frame, now);
-    else if (m_usual && m_usual->isOf(frame))
+    else if (m_usual && m_usual->isOf(frame) && !m_heard.isElsewhere(node(), m_usual->number(), frame.id))
         takeValues(*m_usual, frame, now);
 }
 

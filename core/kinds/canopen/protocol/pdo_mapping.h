@@ -57,6 +57,8 @@ public:
     // Without identifier and count there is no such PDO.
     bool isThere() const;
     bool isOff() const;
+    bool hasIdentifier() const { return m_identifier.has_value(); } // it was told
+    bool hasAllEntries() const { return m_hasAllEntries; }
     std::uint32_t identifier() const; // of 11 or 29 bits
     bool isExtended() const;          // 29 bits
     std::optional<int> type() const;  // 0 acyclic, 1..240 each n-th SYNC, 252 to 255

@@ -66,4 +66,13 @@ std::shared_ptr<const PdoMappingsHeard::Pdo> PdoMappingsHeard::of(const CanFrame
     return found != m_byIdentifier.end() && found->second->mapping.isOf(frame) ? found->second : nullptr;
 }
 
+bool PdoMappingsHeard::isElsewhere(int node, int number, std::uint32_t identifier) const
+{
+    return std::ranges::any_of(m_pdos, [&](const auto &pdo) {
+        const PdoMapping &mapping = pdo->mapping;
+        return pdo->node == node && mapping.number() == number && mapping.hasIdentifier() &&
+               (mapping.isOff() || mapping.identifier() != identifier);
+    });
+}
+
 } // namespace codewheel::canopen

@@ -28,6 +28,8 @@ public:
     void restarted(int node);
     // Whose frame this is, by the identifier that was heard. Null: not known.
     std::shared_ptr<const Pdo> of(const CanFrame &frame) const;
+    // The node was heard to tell that this PDO of it is switched off, or has another identifier.
+    bool isElsewhere(int node, int number, std::uint32_t identifier) const;
 
 private:
     void take(int node, const SdoObject &object, Octets value);

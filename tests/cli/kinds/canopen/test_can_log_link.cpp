@@ -135,5 +135,61 @@ TEST_F(CliCanLog, ItsSettingsAreChecked)
             << settings;
 }
 
+// Node 5 tells that its first PDO has the identifier that node 6 has by the predefined set, which only sends
+// its heartbeat. Before, a frame has come under each of both.
+class CliCanLogElsewhere : public testing::Test
+{
+protected:
+    void write(const std::vector<QByteArray> &heard)
+    {
+        QByteArray text;
+        int later = 0;
+        const auto add = [&](const QByteArray &frame) {
+            later += 10'000;
+            text +=
+                "(1544106679." + QByteArray::number(later).rightJustified(6, '0') + ") can0 " + frame + '\n';
+        };
+        add("186#88130000");
+        for (const QByteArray &frame : heard)
+            add(frame);
+        for (int i = 0; i < 20; ++i) {
+            add("186#88130000");
+            add("706#7F");
+        }
+        QFile file(log);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+    std::string monitor(const char *place, const QString &settings = {})
+    {
+        return runLine(QStringLiteral("monitor %1 --every 100 --link log:").arg(QLatin1String(place)) + log +
+                       settings)
+            .out;
+    }
+
+    const QTemporaryDir folder;
+    const QString log = folder.filePath(QStringLiteral("bus.log"));
+    const std::vector<QByteArray> identifier{"605#4000180100000000", "585#4300180186010000"};
+};
+
+TEST_F(CliCanLogElsewhere, APdoIsRemarkedAtTheNodeThatWasHeardToSendIt)
+{
+    write(identifier);
+    EXPECT_THAT(monitor("can:5"), HasSubstr("position 5000 if it is mapped as CiA 406"));
+    EXPECT_THAT(monitor("can:6").substr(monitor("can:6").size() / 2), Not(HasSubstr("PDO1")));
+    EXPECT_THAT(monitor("can:6", QStringLiteral(",usual-mapping=yes")), HasSubstr("5000"))
+        << "of node 6 nothing was heard otherwise";
+}
+
+TEST_F(CliCanLogElsewhere, OneThatHasNoPositionByItsMappingIsNotRemarkedAsAPosition)
+{
+    std::vector<QByteArray> heard = identifier;
+    for (const char *frame :
+         {"605#40001A0000000000", "585#4F001A0001000000", "605#40001A0100000000", "585#43001A0110013060"})
+        heard.emplace_back(frame);
+    write(heard);
+    EXPECT_THAT(monitor("can:5"), Not(HasSubstr("if it is mapped")));
+}
+
 } // namespace
 } // namespace codewheel
