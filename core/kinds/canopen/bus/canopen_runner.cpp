@@ -113,6 +113,8 @@ void CanopenWork::complete(CanopenSnapshot &made)
 
 void CanopenWork::step(Instant until)
 {
+    if (mail.hasCommands())
+        receiveWhatIsThere();
     carryOutCommands();
     if (state.connected)
         useAsWanted();
@@ -126,6 +128,7 @@ void CanopenWork::step(Instant until)
 
 void CanopenWork::turn(Instant until)
 {
+    receiveWhatIsThere();
     AskingWork::turn(until);
     publish();
 }

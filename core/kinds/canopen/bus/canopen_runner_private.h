@@ -105,6 +105,7 @@ struct CanopenWork final
     void noteCommand(const canopen::NmtRequest &command, bool isOurs);
 
     // canopen_runner_receiving.cpp
+    void receiveWhatIsThere();
     void receive(Instant until);
     Instant wakesAt(Instant until) const;
     void take(const CanFrame &frame);

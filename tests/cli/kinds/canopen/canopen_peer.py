@@ -9,6 +9,7 @@ Written from CiA 301 and CiA 406; it shares no code with the program. Orders are
 
 import argparse
 import os
+import signal
 import sys
 import time
 
@@ -97,6 +98,8 @@ class Encoder(slcan_peer.Adapter):
                 return bytes([0x43 | (4 - len(value)) << 2]) + data[1:4] + value.ljust(4, b"\0")
             self.segments, self.toggle = value, 0
             return b"\x41" + data[1:4] + u(4, len(value))
+        if where == self.options.stalls_at:
+            self.stall()
         size = 4 - (command >> 2 & 3)
         if where[0] in (0x1018, 0x6004):
             return b"\x80" + data[1:4] + u(4, 0x06010002)
@@ -106,6 +109,11 @@ class Encoder(slcan_peer.Adapter):
         if where[0] == 0x6003:
             self.objects[0x6004, 0] = data[4:4 + size]
         return b"\x60" + data[1:4] + bytes(4)
+
+    def stall(self):
+        """Stopped, as by the system, until somebody continues it."""
+        self.options.stalls_at = None
+        os.kill(os.getpid(), signal.SIGSTOP)
 
     def obey(self, order):
         if order == "objects":
@@ -134,6 +142,7 @@ def main():
     parser.add_argument("--master", action="store_true", help="another master sends SYNC")
     parser.add_argument("--no-listening", action="store_true", help="the adapter refuses L")
     parser.add_argument("--unplugged-by", type=lambda text: int(text, 16), help="this command of LSS")
+    parser.add_argument("--stalls-at", type=lambda text: (int(text, 16), 0), help="a write to this object")
     options = parser.parse_args()
     for name, value in {"firmware": "lawicel", "end": "cr", "tear": False, "late": 0, "boot": 0, "open": False,
                         "stamps": False, "no_rates": ""}.items():

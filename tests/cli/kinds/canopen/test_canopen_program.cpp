@@ -4,6 +4,7 @@
 
 #include <QProcess>
 
+#include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,6 +39,8 @@ public:
         return codewheel::runLine(line +
                                   QStringLiteral(" --link slcan:%1,rate=250000%2").arg(m_port, settings));
     }
+    // It has been stopped, and goes on.
+    void wake() { EXPECT_EQ(::kill(static_cast<pid_t>(m_process.processId()), SIGCONT), 0); }
     std::vector<std::string> order(const QString &text)
     {
         m_process.write(text.toLatin1() + '\n');
@@ -120,6 +123,28 @@ TEST(CliCanProgram, WhatIsSentByLssAndNotAnsweredIsNotKnown)
     EXPECT_EQ(run.exit, 1);
     EXPECT_THAT(run.err, HasSubstr("whether it has done it is not known"));
     EXPECT_THAT(run.err, HasSubstr("may still be in LSS configuration"));
+}
+
+// The peer stands still once the write has reached it, and carries it out when nobody waits for it any more.
+void writeIntoAStall(const char *line)
+{
+    CanNodePeer peer(QStringLiteral("--stalls-at 6001"));
+    const CliRun run = peer.runLine(QString::fromLatin1(line));
+    peer.wake();
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(errorKey(run), "sdoWriteUnknown") << run.err;
+    EXPECT_THAT(peer.order(QStringLiteral("objects")), ElementsAre("6001:0=00100000"));
+    EXPECT_THAT(peer.runLine(QStringLiteral("od can:5 read 6001")).out, HasSubstr("4096"));
+}
+
+TEST(CliCanProgram, AnObjectWrittenIntoAStallIsNotKnownAndNotSentAgain)
+{
+    writeIntoAStall("od can:5 write 6001=4096 --yes --json");
+}
+
+TEST(CliCanProgram, AParameterWrittenIntoAStallIsNotKnownAndNotSentAgain)
+{
+    writeIntoAStall("write can:5 steps=4096 --yes --json");
 }
 
 TEST(CliCanProgram, BesideAnotherMasterNothingIsSentUnlessThatWasAgreedTo)

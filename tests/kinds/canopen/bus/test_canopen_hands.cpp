@@ -41,6 +41,21 @@ protected:
     std::vector<NodesScanned> scans;
 };
 
+// Nobody has looked since: a question was open.
+TEST_F(CanopenByHand, WhatHasComeInIsReadBeforeACommandIsCarriedOut)
+{
+    operate();
+    hear();
+    link->sent.clear();
+    say(canopen::syncFrame());
+    plant->bus()->advance(plant->bus()->now() + 3s);
+    bus->transfer({.node = 5, .object = {0x1018, 1}});
+    bus->advance(100ms);
+    EXPECT_TRUE(link->sent.empty()) << "another master is at work by now";
+    ASSERT_EQ(transfers.size(), 1U);
+    EXPECT_NE(transfers.front().outcome.kind, SdoOutcome::Kind::read);
+}
+
 TEST_F(CanopenByHand, AFrameIsSentOnceInOperate)
 {
     open(EncoderBus::Start::watching);
