@@ -53,6 +53,11 @@ protected:
         const int exit = runOn(command, *arguments, catalog, {&ring}, Terminal{in, out, err, person.isThere});
         return {exit, out.str(), err.str()};
     }
+    void connectAgain() // after which nothing is known
+    {
+        shared.bus().close();
+        ASSERT_TRUE(shared.bus().open(RingSession::Start::operating));
+    }
     EncoderSession &fraba() { return *shared.bus().encoder("1.0"_ring); }
 
     const Catalog catalog = Catalog::builtIn();
@@ -81,6 +86,36 @@ TEST_F(CliReplace, TheNewEncoderGetsTheValuesAndIsPutIntoTheProject)
     EXPECT_TRUE(now.stored.empty());
     EXPECT_EQ(now.station, QStringLiteral("Hoist"));
     EXPECT_TRUE(QFile::exists(file + u'~'));
+}
+
+// None reports its mode; what is said of it spares the way to position mode.
+TEST_F(CliReplace, TheNewEncoderIsInPositionModeIfTheUserSaysSo)
+{
+    const auto plan = [&](const char *line) {
+        connectAgain();
+        return run(line).json()[u"plan"][0].toObject();
+    };
+    const QJsonObject unsaid = plan("replace 1.0 --project @ --position 3000 --dry-run --json");
+    const QJsonObject said =
+        plan("replace 1.0 --project @ --position 3000 --in-position-mode --dry-run --json");
+    EXPECT_EQ(said[u"eepromWritesAtMost"].toInt(), unsaid[u"eepromWritesAtMost"].toInt() - 1);
+    connectAgain();
+    const CliRun done =
+        run("replace 1.0 --project @ --position 3000 --in-position-mode --yes --trace --json");
+    EXPECT_EQ(done.exit, 0) << done.err;
+    EXPECT_THAT(done.out, Not(HasSubstr("20800000"))) << "the word that switches to position mode";
+    EXPECT_EQ(fraba().latest().position, 3000);
+}
+
+TEST_F(CliReplace, TransferAndRestoreAreToldTheModeInTheSameWay)
+{
+    for (const char *line :
+         {"transfer @ 1.0 --in-position-mode --yes", "restore 1.0 --in-position-mode --yes"}) {
+        connectAgain();
+        EXPECT_FALSE(fraba().latest().mode);
+        EXPECT_EQ(run(line).exit, 0) << line;
+        EXPECT_EQ(fraba().latest().mode, Mode::position) << line;
+    }
 }
 
 // The wire breaks while the new encoder is being written: its values are still in the project, and the same

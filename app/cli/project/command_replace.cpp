@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
+#include "cli/encoder/told_mode.h"
 #include "cli/project/project_of_call.h"
 #include "cli/project/transfer_call.h"
 #include "cli/project/transfer_text.h"
@@ -40,6 +41,7 @@ constexpr std::array replaceOptions{
     Option{"--position", "N",
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "set the position to this, in steps; \"last\" is the one the project knows")},
+    inPositionModeOption,
     transferDryRun,
     transferReport,
     traceOption,
@@ -235,9 +237,9 @@ Checked<Answer> runReplace(const Call &call)
 
 const Subcommand replaceCommand{
     .name = "replace",
-    .usage =
-        "PLACE --project FILE [--device NAME | --label KEY] [--serial NUMBER] [--position N] [--dry-run] "
-        "[--report FILE] [--yes] [--trace]",
+    .usage = "PLACE --project FILE [--device NAME | --label KEY] [--serial NUMBER] [--position N] "
+             "[--in-position-mode] [--dry-run] "
+             "[--report FILE] [--yes] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "give a new encoder the values and the position of the previous one"),
     .details = QT_TRANSLATE_NOOP(

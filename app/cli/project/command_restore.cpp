@@ -8,6 +8,7 @@
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
 #include "cli/encoder/parameter_text.h"
+#include "cli/encoder/told_mode.h"
 #include "cli/encoder/value_lines.h"
 #include "cli/project/project_of_call.h"
 #include "cli/project/transfer_call.h"
@@ -32,6 +33,7 @@ constexpr std::array restoreOptions{
                              "newest")},
     Option{"--list", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine", "list what there is, and write nothing")},
+    inPositionModeOption,
     transferDryRun,
     transferReport,
     traceOption,
@@ -161,7 +163,7 @@ Checked<Answer> runRestore(const Call &call)
 
 const Subcommand restoreCommand{
     .name = "restore",
-    .usage = "PLACE [--at TIME | --list] [--dry-run] [--report FILE] [--yes] [--trace]",
+    .usage = "PLACE [--at TIME | --list] [--in-position-mode] [--dry-run] [--report FILE] [--yes] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine",
                                  "write the values again that an encoder had before a write"),
     .details = QT_TRANSLATE_NOOP(

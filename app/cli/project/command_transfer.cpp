@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
+#include "cli/encoder/told_mode.h"
 #include "cli/project/transfer_call.h"
 #include "transfer/project_places.h"
 #include "vocabulary/sentence.h"
@@ -20,6 +21,7 @@ constexpr std::array transferOptions{
     Option{"--stored", nullptr,
            QT_TRANSLATE_NOOP("codewheel::CommandLine",
                              "write what was stored of the encoders, not what is wanted")},
+    inPositionModeOption,
     transferDryRun,
     transferStop,
     transferReport,
@@ -65,7 +67,8 @@ Checked<Answer> runTransfer(const Call &call)
 
 const Subcommand transferCommand{
     .name = "transfer",
-    .usage = "PROJECT [PLACE...] [--stored] [--dry-run] [--stop] [--report FILE] [--yes] [--trace]",
+    .usage = "PROJECT [PLACE...] [--stored] [--in-position-mode] [--dry-run] [--stop] [--report FILE] "
+             "[--yes] [--trace]",
     .summary = QT_TRANSLATE_NOOP("codewheel::CommandLine", "write the values of a project to its encoders"),
     .details = QT_TRANSLATE_NOOP(
         "codewheel::CommandLine",

@@ -10,6 +10,7 @@
 #include "cli/encoder/consent.h"
 #include "cli/encoder/eeprom_consent.h"
 #include "cli/encoder/jobs.h"
+#include "cli/encoder/told_mode.h"
 #include "cli/project/project_of_call.h"
 #include "cli/project/transfer_text.h"
 #include "project/file_access.h"
@@ -46,6 +47,15 @@ bool readBefore(const Call &call, const TransferWish &wish)
         return true;
     const auto read = call.busOf(wish.place).readBefore(call, *encoder, wish.values);
     return read || read.error().key != aboutCancelling().key;
+}
+
+// Those that have modes, as the user says: none reports its own.
+void tellModes(const Call &call, const std::vector<TransferWish> &wishes)
+{
+    for (const TransferWish &wish : wishes)
+        if (EncoderSession *encoder = call.buses.encoder(wish.place);
+            encoder != nullptr && encoder->device().quirks.hasModes && tellMode(*encoder, call.arguments))
+            passTime(call, wish.place); // until it shows it
 }
 
 // From before the first job to after the last one, the buses of a round may write.
@@ -203,6 +213,7 @@ Checked<std::vector<ProjectDevice>> devicesMeant(const Call &call, const Project
 
 Checked<TransferPlan> plan(const Call &call, std::vector<TransferWish> wishes)
 {
+    tellModes(call, wishes);
     StopSignals stop; // also between two reads
     for (const TransferWish &wish : wishes)
         if (!readBefore(call, wish) || stop.came())
