@@ -31,7 +31,7 @@ def calls(root, work, cli):
     for call in (["scan"], ["monitor", "can:5"], ["monitor", "can:6"], ["read", "can:5"], ["record", "-o", "log.cwrec"]):
         for settings in ("", ",usual-mapping=yes"):
             yield [*call, "--link", f"log:commissioning.log{settings}"]
-    for name in ("whole.dcf", "compact.eds", "odd.eds"):
+    for name in ("whole.dcf", "compact.eds", "odd.eds", "encoder.eds"):
         shutil.copy(root / "tests/fuzz/corpus/eds" / name, work)
     commands = [command["name"] for command in answer(cli, "--help")["commands"]]
     devices = [device["name"] for device in answer(cli, "devices")["devices"]]
@@ -178,14 +178,14 @@ def can_buses():
                  ["lss", "node", "5", "--yes"], ["lss", "rate", "250000", "--of", "can:6", "--yes"],
                  ["lss", "store", "--of", "can:6", "--yes"], ["nmt", "start", "--yes"]):
         yield [*call, "--link", "canopen:training"]
-    for name in ("whole.dcf", "compact.eds", "odd.eds"):
+    for name in ("whole.dcf", "compact.eds", "odd.eds", "encoder.eds"):
         yield ["devices", "--check", name]
         yield ["eds", name, "--compare", "whole.dcf"]
         yield ["eds", name, "--read", "can:6", "--link", "canopen:training"]
     for place in ("can:5", "can:6", "can:7", "can:50"):
         for call in (["read", place], ["read", place, "serial-number", "--trace"], ["monitor", place, "--for", "1"],
                      ["write", place, "steps=4096", "--yes"], ["preset", place, "1000"], ["reset", place, "--yes"],
-                     ["cams", place, "read"], ["od", place, "read", "6004"], ["od", place, "read", "1008"],
+                     ["cams", place, "read"], ["od", place], ["od", place, "read", "6004"], ["od", place, "read", "1008"],
                      ["od", place, "write", "6001=4096", "--yes"], ["od", place, "write", "1010:1=save", "--yes"],
                      ["nmt", "start", place, "--yes"], ["nmt", "reset", place, "--yes"]):
             yield [*call, "--link", "canopen:training"]
