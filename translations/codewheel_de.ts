@@ -3175,10 +3175,6 @@
         <translation>Ein Gerät ohne Nummer hat eine gespeichert: Es ist jetzt Knoten %1.</translation>
     </message>
     <message>
-        <source>It says that it has stored the rate %1 kBit/s, in force once its supply was off and on.</source>
-        <translation>Er sagt, er habe die Rate %1 kBit/s gespeichert; sie gilt, sobald seine Versorgung aus und wieder ein war.</translation>
-    </message>
-    <message>
         <source>The CAN bus (%1) is open at %2 kBit/s.</source>
         <translation>Der CAN-Bus (%1) ist mit %2 kBit/s geöffnet.</translation>
     </message>
@@ -3201,6 +3197,10 @@
     <message>
         <source>NMT was sent: %1.</source>
         <translation>NMT wurde gesendet: %1.</translation>
+    </message>
+    <message>
+        <source>Node %2 says that it has stored the rate %1 kBit/s, in force once its supply was off and on.</source>
+        <translation>Knoten %2 sagt, er habe die Rate %1 kBit/s gespeichert; sie gilt, sobald seine Versorgung aus und wieder ein war.</translation>
     </message>
 </context>
 <context>
@@ -6383,10 +6383,6 @@
         <translation>Nicht verbunden</translation>
     </message>
     <message>
-        <source>No link; it is looked for each second</source>
-        <translation>Keine Verbindung; sie wird jede Sekunde gesucht</translation>
-    </message>
-    <message>
         <source>Open, in Operate</source>
         <translation>Offen, auf Bedienen</translation>
     </message>
@@ -6421,6 +6417,10 @@
     <message>
         <source>Looks for a device without a number by LSS, to give it one</source>
         <translation>Sucht mit LSS ein Gerät ohne Nummer, um ihm eine zu geben</translation>
+    </message>
+    <message>
+        <source>No link; it is looked for each second. What is below is of before</source>
+        <translation>Keine Verbindung; sie wird jede Sekunde gesucht. Was darunter steht, ist von vorher  (replaces &quot;No link; it is looked for each second&quot;)</translation>
     </message>
 </context>
 <context>
@@ -6633,6 +6633,10 @@
         <source>since %1</source>
         <comment>a time of day</comment>
         <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>before the link was lost:</source>
+        <translation>bevor die Verbindung verloren ging:</translation>
     </message>
 </context>
 <context>
@@ -7598,6 +7602,14 @@
         <source>TPDO%1 should come each %2 ms at least. Check whether the node still runs: Start it (NMT), and see to its supply.</source>
         <translation>TPDO%1 müsste mindestens alle %2 ms kommen. Prüfen Sie, ob der Knoten noch läuft: starten (NMT) und nach seiner Versorgung sehen.</translation>
     </message>
+    <message>
+        <source>heard, and silent</source>
+        <translation>gehört, und stumm</translation>
+    </message>
+    <message>
+        <source>Node %1 was heard and does not answer, and frames are disturbed: two devices may have its number. Connect one of them alone. If it is the only one, see to rate, terminators and wires.</source>
+        <translation>Knoten %1 wurde gehört und antwortet nicht, und Telegramme sind gestört: Vielleicht haben zwei Geräte seine Nummer. Schließen Sie eines davon allein an. Ist es das einzige, prüfen Sie Rate, Abschlusswiderstände und Leitungen.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenFacts</name>
@@ -8104,6 +8116,18 @@ Telegramme: %5, Fehler: %6</translation>
         <source>The object of the node number is one of the maker (2000h to 5FFFh), and the vendorNumber says whose.</source>
         <translation>Das Objekt der Knotennummer ist eines des Herstellers (2000h bis 5FFFh), und die vendorNumber sagt, wessen.</translation>
     </message>
+    <message>
+        <source>The object of the rate is one of the maker (2000h to 5FFFh), the vendorNumber says whose, and rates what its numbers stand for.</source>
+        <translation>Das Objekt der Rate ist eines des Herstellers (2000h bis 5FFFh), vendorNumber sagt, welches Herstellers, und rates, wofür seine Zahlen stehen.</translation>
+    </message>
+    <message>
+        <source>Which rates have other numbers depends on the make: give the description the vendorNumber of the device (1018h:1).</source>
+        <translation>Welche Raten andere Zahlen haben, hängt vom Fabrikat ab: Der Beschreibung die vendorNumber des Geräts (1018h:1) geben.</translation>
+    </message>
+    <message>
+        <source>This rate or its number is here twice.</source>
+        <translation>Diese Rate oder ihre Zahl steht hier zweimal.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenStatus</name>
@@ -8120,6 +8144,11 @@ Telegramme: %5, Fehler: %6</translation>
     <message>
         <source>CAN bus: %1 frames received, %2 sent, %3 error frames. State of the controller: %4</source>
         <translation>CAN-Bus: %1 Telegramme empfangen, %2 gesendet, %3 Fehlertelegramme. Zustand des Controllers: %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 kBit/s, load %3 %, nodes heard: %4</source>
+        <comment>CAN adapter, rate</comment>
+        <translation>%1, %2 kBit/s, Last %3 %, Knoten zu hören: %4</translation>
     </message>
 </context>
 <context>
@@ -11467,22 +11496,6 @@ Braucht keinen Bus und sendet nichts.</translation>
         <translation>einem Gerät an CANopen über LSS Knotennummer und Rate geben</translation>
     </message>
     <message>
-        <source>Of a device without a number, which is looked for (some seconds); with --of PLACE of the node there;
-with --alone of whoever is there, where one device is alone on the bus. scan and show tell its
-identity and number; node 9 gives it a number, rate 250000 a rate in Bd, and store keeps both.
-
-Before anything is written its identity is read from it and shown, and it is asked for; where nobody
-can be asked, --yes is needed. A number that another node has is refused. Storing writes to the
-EEPROM.</source>
-        <translation>Für ein Gerät ohne Nummer, das gesucht wird (einige Sekunden); mit --of PLACE für den Knoten dort; mit
---alone für den, der da ist, wo ein Gerät allein am Bus ist. scan und show sagen Identität und Nummer;
-node 9 gibt ihm eine Nummer, rate 250000 eine Rate in Bd, und store behält beide.
-
-Bevor etwas geschrieben wird, wird seine Identität aus ihm gelesen und gezeigt, und es wird gefragt; ist
-niemand zu fragen, braucht es --yes. Eine Nummer, die ein anderer Knoten hat, wird abgelehnt. Speichern
-schreibt in das EEPROM.</translation>
-    </message>
-    <message>
         <source>Start node %1?</source>
         <translation>Knoten %1 starten?</translation>
     </message>
@@ -11589,22 +11602,6 @@ schreibt in das EEPROM.</translation>
     <message>
         <source>read or write an object of a node on CANopen</source>
         <translation>ein Objekt eines Knotens an CANopen lesen oder schreiben</translation>
-    </message>
-    <message>
-        <source>OBJECT is INDEX[:SUB], the index in hexadecimal as manuals have it: 6004, 1018:4. VALUE is a number,
-in decimal or as 1388h, or a text. How wide the object is, the node tells, or --type. What the
-number means is not looked into: to write parameters of an encoder by name there is write.
-
-Before it is written, the object is read and shown, and the write is asked for; where nobody can be
-asked, --yes is needed. It is sent once, and read back. A write to 1010h or 1011h counts as a write
-to the EEPROM.</source>
-        <translation>OBJECT ist INDEX[:SUB], der Index hexadezimal, wie Handbücher ihn haben: 6004, 1018:4. VALUE ist eine
-Zahl, dezimal oder wie 1388h, oder ein Text. Wie breit das Objekt ist, sagt der Knoten oder --type. Was die
-Zahl bedeutet, bleibt außer Betracht: Parameter eines Gebers schreibt write beim Namen.
-
-Vor dem Schreiben wird das Objekt gelesen und gezeigt, und es wird gefragt; ist niemand zu fragen, braucht
-es --yes. Es wird einmal gesendet und zurückgelesen. Schreiben auf 1010h oder 1011h zählt als
-EEPROM-Schreibvorgang.</translation>
     </message>
     <message>
         <source>%1 is no node on CANopen. Those are written as can:5.</source>
@@ -11966,6 +11963,84 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     <message>
         <source>Node %1 was stopped, and a stopped node answers nothing: it has to be taken for present. Switch it off if it is to go, start the number (codewheel-cli nmt start), and try again.</source>
         <translation>Knoten %1 wurde angehalten, und ein angehaltener Knoten antwortet nichts: Er muss als vorhanden gelten. Soll er weg, ihn ausschalten, die Nummer starten (codewheel-cli nmt start) und es noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Its maker has the rate in %1: %2 stands for %3 Bd.</source>
+        <translation>Sein Hersteller hat die Rate in %1: %2 steht für %3 Bd.</translation>
+    </message>
+    <message>
+        <source>The rate is in force once it was stored (codewheel-cli od %1 write 1010:1=save) and the supply switched off and on.</source>
+        <translation>Die Rate gilt, sobald sie gespeichert (codewheel-cli od %1 write 1010:1=save) und die Versorgung aus- und eingeschaltet wurde.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a rate of this device. Give one of these, in Bd: %2.</source>
+        <translation>„%1“ ist keine Rate dieses Geräts. Eine von diesen angeben, in Bd: %2.</translation>
+    </message>
+    <message>
+        <source>Of a device without a number, which is looked for (some seconds); with --of PLACE of the node there;
+with --alone of whoever is there, where one device is alone on the bus. scan and show tell its
+identity and number; node 9 gives it a number, rate 250000 a rate in Bd, and store keeps both.
+Where the description of the node has the object of the rate, or other numbers for rates than CiA 305,
+rate with --of goes by them.
+
+Before anything is written its identity is read from it and shown, and it is asked for; where nobody
+can be asked, --yes is needed. A number that another node has is refused. Storing writes to the
+EEPROM.</source>
+        <translation>Für ein Gerät ohne Nummer, das gesucht wird (einige Sekunden); mit --of PLACE für den Knoten dort; mit
+--alone für den, der da ist, wo ein Gerät allein am Bus ist. scan und show sagen Identität und Nummer;
+node 9 gibt ihm eine Nummer, rate 250000 eine Rate in Bd, und store behält beide. Hat die Beschreibung
+des Knotens das Objekt der Rate oder andere Zahlen für Raten als CiA 305, so richtet sich rate mit --of
+danach.
+
+Bevor etwas geschrieben wird, wird seine Identität aus ihm gelesen und gezeigt, und es wird gefragt; ist
+niemand zu fragen, braucht es --yes. Eine Nummer, die ein anderer Knoten hat, wird abgelehnt. Speichern
+schreibt in das EEPROM.</translation>
+    </message>
+    <message>
+        <source>OBJECT is INDEX[:SUB], the index in hexadecimal as manuals have it: 6004, 1018:4. VALUE is a number,
+in decimal or as 1388h, or a text. How wide the object is, the node tells, or --type. What the
+number means is not looked into: to write parameters of an encoder by name there is write.
+
+Before it is written, the object is read and shown, and the write is asked for; where nobody can be
+asked, --yes is needed. It is sent once, and read back. A write to 1010h or 1011h counts as a write
+to the EEPROM.
+
+Without read or write the objects are listed that the encoder may have, with their defaults: those of
+the file that the project has of it, or else of its description. Nothing is read.</source>
+        <translation>OBJECT ist INDEX[:SUB], der Index hexadezimal, wie Handbücher ihn haben: 6004, 1018:4. VALUE ist eine
+Zahl, dezimal oder wie 1388h, oder ein Text. Wie breit das Objekt ist, sagt der Knoten oder --type. Was die
+Zahl bedeutet, bleibt außer Betracht: Parameter eines Gebers schreibt write beim Namen.
+
+Vor dem Schreiben wird das Objekt gelesen und gezeigt, und es wird gefragt; ist niemand zu fragen, braucht
+es --yes. Es wird einmal gesendet und zurückgelesen. Schreiben auf 1010h oder 1011h zählt als
+EEPROM-Schreibvorgang.
+
+Ohne read oder write werden die Objekte aufgeführt, die der Geber haben kann, mit ihren Vorgabewerten: die
+der Datei, die das Projekt von ihm hat, sonst die seiner Beschreibung. Gelesen wird nichts.</translation>
+    </message>
+    <message>
+        <source>Objects and defaults are those that the description of %1 tells, and of CiA 301 and CiA 406.</source>
+        <translation>Objekte und Vorgaben sind die, die die Beschreibung von %1 nennt, und die von CiA 301 und CiA 406.</translation>
+    </message>
+    <message>
+        <source>Objects and defaults are those of CiA 301 and CiA 406, of which no device has all.</source>
+        <translation>Objekte und Vorgaben sind die von CiA 301 und CiA 406, von denen kein Gerät alle hat.</translation>
+    </message>
+    <message>
+        <source>Objects and defaults are those of %1.</source>
+        <translation>Objekte und Vorgaben sind die von %1.</translation>
+    </message>
+    <message>
+        <source>Node %1: nothing was read.</source>
+        <translation>Knoten %1: Es wurde nichts gelesen.</translation>
+    </message>
+    <message>
+        <source>canopen: devices that are no encoders take so much of the bus (0)</source>
+        <translation>canopen: Geräte, die keine Geber sind, belegen so viel vom Bus (0)</translation>
+    </message>
+    <message>
+        <source>canopen: a master is at work, with SYNC and SDO requests of its own</source>
+        <translation>canopen: Ein Master ist am Werk, mit SYNC und eigenen SDO-Anforderungen</translation>
     </message>
 </context>
 <context>
@@ -13444,6 +13519,10 @@ Endet mit 1, wenn niemand gefunden wurde.</translation>
     <message>
         <source>The objects as without a file; what was read stays</source>
         <translation>Die Objekte wie ohne Datei; was gelesen wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>%1 differ, then %2 that are not in both, of %3</source>
+        <translation>%1 weichen ab, dann %2, die nicht in beiden sind, von %3</translation>
     </message>
 </context>
 <context>
@@ -21750,6 +21829,10 @@ Zeigt mehr über die Aufzeichnung</translation>
         <source>The project does not say which encoder was here before: whether this one is like it is not known. Compare the labels.</source>
         <translation>Das Projekt sagt nicht, welcher Geber vorher hier war: Ob dieser ihm gleicht, ist nicht bekannt. Die Typenschilder vergleichen.</translation>
     </message>
+    <message>
+        <source>At %1 the bus has: %2%3. Switch the supply off, replace the encoder, and switch it on again.</source>
+        <translation>Bei %1 hat der Bus: %2%3. Versorgung abschalten, den Geber ersetzen und wieder einschalten.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::ReplacePage</name>
@@ -26674,10 +26757,6 @@ Worte: IN %3, OUT %4</translation>
         <translation>%1 von %2 Zeilen gezeigt</translation>
     </message>
     <message>
-        <source>%1 dropped</source>
-        <translation>%1 verworfen</translation>
-    </message>
-    <message>
         <source>Another connection begins here.</source>
         <translation>Ab hier eine andere Verbindung.</translation>
     </message>
@@ -26688,6 +26767,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>Node</source>
         <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>%1 older ones not kept</source>
+        <translation>%1 ältere nicht behalten  (replaces &quot;%1 dropped&quot; =&gt; &quot;%1 verworfen&quot;)</translation>
     </message>
 </context>
 <context>
