@@ -6,7 +6,7 @@
 #include "cli/call/texts.h"
 #include "cli/kinds/canopen/device_file_check.h"
 #include "cli/kinds/canopen/device_on_node.h"
-#include "kinds/canopen/eds/described_objects.h"
+#include "kinds/canopen/eds/standard_objects.h"
 #include "kinds/canopen/plan/canopen_plan.h"
 #include "vocabulary/sentence.h"
 
