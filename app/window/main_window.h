@@ -156,6 +156,7 @@ private:
     void tellDeviceThatStays();
     void setCurrent(BusAtWork &bus);
     void chooseBus(BusId bus);
+    void giveKeys(BusId bus); // those of bus_keys.h
     void showOtherFaults();
     void showFault(BusId bus, const Fault &fault);
     void tellWhose();
@@ -196,7 +197,8 @@ private:
     std::set<BusId> m_shown;           // as connected in the bus structure
     QHash<QString, BusId> m_currentOf; // by kind: which bus its actions and docks apply to
     BusId m_chosenBus = firstRing;     // that of the chosen row
-    Chosen m_beforeChange;             // for a bus that may get the same rows again
+    BusId m_keysOf = firstRing;
+    Chosen m_beforeChange; // for a bus that may get the same rows again
     WindowActions m_actions;
     AlarmStopEverywhere *m_alarmStop;
     Leaving *m_leaving;

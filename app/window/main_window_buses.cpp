@@ -105,6 +105,8 @@ void MainWindow::removeBus(BusAtWork *bus)
         if (views->owns(m_pages->currentWidget()))
             showMonitors();
         views->setCurrent(false);
+        if (m_keysOf == id)
+            giveKeys(firstRing);
         m_views.erase(id);
         delete views;
     }
@@ -224,10 +226,22 @@ void MainWindow::chooseBus(BusId bus)
         }
         for (const auto &[panel, page] : views->pages())
             m_panels.showPage(*panel, page);
+        if (views->takesKeys())
+            giveKeys(bus);
     }
     setCurrent(*its);
     tellDeviceThatStays();
     showBusState();
+}
+
+// A key never acts on another bus than the chosen one, if that can be connected.
+void MainWindow::giveKeys(BusId bus)
+{
+    if (BusViews *before = viewsOf(m_keysOf))
+        before->setHasKeys(false);
+    m_keysOf = bus;
+    if (BusViews *views = viewsOf(bus))
+        views->setHasKeys(true);
 }
 
 // If there are several buses of a kind, the tree, pages and panels show which bus they belong to.

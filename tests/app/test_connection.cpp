@@ -120,7 +120,7 @@ TEST_F(ConnectionTest, TheKeyOfAnActionThatIsDisabledSaysWhy)
     press();
     ASSERT_FALSE(bus().isOpen());
     EXPECT_EQ(window().statusBar()->currentMessage(), QString());
-    window().findChild<StructureView *>()->choose(firstLine);
+    window().findChild<StructureView *>()->choose(firstRing);
     press();
     EXPECT_TRUE(
         window().statusBar()->currentMessage().startsWith(QStringLiteral("Not possible now: Disconnect")))

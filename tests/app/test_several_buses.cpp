@@ -3,6 +3,7 @@
 #include "app/journal_files.h"
 #include "app/window/buses/bus_views.h"
 #include "app/window/buses/plant.h"
+#include "app/window/kinds/canopen/canopen_at_work.h"
 #include "app/window/kinds/esc/esc_line_at_work.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "journal/ledger.h"
@@ -756,6 +757,30 @@ TEST_F(SeveralBuses, AllKindsThatTheWindowConnectsAreOffered)
     advance(50);
     ASSERT_NE(shown->plant().find(secondLine), nullptr);
     EXPECT_EQ(shown->plant().find(secondLine)->kind(), QStringLiteral("canopen"));
+}
+
+// None of its own acts on another bus than the chosen one.
+TEST_F(SeveralBuses, TheKeysForConnectingAreThoseOfTheChosenBus)
+{
+    const auto press = [this](Qt::Key key, Qt::KeyboardModifiers with) {
+        QTest::keyClick(&window(), key, with);
+        advance(50);
+    };
+    canActions().training->trigger();
+    advance(500);
+    auto *can = shown->plant().first<CanopenAtWork>();
+    ASSERT_TRUE(can->isOpen());
+    tree().choose(firstCanBus);
+    press(Qt::Key_C, Qt::AltModifier | Qt::ShiftModifier);
+    EXPECT_EQ(page()->objectName(), QStringLiteral("canSettings"));
+    press(Qt::Key_F5, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_FALSE(can->isOpen());
+    EXPECT_TRUE(bus().isOpen());
+    tree().choose(firstRing);
+    press(Qt::Key_F5, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_FALSE(bus().isOpen());
+    press(Qt::Key_F5, Qt::ControlModifier);
+    EXPECT_TRUE(bus().isOpen());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/buses/asked_bus_actions.h"
 
+#include "app/window/buses/bus_keys.h"
 #include "app/window/look/described_action.h"
 #include "app/window/window_actions.h"
 
@@ -37,6 +38,15 @@ void AskedBusActions::tellBus(const QString &bus)
 void AskedBusActions::tellWhyNotDisconnected(const QString &why)
 {
     described(disconnectBus, disconnectBus->shortcut(), why);
+}
+
+void AskedBusActions::setHasKeys(bool has)
+{
+    const auto keys = [has](const QAction &action, QList<QKeySequence> others) {
+        return has ? QList{action.shortcut()} + others : QList{action.shortcut()};
+    };
+    settings->setShortcuts(keys(*settings, {bus_keys::connection, bus_keys::connectBus}));
+    disconnectBus->setShortcuts(keys(*disconnectBus, {bus_keys::disconnectBus}));
 }
 
 } // namespace codewheel

@@ -21,6 +21,7 @@ class AskedBusActions : public QObject
 public:
     void tellBus(const QString &bus);                // which bus they apply to; empty: the chosen one
     void tellWhyNotDisconnected(const QString &why); // while it is disabled
+    void setHasKeys(bool has);                       // those of bus_keys.h, besides its own
 
     QMenu *menu;
     QAction *settings = nullptr;

@@ -210,6 +210,11 @@ QAction *AskedBusViews::actionFor(DataCheck::Action action) const
     }
 }
 
+void AskedBusViews::setHasKeys(bool has)
+{
+    m_actions.setHasKeys(has);
+}
+
 std::any AskedBusViews::takeWork()
 {
     return WorkOnBus{takeRows(), m_connection->chosenLink()};

@@ -49,6 +49,8 @@ public:
     std::any takeWork() override;
     void goOn(const std::any &work) override;
     QAction *actionFor(DataCheck::Action action) const override;
+    bool takesKeys() const override { return true; }
+    void setHasKeys(bool has) override;
 
     virtual void showSettings();
     void showSearch();

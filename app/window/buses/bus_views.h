@@ -74,6 +74,9 @@ public:
     virtual void setChosen(std::optional<Place>) {}
     // What is chosen in the window is of a recording: nothing is sent from the panels of other buses.
     virtual void setRecordingChosen(bool) {}
+    // Whether a bus of its kind can have the keys of bus_keys.h, and whether this one has them now.
+    virtual bool takesKeys() const { return false; }
+    virtual void setHasKeys(bool) {}
     virtual void open() = 0;              // its row was opened
     virtual void connectBus() { open(); } // or shows where to do that; sends nothing
     virtual void connectTraining() {}     // to a simulated link

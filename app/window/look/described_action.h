@@ -8,10 +8,12 @@
 
 namespace codewheel {
 
-// Sets its key, and what it does: in the status line, and in the tooltip followed by the key.
+// Sets its key, and what it does: in the status line, and in the tooltip followed by the key. Further keys of
+// the action stay while this one does.
 inline QAction *described(QAction *action, const QKeySequence &key, const QString &what)
 {
-    action->setShortcut(key);
+    if (action->shortcut() != key)
+        action->setShortcut(key);
     action->setStatusTip(what);
     action->setToolTip(
         key.isEmpty() ? what : QStringLiteral("%1 (%2)").arg(what, key.toString(QKeySequence::NativeText)));

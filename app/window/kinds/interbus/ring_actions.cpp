@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/kinds/interbus/ring_actions.h"
 
+#include "app/window/buses/bus_keys.h"
 #include "app/window/look/described_action.h"
 #include "app/window/window_actions.h"
 #include "widgets/look/icons.h"
@@ -13,14 +14,14 @@ RingActions::RingActions(WindowActions &window)
     : QObject(&window)
 {
     const auto action = [](Icon icon, const QString &text) { return new QAction(lineIcon(icon), text); };
-    connection = described(action(Icon::parameters, tr("Connec&tion…")), Qt::ALT | Qt::SHIFT | Qt::Key_C,
+    connection = described(action(Icon::parameters, tr("Connec&tion…")), bus_keys::connection,
                            tr("How this ring is reached: training bus, or a gateway; with a test"));
     foundBy(connection, tr("Modbus, TCP, RTU, gateway"));
     registers = action(Icon::list, tr("Re&gisters…"));
     foundBy(registers, tr("word order, byte order, gateway"));
-    connectBus = described(action(Icon::ring, tr("&Connect")), Qt::CTRL | Qt::Key_F5,
+    connectBus = described(action(Icon::ring, tr("&Connect")), bus_keys::connectBus,
                            tr("Connects to the ring; nothing is sent"));
-    disconnectBus = described(action(Icon::cancel, tr("&Disconnect")), Qt::CTRL | Qt::SHIFT | Qt::Key_F5,
+    disconnectBus = described(action(Icon::cancel, tr("&Disconnect")), bus_keys::disconnectBus,
                               tr("Leaves the ring: work goes on offline"));
     readIn = described(
         action(Icon::read, tr("&Read in the ring")), Qt::CTRL | Qt::SHIFT | Qt::Key_R,
@@ -74,6 +75,16 @@ void RingActions::tellBus(const QString &bus)
 void RingActions::tellWhyNotDisconnected(const QString &why)
 {
     described(disconnectBus, disconnectBus->shortcut(), why);
+}
+
+void RingActions::setHasKeys(bool has)
+{
+    const auto give = [has](QAction *action, QKeyCombination key) {
+        described(action, has ? QKeySequence(key) : QKeySequence(), action->statusTip());
+    };
+    give(connection, bus_keys::connection);
+    give(connectBus, bus_keys::connectBus);
+    give(disconnectBus, bus_keys::disconnectBus);
 }
 
 void RingActions::showSegment(bool hasMaster, bool isChosen)

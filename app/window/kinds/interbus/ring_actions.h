@@ -20,6 +20,7 @@ public:
     void disable();                                  // there is no ring for them
     void tellBus(const QString &bus);                // which ring they apply to; empty: the chosen one
     void tellWhyNotDisconnected(const QString &why); // while it is disabled
+    void setHasKeys(bool has);                       // those of bus_keys.h
     // Whether the master can be asked, and the chosen device has a segment.
     void showSegment(bool hasMaster, bool isChosen);
 

@@ -377,6 +377,11 @@ QAction *RingViews::actionFor(DataCheck::Action action) const
     }
 }
 
+void RingViews::setHasKeys(bool has)
+{
+    m_actions.setHasKeys(has);
+}
+
 void RingViews::showCurrent()
 {
     if (!isCurrent())

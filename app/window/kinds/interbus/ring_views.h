@@ -55,6 +55,8 @@ public:
     FaultBanner::Offer offer(const Fault &fault, FaultAction action) const override;
     void act(const Fault &fault, FaultAction action) override;
     QAction *actionFor(DataCheck::Action action) const override;
+    bool takesKeys() const override { return true; }
+    void setHasKeys(bool has) override;
 
 private:
     void showCurrent() override;
