@@ -94,4 +94,10 @@ QString parameterNameInText(const DeviceDescription &device, Parameter parameter
     return its != nullptr && !its->name.isEmpty() ? its->name.toString() : parameterNameInText(parameter);
 }
 
+bool mayStorePreset(const DeviceDescription &device)
+{
+    return device.capabilities.presetIsStored ||
+           (device.isGeneric() && protocolRules(device.profile).dependsOnMake());
+}
+
 } // namespace codewheel

@@ -163,4 +163,8 @@ QString parameterName(const DeviceDescription *device, Parameter parameter);
 // The same in running text.
 QString parameterNameInText(const DeviceDescription &device, Parameter parameter);
 
+// Whether the word or command that sets the position may write to the EEPROM. A K3 of unknown make may be a
+// FRABA, which stores the zero offset.
+bool mayStorePreset(const DeviceDescription &device);
+
 } // namespace codewheel

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/values_to_write.h"
 
+#include "catalog/device_description.h"
 #include "catalog/kept_values.h"
-#include "catalog/preset_storage.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/protocol.h"
 #include "jobs/shown_error.h"

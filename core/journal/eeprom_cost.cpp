@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/eeprom_cost.h"
 
-#include "catalog/preset_storage.h"
+#include "catalog/device_description.h"
 #include "catalog/value_text.h"
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "project/project.h"
 
+#include "catalog/catalog.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -66,6 +68,13 @@ void setDevicesOn(Project &project, BusId bus, std::vector<ProjectDevice> device
     const auto at = project.devices.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
     project.devices.insert(at, std::make_move_iterator(devices.begin()),
                            std::make_move_iterator(devices.end()));
+}
+
+std::optional<DeviceDescription> plannedDescription(const ProjectDevice &device, const Catalog &catalog)
+{
+    const auto *found = catalog.find(device.participant.deviceKey, device.participant.deviceCode);
+    return found ? std::optional(found->labelled(device.label.turns, device.label.stepsPerTurn))
+                 : std::nullopt;
 }
 
 } // namespace codewheel

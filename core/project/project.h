@@ -16,6 +16,9 @@
 
 namespace codewheel {
 
+class Catalog;
+struct DeviceDescription;
+
 // What the user reads from the label of a device; 0 or empty: not given.
 struct DeviceLabel
 {
@@ -141,5 +144,9 @@ std::span<ProjectDevice> devicesOn(Project &project, BusId bus);
 std::vector<Participant> participantsOn(const Project &project, BusId bus);
 // Replaces those of this bus, which the project has, with these.
 void setDevicesOn(Project &project, BusId bus, std::vector<ProjectDevice> devices);
+
+// What a device of the plan is: the description it is named by, or that of its device code if its make is not
+// known. The resolution on its label takes precedence. Empty: there is no description.
+std::optional<DeviceDescription> plannedDescription(const ProjectDevice &device, const Catalog &catalog);
 
 } // namespace codewheel

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transfer/transfer_wish.h"
 
+#include "catalog/catalog.h"
 #include "catalog/protocol_rules.h"
 #include "jobs/values_to_write.h"
-#include "project/planned_device.h"
+#include "project/project.h"
 #include "transfer/project_places.h"
 
 namespace codewheel {

@@ -9,6 +9,9 @@ namespace codewheel {
 
 // "20417 (4FC1h)": labels have the one or the other. Without separators, to be compared with a label by eye
 // and by search.
-QString serialNumberText(std::int64_t number);
+inline QString serialNumberText(std::int64_t number)
+{
+    return QStringLiteral("%1 (%2h)").arg(number).arg(QString::number(number, 16).toUpper());
+}
 
 } // namespace codewheel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "catalog/catalog.h"
 #include "kinds/interbus/words/profiles.h"
-#include "project/planned_device.h"
+#include "project/project.h"
 
 #include <gtest/gtest.h>
 

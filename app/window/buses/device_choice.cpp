@@ -2,7 +2,8 @@
 #include "app/window/buses/device_choice.h"
 
 #include "bus/buses.h"
-#include "project/planned_device.h"
+#include "catalog/catalog.h"
+#include "project/project.h"
 #include "widgets/structure/structure_view.h"
 #include "widgets/structure_editor/structure_editor.h"
 

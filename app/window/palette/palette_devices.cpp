@@ -2,7 +2,8 @@
 #include "app/window/palette/palette_devices.h"
 
 #include "bus/buses.h"
-#include "project/planned_device.h"
+#include "catalog/catalog.h"
+#include "project/project.h"
 #include "widgets/project/project_document.h"
 #include "widgets/structure/structure_view.h"
 

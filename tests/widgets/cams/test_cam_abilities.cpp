@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cam editor with an encoder whose cams have limits, hysteresis and polarity.
+#include "catalog/catalog.h"
 #include "kinds/interbus/plan/project_take_over.h"
-#include "project/planned_device.h"
+#include "project/project.h"
 #include "tests/support/model_tester.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "widgets/cams/cam_program_strip.h"

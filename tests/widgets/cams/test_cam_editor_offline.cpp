@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cam editor for an encoder that is planned and not connected.
+#include "catalog/catalog.h"
 #include "kinds/interbus/plan/project_take_over.h"
-#include "project/planned_device.h"
+#include "project/project.h"
 #include "tests/widgets/cams/cam_editor_test.h"
 #include "widgets/cams/cam_range_bar.h"
 #include "widgets/look/empty_state.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter panel for an encoder that is planned but not connected.
+#include "catalog/catalog.h"
 #include "kinds/interbus/plan/project_take_over.h"
-#include "project/planned_device.h"
+#include "project/project.h"
 #include "tests/support/model_tester.h"
 #include "tests/support/places.h"
 #include "tests/widgets/training_bus_session.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/k3/k3_knowledge.h"
 
-#include "catalog/preset_storage.h"
+#include "catalog/device_description.h"
 #include "kinds/interbus/k3/k3_reading.h"
 #include "kinds/interbus/words/k3_cam_word.h"
 #include "kinds/interbus/words/position_code.h"

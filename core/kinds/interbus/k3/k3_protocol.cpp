@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "catalog/preset_storage.h"
+#include "catalog/device_description.h"
 #include "jobs/planned_by.h"
 #include "jobs/protocol.h"
 #include "kinds/interbus/interbus_protocols.h"

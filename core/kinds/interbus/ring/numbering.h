@@ -4,6 +4,8 @@
 #include "kinds/interbus/ring/ring_device.h"
 #include "kinds/interbus/words/device_number.h"
 
+#include <cstddef>
+
 namespace codewheel {
 
 // Whether it is on the local bus behind a bus terminal (n.1, n.2, ...) rather than on the remote bus.
@@ -22,5 +24,10 @@ constexpr DeviceNumber nextNumber(DeviceNumber before, bool onLocalBus)
 
 // Gives each device the number that follows from its place in the ring.
 void numberDevices(RingStructure &structure);
+
+// The devices, by their indices in ring order, that take no part in the data cycles while a segment is off:
+// its remote-bus device with its local bus, and all that follow on that line with their branches. Empty:
+// there is no such segment.
+std::vector<std::size_t> placesBehindSegment(const RingStructure &ring, int segment);
 
 } // namespace codewheel

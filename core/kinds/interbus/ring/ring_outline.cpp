@@ -7,10 +7,10 @@
 #include "kinds/interbus/ring/device_leds.h"
 #include "kinds/interbus/ring/id_code.h"
 #include "kinds/interbus/ring/master_look.h"
+#include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_checks.h"
 #include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/ring/ring_tree.h"
-#include "kinds/interbus/ring/segment_reach.h"
 #include "vocabulary/encoder_session.h"
 
 #include <algorithm>

@@ -3,11 +3,14 @@
 
 #include "catalog/strict_json.h"
 #include "kinds/interbus/ring/ring_refusals.h"
+#include "project/file_access.h"
 
 #include <algorithm>
 
 namespace codewheel {
 namespace {
+
+constexpr qint64 largestFaultPlan = 1'000'000; // bytes, far more than any lesson
 
 constexpr char planFormat[] = "codewheel-faults";
 constexpr std::int64_t planVersion = 1;
@@ -131,6 +134,13 @@ Result<FaultPlan> faultPlanFromJson(const QByteArray &json, const QString &name,
         return refuse(RefusalKind::badInput, RingRefusalId::faultPlanBroken,
                       {fault->file, std::int64_t{fault->line}, fault->key, fault->reason});
     return plan;
+}
+
+Result<FaultPlan> loadFaultPlan(const QString &path, const std::vector<TrainingPlace> &ring)
+{
+    return readWholeFile(path, largestFaultPlan).and_then([&](const QByteArray &json) {
+        return faultPlanFromJson(json, path, ring);
+    });
 }
 
 } // namespace codewheel

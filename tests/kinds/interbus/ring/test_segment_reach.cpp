@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catalog/catalog.h"
+#include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_session.h"
-#include "kinds/interbus/ring/segment_reach.h"
 #include "tests/kinds/interbus/ring/written_ring.h"
 #include "tests/support/faulty_ring.h"
 

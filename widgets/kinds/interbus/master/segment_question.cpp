@@ -3,8 +3,8 @@
 
 #include "bus/word_channel.h"
 #include "kinds/interbus/ring/id_code.h"
+#include "kinds/interbus/ring/numbering.h"
 #include "kinds/interbus/ring/ring_session.h"
-#include "kinds/interbus/ring/segment_reach.h"
 #include "vocabulary/hex.h"
 #include "widgets/kinds/interbus/master/master_panel.h"
 
