@@ -2,6 +2,7 @@
 #include "widgets/look/content_scroll_area.h"
 
 #include "widgets/look/grid.h"
+#include "widgets/look/on_event.h"
 
 #include <QResizeEvent>
 #include <QScrollBar>
@@ -24,6 +25,9 @@ ContentScrollArea::ContentScrollArea(QWidget *content, QWidget *parent)
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     setFocusPolicy(Qt::NoFocus); // the content takes the keys
     setWidget(content);
+    // A content without a layout, like a label, tells its parent.
+    for (QWidget *part : {content, viewport()})
+        onEventOf(part, {QEvent::LayoutRequest}, this, [this] { updateGeometry(); });
 }
 
 QSize ContentScrollArea::sizeHint() const
@@ -37,21 +41,6 @@ QSize ContentScrollArea::minimumSizeHint() const
 {
     return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(),
             std::min(lowest, sizeHint().height())};
-}
-
-bool ContentScrollArea::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched == widget() && event->type() == QEvent::LayoutRequest)
-        updateGeometry();
-    return QScrollArea::eventFilter(watched, event);
-}
-
-// A content without a layout, like a label, tells its parent.
-bool ContentScrollArea::viewportEvent(QEvent *event)
-{
-    if (event->type() == QEvent::LayoutRequest)
-        updateGeometry();
-    return QScrollArea::viewportEvent(event);
 }
 
 // At another width, lines wrap at other places.

@@ -127,16 +127,4 @@ void NumberField::keyPressEvent(QKeyEvent *event)
         ValueWidget::keyPressEvent(event);
 }
 
-void NumberField::focusInEvent(QFocusEvent *event)
-{
-    ValueWidget::focusInEvent(event);
-    update();
-}
-
-void NumberField::focusOutEvent(QFocusEvent *event)
-{
-    ValueWidget::focusOutEvent(event);
-    update();
-}
-
 } // namespace codewheel

@@ -32,6 +32,7 @@ namespace {
 constexpr int fewestLetters = 20; // of the meaning
 constexpr int wantedLetters = 40;
 constexpr int remarkWidth = 25 * grid::unit;
+constexpr int mostMeasured = 1'000; // rows, the newest of an encoder that is chosen
 
 } // namespace
 
@@ -287,6 +288,7 @@ void TraceView::setUpColumn(int column)
 void TraceView::makeRoom(int first, int last)
 {
     const QFontMetrics metrics{numberFont()};
+    first = std::max(first, last + 1 - mostMeasured);
     for (int column = 0; column < meaningColumn(); ++column) {
         if (m_table->isColumnHidden(column) || m_shown->columnAt(column) == TrafficColumn::direction)
             continue;
