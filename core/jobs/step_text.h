@@ -2,6 +2,7 @@
 #pragma once
 
 #include "jobs/protocol.h"
+#include "vocabulary/hex.h"
 
 namespace codewheel {
 
@@ -13,6 +14,9 @@ inline QString stepText(const DeviceDescription &device, const Step &step)
 }
 
 // What is sent: "020000FF", "03GP00005200".
-QString sentText(const Step &step);
+inline QString sentText(const Step &step)
+{
+    return step.line.isEmpty() ? hexWord(step.out) : QString::fromLatin1(step.line);
+}
 
 } // namespace codewheel

@@ -61,4 +61,13 @@ struct KnownCams
     friend bool operator==(const KnownCams &, const KnownCams &) = default;
 };
 
+inline std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
+{
+    std::vector<unsigned> numbers;
+    numbers.reserve(programs.size());
+    for (const CamProgram &program : programs)
+        numbers.push_back(program.number);
+    return numbers;
+}
+
 } // namespace codewheel

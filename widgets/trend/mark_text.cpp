@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/trend/mark_text.h"
-
 #include "vocabulary/refusal_text.h"
+#include "widgets/trend/track_text.h"
 
 namespace codewheel {
 

@@ -5,8 +5,8 @@
 #include "widgets/look/grid.h"
 #include "widgets/look/on_event.h"
 #include "widgets/trend/lane_layout.h"
-#include "widgets/trend/mark_text.h"
 #include "widgets/trend/ticks.h"
+#include "widgets/trend/track_text.h"
 #include "widgets/trend/trend_item.h"
 
 #include <QApplication>

@@ -6,7 +6,7 @@
 #include "widgets/look/roles.h"
 #include "widgets/trend/curve_painter.h"
 #include "widgets/trend/lane_layout.h"
-#include "widgets/trend/mark_text.h"
+#include "widgets/trend/track_text.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

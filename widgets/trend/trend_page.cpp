@@ -6,10 +6,10 @@
 #include "widgets/look/label_text.h"
 #include "widgets/models/dragged_place.h"
 #include "widgets/trend/curve_bar.h"
-#include "widgets/trend/mark_text.h"
 #include "widgets/trend/note_bar.h"
 #include "widgets/trend/shift_bar.h"
 #include "widgets/trend/ticks.h"
+#include "widgets/trend/track_text.h"
 #include "widgets/trend/trend_chart.h"
 #include "widgets/trend/trend_values_model.h"
 

@@ -238,15 +238,6 @@ Checked<void> checkCamFile(const Arguments &arguments)
                         "replace it."));
 }
 
-std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
-{
-    std::vector<unsigned> numbers;
-    numbers.reserve(programs.size());
-    for (const CamProgram &program : programs)
-        numbers.push_back(program.number);
-    return numbers;
-}
-
 void saveCams(CamCall &cams, const QString &name, std::vector<CamProgram> programs)
 {
     const QByteArray json = camFileToJson({cams.encoder.device().key, cams.positions(), std::move(programs)});

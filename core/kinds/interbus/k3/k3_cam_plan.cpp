@@ -100,15 +100,6 @@ void appendAfterwards(K3Steps &steps, const SwitchMode &afterwards)
     steps.push_back(K3Plan::toNormal(true));
 }
 
-std::vector<unsigned> numbersOf(const std::vector<CamProgram> &programs)
-{
-    std::vector<unsigned> numbers;
-    numbers.reserve(programs.size());
-    for (const CamProgram &program : programs)
-        numbers.push_back(program.number);
-    return numbers;
-}
-
 } // namespace
 
 Result<void> K3CamPlan::checkPrograms(const std::vector<unsigned> &programs,
