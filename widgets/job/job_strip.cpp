@@ -6,9 +6,9 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/icons.h"
+#include "widgets/look/on_event.h"
 #include "widgets/look/wrapped_label.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
@@ -61,21 +61,14 @@ void JobStrip::layOut()
     layout->addLayout(row);
     if (m_question) {
         layout->addWidget(m_question, 1);
-        m_question->installEventFilter(this);
+        onEventOf(m_question, {QEvent::ShowToParent, QEvent::HideToParent}, this, [this] {
+            const bool comes = !m_question->isHidden();
+            for (QWidget *part : std::initializer_list<QWidget *>{m_step, m_bar, m_button})
+                part->setVisible(!comes);
+            Q_EMIT asks(comes);
+        });
     }
     setFocusProxy(m_button);
-}
-
-// All else gives way to the question.
-bool JobStrip::eventFilter(QObject *watched, QEvent *event)
-{
-    const bool comes = event->type() == QEvent::ShowToParent;
-    if (watched == m_question && (comes || event->type() == QEvent::HideToParent)) {
-        for (QWidget *part : std::initializer_list<QWidget *>{m_step, m_bar, m_button})
-            part->setVisible(!comes);
-        Q_EMIT asks(comes);
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void JobStrip::setEncoder(EncoderSession *encoder)

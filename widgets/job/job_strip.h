@@ -33,9 +33,6 @@ public:
 Q_SIGNALS:
     void asks(bool isAsking); // how to cancel: the question needs the room
 
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     JobStrip(JobRound *round, QWidget *parent);
     void layOut();
