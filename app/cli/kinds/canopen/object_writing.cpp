@@ -15,7 +15,7 @@
 namespace codewheel {
 namespace {
 
-using Kind = canopen::SdoOutcome::Kind;
+using Transfer = canopen::SdoOutcome::Kind;
 
 // Storing and restoring write to the EEPROM; of other objects nobody knows.
 bool isCounted(canopen::SdoObject object)
@@ -46,7 +46,7 @@ Checked<void> askToWriteObject(const Call &call, const NodeMeant &where, const O
     QString shown = sentence(
         CommandLine::tr("Node %1: %2 := %3"),
         {CanopenAddress{where.node()}.shown(), objectNameText(what), objectValueText(what, octets, true)});
-    if (before && before->kind == Kind::read)
+    if (before && before->kind == Transfer::read)
         shown += u' ' + sentence(CommandLine::tr("(now %1)"),
                                  {objectValueText(what, before->value, before->isSizeTold)});
     if (isCounted(what.object))
@@ -73,13 +73,13 @@ Checked<void> allowToStore(const Call &call, const NodeMeant &where)
 void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::vector<std::uint8_t> &octets,
                  const canopen::SdoOutcome &before, const canopen::SdoOutcome &outcome, Answer &answer)
 {
-    const bool mayBeWritten = outcome.kind == Kind::written || outcome.kind == Kind::noAnswer;
+    const bool mayBeWritten = outcome.kind == Transfer::written || outcome.kind == Transfer::noAnswer;
     const bool isReadBack = mayBeWritten && !isCounted(what.object);
     const auto after =
         isReadBack ? readObject(where, what.object, WhenStopped::goesOn) : Checked<canopen::SdoOutcome>();
-    const bool isKnown = isReadBack && after && after->kind == Kind::read;
-    const bool wasThere = before.kind == Kind::read && std::ranges::equal(before.value, octets);
-    const bool tells = outcome.kind == Kind::written || !wasThere; // otherwise it is the value of before
+    const bool isKnown = isReadBack && after && after->kind == Transfer::read;
+    const bool wasThere = before.kind == Transfer::read && std::ranges::equal(before.value, octets);
+    const bool tells = outcome.kind == Transfer::written || !wasThere; // otherwise it is the value of before
     const bool isThere = isKnown && tells && std::ranges::equal(after->value, octets);
     const auto told = [&](const QString &fate, const QString &text) {
         answer.json.insert(QStringLiteral("fate"), fate);
@@ -90,10 +90,10 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
                            objectValueJson(what, after->value, after->isSizeTold)[u"value"]);
     if (isThere)
         return told(QStringLiteral("readBack"), CommandLine::tr("Written, and read back."));
-    if (outcome.kind == Kind::written && !isKnown)
+    if (outcome.kind == Transfer::written && !isKnown)
         return told(QStringLiteral("accepted"), CommandLine::tr("Accepted, not read back."));
-    const bool isAsBefore = isKnown && before.kind == Kind::read && before.value == after->value;
-    if (outcome.kind == Kind::written || (isKnown && !isAsBefore)) {
+    const bool isAsBefore = isKnown && before.kind == Transfer::read && before.value == after->value;
+    if (outcome.kind == Transfer::written || (isKnown && !isAsBefore)) {
         answer.json.insert(QStringLiteral("fate"), QStringLiteral("other"));
         answer.complaint = {ExitCode::refused, QStringLiteral("otherReadBack"),
                             sentence(CommandLine::tr("Another value is read back: %1."),
@@ -101,11 +101,11 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
         return;
     }
     const QString object = what.object.text();
-    answer.json.insert(QStringLiteral("fate"), outcome.kind == Kind::notSent   ? QStringLiteral("notSent")
-                                               : outcome.kind == Kind::aborted ? QStringLiteral("refused")
-                                               : isKnown && tells              ? QStringLiteral("notDone")
-                                                                               : QStringLiteral("unknown"));
-    if (outcome.kind != Kind::noAnswer)
+    answer.json.insert(QStringLiteral("fate"), outcome.kind == Transfer::notSent   ? QStringLiteral("notSent")
+                                               : outcome.kind == Transfer::aborted ? QStringLiteral("refused")
+                                               : isKnown && tells                  ? QStringLiteral("notDone")
+                                                                  : QStringLiteral("unknown"));
+    if (outcome.kind != Transfer::noAnswer)
         answer.complaint = aboutObjectOutcome(where, what, outcome);
     else if (isCounted(what.object))
         answer.complaint = where.bus->complaint(
@@ -130,12 +130,12 @@ Complaint aboutObjectOutcome(const NodeMeant &where, const ObjectArgument &what,
                              const canopen::SdoOutcome &outcome)
 {
     const QString object = what.object.text();
-    if (outcome.kind == Kind::aborted)
+    if (outcome.kind == Transfer::aborted)
         return where.bus->complaint(
             {RefusalKind::device, CanopenRefusalId::sdoAborted, {object, Word{outcome.abortCode}}});
     return where.bus->complaint(
         {RefusalKind::link,
-         outcome.kind == Kind::notSent ? CanopenRefusalId::sdoNotSent : CanopenRefusalId::sdoNoAnswer,
+         outcome.kind == Transfer::notSent ? CanopenRefusalId::sdoNotSent : CanopenRefusalId::sdoNoAnswer,
          {object, std::int64_t{where.node()}}});
 }
 
@@ -156,9 +156,9 @@ Checked<Answer> writeObject(const Call &call, const NodeMeant &where, const Obje
     const auto before = readForWriting(where, what.object);
     if (!before)
         return tl::unexpected(before.error());
-    if (before->kind == Kind::noAnswer || before->kind == Kind::notSent)
+    if (before->kind == Transfer::noAnswer || before->kind == Transfer::notSent)
         return tl::unexpected(aboutObjectOutcome(where, what, *before));
-    const bool isSized = before->kind == Kind::read && before->isSizeTold;
+    const bool isSized = before->kind == Transfer::read && before->isSizeTold;
     const auto octets = octetsFor(what, isSized ? before->value.size() : 0);
     if (!octets)
         return tl::unexpected(octets.error());
@@ -180,7 +180,7 @@ Checked<Answer> writeObject(const Call &call, const NodeMeant &where, const Obje
     Answer answer{.json = objectJson(what)};
     merge(answer.json, objectValueJson(what, *octets, true));
     answer.json.insert(QStringLiteral("before"),
-                       before->kind == Kind::read
+                       before->kind == Transfer::read
                            ? objectValueJson(what, before->value, before->isSizeTold)[u"value"]
                            : QJsonValue());
     tellWritten(where, what, *octets, *before, *outcome, answer);
