@@ -43,7 +43,7 @@ TEST(DescriptionPage, NamesEverythingTheReaderKnows)
         const char *to = R"("nonsense")";
     };
     const Row rows[] = {
-        {R"("manual")", 28},                                      // the device
+        {R"("manual")", 30},                                      // the device
         {R"("profile": "LA-66")", 7, R"("profile": "nonsense")"}, // profiles
         {R"("direction")", 29},                                   // parameters
         {R"("readOut")", 21},                                     // a parameter
