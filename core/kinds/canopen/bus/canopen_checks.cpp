@@ -5,6 +5,7 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_facts.h"
 #include "kinds/canopen/bus/canopen_session.h"
+#include "kinds/canopen/protocol/device_profile.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -173,6 +174,19 @@ DataCheck heardCheck(const CanopenSession &bus, int number)
     return passedCheck(DataCheck::Id::reached, what, expected, expected);
 }
 
+// The data may come all the same, and mean something else.
+DataCheck otherProfileCheck(std::uint32_t deviceType, int number)
+{
+    const QString told = canopen::profileText(canopen::profileOf(deviceType));
+    return failedCheck(
+        DataCheck::Id::kind, CanopenCheckText::tr("Device profile"),
+        canopen::profileText(canopen::encoderProfile), told,
+        sentence(CanopenCheckText::tr("Node %1 tells the device profile %2 (object 1000h), not that of "
+                                      "encoders: what it sends means something else, and no values are "
+                                      "written to it. See whether the right device has this number."),
+                 {QString::number(number), told}));
+}
+
 QString stateText(const CanopenSnapshot::Node *node)
 {
     const QString text = node != nullptr ? nodeStateText(*node) : QString();
@@ -227,6 +241,9 @@ void addOfNode(DataChecks &checks, const CanopenSession &bus, NodeId node,
     const bool isAdded = bus.encoder(node) != nullptr;
     if (isAdded) {
         checks.push_back(heardCheck(bus, number));
+        if (const auto *heard = bus.latest().heard(number);
+            heard != nullptr && canopen::isOfOtherProfile(heard->deviceType))
+            checks.push_back(otherProfileCheck(*heard->deviceType, number));
         checks.push_back(nodeStateCheck(bus, number));
         checks.push_back(canopenPdoCheck(bus, number));
     }

@@ -106,6 +106,7 @@ void CanopenWork::complete(CanopenSnapshot &made)
              .position = node->device ? canopen::termsOf(driver(*node->device)->transmitPdos(),
                                                          canopen::object::position)
                                       : std::nullopt,
+             .deviceType = node->device ? driver(*node->device)->deviceType() : std::nullopt,
              .heardAt = *node->heardAt,
              .pdoAt = watch.pdoAt()});
     }

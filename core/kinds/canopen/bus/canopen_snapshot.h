@@ -62,6 +62,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
         int unaskedBootUps = 0;                      // without a reset before
         std::optional<canopen::Emcy> error{};        // the newest that stands
         std::optional<canopen::PdoTerms> position{}; // when the PDO with its position comes, as read
+        std::optional<std::uint32_t> deviceType{};   // 1000h, as read
         Instant heardAt{};
         std::optional<Instant> pdoAt{}; // the last one, since it was operational
 

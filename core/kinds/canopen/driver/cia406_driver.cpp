@@ -6,6 +6,7 @@
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/cob_id.h"
+#include "kinds/canopen/protocol/device_profile.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
 #include "kinds/canopen/protocol/nmt_job.h"
 
@@ -54,7 +55,8 @@ void Cia406Driver::getToKnow()
     m_mute.reset();
     for (int number = 1; number <= predefinedPdos; ++number)
         m_pdos.emplace_back(number);
-    m_toKnow = {heartbeatTime};
+    m_isTypeAsked = false;
+    m_toKnow = {object::deviceType, heartbeatTime};
     m_bits.clear();
     const auto reachOf = [this](Parameter parameter) {
         const ParameterDescription *its = m_encoder.device.find(parameter);
@@ -75,6 +77,8 @@ Result<void> Cia406Driver::begin(JobId id, const Job &job, Pace pace, Instant no
         return refuse(RefusalKind::busy, RefusalId::jobRunning);
     if (auto checked = m_encoder.plan().check(job); !checked)
         return checked;
+    if (changesEncoder(job) && isOfOtherProfile(m_deviceType))
+        return tl::unexpected(otherProfile());
     const bool stops = std::holds_alternative<ResetToDefault>(job) && state() == NmtState::operational;
     if (stops && !mayStop)
         return refuse(RefusalKind::busy, CanopenRefusalId::nodeWouldStop, {std::int64_t{node()}});
@@ -165,7 +169,7 @@ std::optional<NodeRequest> Cia406Driver::next(Instant now)
 
 std::optional<NodeRequest> Cia406Driver::jobRequest(Instant now)
 {
-    if (!m_job)
+    if (!m_job || waitsForType())
         return std::nullopt;
     auto request = m_job->next(now);
     if (request) {
@@ -184,6 +188,7 @@ std::optional<NodeRequest> Cia406Driver::pollRequest(Instant now)
         return std::nullopt;
     m_asks = Asks::poll;
     m_wasPoll = true;
+    m_isTypeAsked = m_isTypeAsked || *object == object::deviceType;
     return SdoRequest{.node = node(), .object = *object, .timeOut = m_encoder.settings.timeOut};
 }
 
@@ -210,6 +215,8 @@ std::optional<SdoObject> Cia406Driver::polled(Instant now)
 
 std::optional<SdoObject> Cia406Driver::toGetToKnow() const
 {
+    if (wantsType())
+        return object::deviceType;
     for (const PdoMapping &pdo : m_pdos)
         if (const auto missing = pdo.missing(); !missing.empty())
             return missing.front();
@@ -284,10 +291,39 @@ void Cia406Driver::gotToKnow(SdoObject object, const SdoOutcome &outcome, Instan
         return;
     }
     std::erase(m_toKnow, object);
-    if (object == heartbeatTime && !outcome.value.empty())
+    if (object == object::deviceType)
+        takeType(outcome, now);
+    else if (object == heartbeatTime && !outcome.value.empty())
         m_encoder.watch.setProducerTime(std::chrono::milliseconds(numberOf(outcome.value)), now);
     else
         takeSerialNumber();
+}
+
+bool Cia406Driver::wantsType() const
+{
+    return std::ranges::count(m_toKnow, object::deviceType) != 0;
+}
+
+// Before anything is written.
+bool Cia406Driver::waitsForType() const
+{
+    return m_job->changesEncoder() && wantsType() && !m_isTypeAsked && mayPoll() &&
+           m_encoder.reading.state != EncoderState::silent;
+}
+
+void Cia406Driver::takeType(const SdoOutcome &outcome, Instant now)
+{
+    m_deviceType = outcome.value.empty() ? std::nullopt
+                                         : std::optional(static_cast<std::uint32_t>(numberOf(outcome.value)));
+    if (m_job && m_job->changesEncoder() && isOfOtherProfile(m_deviceType))
+        stop(otherProfile(), now);
+}
+
+Refusal Cia406Driver::otherProfile() const
+{
+    return {RefusalKind::notSupported,
+            CanopenRefusalId::otherProfile,
+            {std::int64_t{node()}, std::int64_t{profileOf(*m_deviceType)}}};
 }
 
 void Cia406Driver::noteMappings()
@@ -422,6 +458,7 @@ void Cia406Driver::lost(Instant /*now*/)
     m_encoder.forgetPosition();
     m_asks = Asks::nobody;
     m_unanswered = 0;
+    m_deviceType.reset();
     getToKnow();
 }
 

@@ -37,6 +37,7 @@ public:
     void lost(Instant now) override;
     bool mayBeSilent() const override { return m_job && m_job->mayBeSilent(); }
     int node() const override { return m_encoder.node; }
+    std::optional<std::uint32_t> deviceType() const override { return m_deviceType; }
     std::span<const PdoMapping> transmitPdos() const override { return m_pdos; }
     std::vector<Event> takeEvents() override;
     std::vector<Message> takeMessages() override;
@@ -57,6 +58,10 @@ private:
     void pollAnswered(SdoObject object, const SdoOutcome &outcome, Instant now);
     void gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now);
     void noteWrite(SdoObject object, bool isDone);
+    bool wantsType() const;
+    bool waitsForType() const;
+    void takeType(const SdoOutcome &outcome, Instant now);
+    Refusal otherProfile() const; // than that of encoders
     void noteMappings();
     void takeSerialNumber();
     void takePdo(const CanFrame &frame, Instant now);
@@ -73,8 +78,10 @@ private:
     PdoMappingsHeard m_heard;
     std::optional<PdoMapping> m_usual{}; // empty: the user has not said so
     std::vector<SdoObject> m_toKnow;     // once, when it answers
-    std::optional<SdoObject> m_mute{};   // of these: it has not answered for it
-    std::vector<SdoObject> m_bits;       // alarms and warnings, in turn
+    std::optional<std::uint32_t> m_deviceType{};
+    bool m_isTypeAsked = false;        // since it got to know the node
+    std::optional<SdoObject> m_mute{}; // of these: it has not answered for it
+    std::vector<SdoObject> m_bits;     // alarms and warnings, in turn
     std::size_t m_nextBits = 0;
     Instant m_positionDue{};
     Instant m_bitsDue{};

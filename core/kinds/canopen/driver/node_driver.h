@@ -29,8 +29,8 @@ public:
     virtual std::optional<NmtState> state() const = 0;
     virtual bool busy() const = 0;
     virtual void setKnown(const std::vector<Known> &known) = 0;
-    // Refused: the encoder cannot do the job, or it would stop a running node and mayStopNode() was not
-    // called.
+    // Refused: the encoder cannot do the job or goes by another profile, or it would stop a running node and
+    // mayStopNode() was not called.
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) = 0;
     // The user agrees that the next job stops the node, where it takes something only then, and starts it
     // again.
@@ -59,6 +59,8 @@ public:
     virtual bool mayBeSilent() const = 0;
 
     virtual int node() const = 0;
+    // Object 1000h; empty: it was not read, or the node does not tell it.
+    virtual std::optional<std::uint32_t> deviceType() const = 0;
     // The PDOs that it sends, as far as they were read from it.
     virtual std::span<const PdoMapping> transmitPdos() const = 0;
     // What happened since the last call, oldest first.

@@ -18,6 +18,13 @@ bool changesSomething(const NodeStep &step)
            step.task != NodeStep::Task::bootUp && step.task != NodeStep::Task::started;
 }
 
+bool changesEncoder(const Job &job)
+{
+    return std::holds_alternative<WriteParameters>(job) || std::holds_alternative<SetPreset>(job) ||
+           std::holds_alternative<ResetToDefault>(job) || std::holds_alternative<WriteCams>(job) ||
+           std::holds_alternative<StoreParameters>(job);
+}
+
 NodeJob::NodeJob(JobId id, Job job, Pace pace, bool mayStop, NodeEncoder &encoder)
     : JobRun(id, std::move(job), pace, encoder.values, encoder.reading, encoder.events)
     , m_encoder(encoder)

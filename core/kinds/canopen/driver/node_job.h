@@ -8,6 +8,9 @@
 
 namespace codewheel::canopen {
 
+// It writes something, stores or restores.
+bool changesEncoder(const Job &job);
+
 // A job of an encoder on CANopen in progress: its requests one after the other, and what their answers mean.
 // Nothing is written twice: after a write without an answer the object is read, and the outcome says whether
 // it was done. Used by the driver, which sends what the job wants.
@@ -24,6 +27,7 @@ public:
     // When it will not wait for the node any longer; empty: it does not wait for it.
     std::optional<Instant> waitsUntil() const;
     void stop(const Refusal &why);
+    bool changesEncoder() const { return canopen::changesEncoder(m_job); }
     // It stores or restores, or the node was reset.
     bool mayBeSilent() const;
     // Seen on the bus.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/canopen_refusals.h"
 
+#include "kinds/canopen/protocol/device_profile.h"
 #include "kinds/canopen/protocol/sdo_abort.h"
 #include "vocabulary/enumeration_rows.h"
 #include "vocabulary/refusal_text.h"
@@ -66,9 +67,16 @@ constexpr auto canopenRefusalRows = std::to_array<SentenceRow>({
          "Refusal",
          "%1 is an object of the maker, and the encoder is of another make (vendor number %3h) than its "
          "description (%2h). Nothing was written: choose the description that belongs to it.")},
+    {CanopenRefusalId::otherProfile, "canopenOtherProfile",
+     QT_TRANSLATE_NOOP(
+         "Refusal",
+         "Node %1 tells the device profile %2, not that of encoders (406; object 1000h): what is wanted "
+         "means "
+         "something else there. Nothing was written. Its objects can still be read and written one by one, "
+         "by its own manual.")},
 });
 
-static_assert(areInOrder(canopenRefusalRows, &SentenceRow::id, CanopenRefusalId::makeDiffers));
+static_assert(areInOrder(canopenRefusalRows, &SentenceRow::id, CanopenRefusalId::otherProfile));
 
 constexpr const char *otherReason = QT_TRANSLATE_NOOP("Refusal", "CiA 301 has no reason with this number.");
 
@@ -81,6 +89,9 @@ QString canopenRefusalText(const Refusal &refusal)
         const QString why = code != nullptr ? canopen::sdoAbortText(*code) : QString();
         parts << (why.isEmpty() ? refusalPattern(otherReason) : why);
     }
+    if (refusal.id == CanopenRefusalId::otherProfile && parts.size() == 2)
+        if (const auto *profile = std::get_if<std::int64_t>(&refusal.arguments[1]))
+            parts[1] = canopen::profileText(*profile);
     return rowText(refusal, parts);
 }
 

@@ -22,6 +22,7 @@ enum class CanopenRefusalId : std::uint8_t {
     notStartedAgain,   // node: stopped for a write, and started again without success
     startNotSeen,      // node: likewise, and it does not show its state
     makeDiffers,       // object, Word vendor number of the description, Word vendor number of the device
+    otherProfile,      // node, profile that it tells: what was wanted has another meaning there
 };
 extern const RefusalFamily canopenRefusals;
 constexpr const RefusalFamily &familyOf(CanopenRefusalId)

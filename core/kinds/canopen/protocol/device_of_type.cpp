@@ -2,6 +2,7 @@
 #include "kinds/canopen/protocol/device_of_type.h"
 
 #include "catalog/catalog.h"
+#include "kinds/canopen/protocol/device_profile.h"
 
 namespace codewheel {
 namespace {
@@ -20,9 +21,8 @@ QString usualDeviceOnNode()
 // The forms from 6 to 9 are linear, 1 is single-turn.
 QString deviceOfType(std::uint32_t deviceType)
 {
-    constexpr std::uint32_t profileOfEncoders = 406;
     constexpr unsigned formShift = 16;
-    if ((deviceType & 0xFFFF) != profileOfEncoders)
+    if (canopen::profileOf(deviceType) != canopen::encoderProfile)
         return {};
     const std::uint32_t form = deviceType >> formShift;
     if (form == 1)

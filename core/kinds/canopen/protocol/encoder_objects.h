@@ -6,6 +6,7 @@
 // The objects that the driver itself asks for (CiA 301; CiA 406), whatever the description names.
 namespace codewheel::canopen::object {
 
+inline constexpr SdoObject deviceType{0x1000, 0};
 inline constexpr SdoObject store{0x1010, 1};
 inline constexpr SdoObject restore{0x1011, 1};
 inline constexpr SdoObject vendor{0x1018, 1};

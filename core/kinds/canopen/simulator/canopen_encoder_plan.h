@@ -42,6 +42,7 @@ struct CanopenEncoderPlan
     std::optional<int> node{}; // empty: none yet, it is to be given one by LSS
     int rate = 125'000;        // Bd
     Form form = Form::multiTurn;
+    std::uint32_t profile = 406;     // of CiA: that of encoders, or another one with the same objects
     int deviceClass = 2;             // of CiA 406: 1 or 2
     PhysicalResolution resolution{}; // of a linear one: there and back, a step being linearStep
     std::int64_t raw = 0;            // physical position, steps
@@ -60,9 +61,8 @@ struct CanopenEncoderPlan
     // As object 1000h tells it.
     std::uint32_t deviceType() const
     {
-        constexpr std::uint32_t encoder = 406;
         const std::uint32_t kind = form == Form::singleTurn ? 1 : form == Form::multiTurn ? 2 : 8;
-        return kind << 16 | encoder;
+        return kind << 16 | profile;
     }
     // Of the physical positions; the shaft of a linear one turns on where its rod comes back.
     std::int64_t positions() const { return isLinear() ? resolution.range() / 2 : resolution.range(); }

@@ -155,5 +155,23 @@ TEST(CliCanEncoder, AnotherSerialNumberThanOnItsLabelIsToldToPrograms)
     EXPECT_TRUE(json[u"lines"][0][u"why"].isUndefined());
 }
 
+TEST(CliCanEncoder, WhoGoesByAnotherProfileIsNotWrittenAsAnEncoder)
+{
+    auto encoders = canopen::trainingEncoders();
+    encoders[1].profile = 417;
+    SharedCanBus bus(encoders);
+    for (const char *line : {"preset can:6 1000 --yes --json", "write can:6 steps=4096 --yes --json",
+                             "write can:6 steps=4096 --device canopen-406-multi-turn --yes --json",
+                             "reset can:6 --yes --json"}) {
+        const CliRun run = bus.runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 1) << line;
+        EXPECT_EQ(errorKey(run), "canopenOtherProfile") << line << run.out << run.err;
+        EXPECT_THAT(run.err, HasSubstr("417 (lifts)")) << line;
+    }
+    EXPECT_EQ(bus.eepromWritesOf6(), 0U);
+    EXPECT_THAT(bus.runLine(QStringLiteral("od can:6 read 6001")).out, HasSubstr("8192"));
+    EXPECT_EQ(bus.runLine(QStringLiteral("od can:6 write 6001=4096 --yes")).exit, 0);
+}
+
 } // namespace
 } // namespace codewheel

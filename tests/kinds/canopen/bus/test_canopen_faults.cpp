@@ -4,6 +4,7 @@
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 namespace {
@@ -358,6 +359,25 @@ TEST_F(CanopenBusFaults, WhyThereIsNoDataSaysWhatWasHeard)
     const auto stopped = difference(six.node);
     ASSERT_TRUE(stopped);
     EXPECT_EQ(stopped->came, QStringLiteral("stopped"));
+}
+
+TEST_F(CanopenBusFaults, AnotherProfileIsNamedAndNothingIsWrittenThere)
+{
+    auto encoders = canopen::trainingEncoders();
+    encoders[1].profile = 410;
+    connectTo(encoders);
+    operate();
+    const auto check = difference(six.node);
+    ASSERT_TRUE(check);
+    EXPECT_EQ(check->id, DataCheck::Id::kind);
+    EXPECT_EQ(check->came, QStringLiteral("410 (inclinometers)"));
+    EXPECT_EQ(check->expected, QStringLiteral("406 (encoders)"));
+    const auto outcome = carryOut(six, SetPreset{.value = 1'000});
+    const auto why = outcome && !outcome->result ? std::optional(outcome->result.error()) : refused;
+    ASSERT_TRUE(why);
+    EXPECT_EQ(why->id, CanopenRefusalId::otherProfile);
+    EXPECT_TRUE(refusalText(*why).contains(QStringLiteral("410 (inclinometers)")));
+    EXPECT_EQ(std::ranges::count_if(link->sent, isPreset), 0);
 }
 
 // Each of these keeps a PDO from coming, and is told with what helps.

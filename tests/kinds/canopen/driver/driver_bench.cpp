@@ -30,7 +30,7 @@ std::string requestText(const SdoRequest &request)
 
 bool isPolledRow(const std::string &text)
 {
-    for (const char *object : {"6004:0", "6503:0", "6505:0", "1017:0", "1018:4"})
+    for (const char *object : {"1000:0", "6004:0", "6503:0", "6505:0", "1017:0", "1018:4"})
         if (text == object)
             return true;
     return text.starts_with("180") || text.starts_with("1A0");
@@ -45,13 +45,11 @@ DriverBench::DriverBench(QStringView key)
 DriverBench::DriverBench(const DeviceDescription &described)
     : device(described)
     , driver(device, driverNode)
-    , has{{"1018:1", {0x0D, 1, 0, 0}}, {"1018:4", {0x39, 0x30, 0, 0}},
-          {"1017:0", {0, 0}},          {"6000:0", {0x04, 0x10}},
-          {"6001:0", {0, 0x10, 0, 0}}, {"6002:0", {0, 0, 0, 1}},
-          {"6003:0", {0, 0, 0, 0}},    {"6004:0", {0x88, 0x13, 0, 0}},
-          {"6500:0", {0x04, 0x10}},    {"6503:0", {0, 0}},
-          {"6505:0", {0, 0}},          {"6509:0", {0, 0, 0, 0}},
-          {"1010:1", {1, 0, 0, 0}},    {"1011:1", {1, 0, 0, 0}}}
+    , has{{"1000:0", {0x96, 1, 2, 0}}, {"1018:1", {0x0D, 1, 0, 0}}, {"1018:4", {0x39, 0x30, 0, 0}},
+          {"1017:0", {0, 0}},          {"6000:0", {0x04, 0x10}},    {"6001:0", {0, 0x10, 0, 0}},
+          {"6002:0", {0, 0, 0, 1}},    {"6003:0", {0, 0, 0, 0}},    {"6004:0", {0x88, 0x13, 0, 0}},
+          {"6500:0", {0x04, 0x10}},    {"6503:0", {0, 0}},          {"6505:0", {0, 0}},
+          {"6509:0", {0, 0, 0, 0}},    {"1010:1", {1, 0, 0, 0}},    {"1011:1", {1, 0, 0, 0}}}
 {}
 
 void DriverBench::hear(std::uint32_t id, const std::vector<std::uint8_t> &data)

@@ -571,5 +571,69 @@ TEST_F(NodeJobs, CamsAreReadAndOnlyWhatDiffersIsWritten)
     EXPECT_EQ(outcome.eepromWrites, 1);
 }
 
+// 019Ah, an inclinometer: what it has at 6001h and 6003h is something else.
+struct OtherProfiles : ::testing::Test
+{
+    OtherProfiles() { bench.has["1000:0"] = {0x9A, 0x01, 0x01, 0x00}; }
+
+    static bool isWrite(const std::string &row) { return row.find(' ') != std::string::npos; }
+    bool hasWritten() const { return std::ranges::any_of(bench.log, isWrite); }
+
+    const std::vector<Job> writing{WriteParameters{.values = {{Parameter::steps, 4000}}, .previous = {}},
+                                   SetPreset{.value = 1000}, ResetToDefault{}, StoreParameters{}};
+    DriverBench bench;
+};
+
+TEST_F(OtherProfiles, NothingIsWrittenToThem)
+{
+    bench.settle();
+    for (const Job &job : writing) {
+        EXPECT_FALSE(bench.finish(job).result);
+        EXPECT_EQ(bench.refusal(), CanopenRefusalId::otherProfile);
+        EXPECT_EQ(bench.outcome->result.error().arguments,
+                  (std::vector<RefusalArgument>{std::int64_t{5}, std::int64_t{410}}));
+    }
+    EXPECT_FALSE(hasWritten());
+    EXPECT_TRUE(bench.finish(ReadParameters{{Parameter::steps}}).result);
+    EXPECT_TRUE(bench.finish(KindJob{KindData(NmtJob{NmtCommand::start})}).result);
+}
+
+TEST_F(OtherProfiles, AreAskedForBeforeTheFirstWrite)
+{
+    for (const Job &job : writing) {
+        bench.driver.lost(bench.now);
+        bench.log.clear();
+        EXPECT_FALSE(bench.finish(job).result);
+        EXPECT_EQ(bench.refusal(), CanopenRefusalId::otherProfile);
+        EXPECT_FALSE(hasWritten());
+    }
+    bench.hear(0x705, {0}); // another device may have booted
+    bench.has["1000:0"] = {0x96, 0x01, 0x02, 0x00};
+    bench.settle();
+    EXPECT_TRUE(bench.finish(SetPreset{.value = 1000}).result);
+}
+
+TEST_F(OtherProfiles, ABootUpWhileTheProfileIsAskedForHoldsNothingUp)
+{
+    DriverBench its;
+    const auto request = its.driver.next(its.now);
+    ASSERT_TRUE(request);
+    EXPECT_EQ(std::get<SdoRequest>(*request).object, (SdoObject{0x1000, 0}));
+    its.hear(0x705, {0});
+    its.driver.answered(*request, {.kind = SdoOutcome::Kind::read, .value = its.has["1000:0"]}, its.now);
+    EXPECT_TRUE(its.finish(SetPreset{.value = 1000}).result);
+}
+
+TEST_F(OtherProfiles, WhoTellsNoneMayBeAnEncoder)
+{
+    for (const std::vector<std::uint8_t> &told : {std::vector<std::uint8_t>(), {0, 0, 0, 0}}) {
+        DriverBench mute;
+        mute.has["1000:0"] = told;
+        if (told.empty())
+            mute.has.erase("1000:0");
+        EXPECT_TRUE(mute.finish(SetPreset{.value = 1000}).result);
+    }
+}
+
 } // namespace
 } // namespace codewheel::canopen
