@@ -17,24 +17,30 @@ struct OtherMasterText
     Q_DECLARE_TR_FUNCTIONS(codewheel::OtherMaster)
 };
 
+// The heartbeat of node 0, which no device can be.
+constexpr std::uint32_t heartbeatOfNone = 0x700;
+
 std::optional<OtherMaster::Sign> signOf(const CanFrame &frame)
 {
-    using Service = canopen::CobId::Service;
+    using enum canopen::CobId::Service;
+    if (!frame.isExtended && !frame.isError && frame.id == heartbeatOfNone)
+        return frame.isRemote ? OtherMaster::Sign::guarding : OtherMaster::Sign::heartbeat;
     const auto cob = frame.isExtended || frame.isError ? std::nullopt : canopen::CobId::of(frame.id);
     if (!cob)
         return std::nullopt;
     if (frame.isRemote)
-        return cob->service == Service::errorControl ? std::optional(OtherMaster::Sign::guarding)
-                                                     : std::nullopt;
+        return cob->service == errorControl ? std::optional(OtherMaster::Sign::guarding) : std::nullopt;
     switch (cob->service) {
-    case Service::nmt:
+    case nmt:
         return OtherMaster::Sign::commands;
-    case Service::sync:
+    case sync:
         return OtherMaster::Sign::sync;
-    case Service::sdoRequest:
+    case sdoRequest:
         return OtherMaster::Sign::requests;
-    case Service::lssRequest:
+    case lssRequest:
         return OtherMaster::Sign::configures;
+    case canopen::CobId::Service::time:
+        return OtherMaster::Sign::time;
     default:
         return std::nullopt;
     }
@@ -53,8 +59,13 @@ bool OtherMaster::take(const CanFrame &frame)
 
 QString OtherMaster::textOf(const RefusalArgument &argument)
 {
-    const std::array texts{QStringLiteral("NMT"), QStringLiteral("SYNC"), OtherMasterText::tr("SDO requests"),
-                           OtherMasterText::tr("guarding"), QStringLiteral("LSS")};
+    const std::array texts{QStringLiteral("NMT"),
+                           QStringLiteral("SYNC"),
+                           OtherMasterText::tr("SDO requests"),
+                           OtherMasterText::tr("guarding"),
+                           QStringLiteral("LSS"),
+                           QStringLiteral("TIME"),
+                           OtherMasterText::tr("heartbeat of a master")};
     const auto *signs = std::get_if<std::int64_t>(&argument);
     QStringList heard;
     for (std::size_t i = 0; signs != nullptr && i < texts.size(); ++i)

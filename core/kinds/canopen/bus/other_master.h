@@ -12,9 +12,11 @@ namespace codewheel {
 class OtherMaster
 {
 public:
-    enum class Sign : std::uint8_t { commands, sync, requests, guarding, configures };
+    enum class Sign : std::uint8_t { commands, sync, requests, guarding, configures, time, heartbeat };
 
-    // A frame that is not ours. True: it is the first sign of this sort.
+    // A frame that is not ours; only what no encoder sends counts. Of other heartbeats, those of node 127
+    // too, and of RPDOs nobody can tell by listening whether an encoder sends them: as they are delivered,
+    // and as a TPDO that was given such an identifier. True: it is the first sign of this sort.
     bool take(const CanFrame &frame);
     bool isHeard() const { return m_signs != 0; }
     bool isHeard(Sign sign) const { return (m_signs >> static_cast<unsigned>(sign) & 1U) != 0; }

@@ -317,6 +317,26 @@ TEST_F(CanopenBusFaults, AnotherMasterIsNamedAndNothingIsSentUnasked)
     EXPECT_TRUE(outcome && outcome->result);
 }
 
+// And of nothing that an encoder sends, however it was set.
+TEST_F(CanopenBusFaults, TimeAndTheHeartbeatOfNodeZeroAreSignsOfAnotherMaster)
+{
+    const auto textOf = [](const CanFrame &frame) {
+        OtherMaster master;
+        master.take(frame);
+        return OtherMaster::textOf(master.argument());
+    };
+    EXPECT_EQ(textOf(test::canFrame(0x100, {0, 0, 0, 0, 0, 0})), QStringLiteral("TIME"));
+    EXPECT_EQ(textOf(test::canFrame(0x700, {0x05})), QStringLiteral("heartbeat of a master"));
+    for (const std::uint32_t id : {0x085U, 0x185U, 0x205U, 0x505U, 0x585U, 0x705U, 0x77FU, 0x7E4U})
+        EXPECT_EQ(textOf(test::canFrame(id, {0x05})), QString()) << id;
+    open(EncoderBus::Start::watching);
+    say(test::canFrame(0x700, {0x05}));
+    bus->advance(100ms);
+    bus->setOperate(true);
+    bus->advance(1s);
+    EXPECT_TRUE(link->sent.empty());
+}
+
 TEST_F(CanopenBusFaults, AnswersToAnotherMasterAreHisAndNotTaken)
 {
     open(EncoderBus::Start::watching);
