@@ -130,6 +130,8 @@ Checked<void> CanopenAccess::openToSend(const Call &call)
     if (!opened)
         return opened;
     advance(listeningBeforeSending);
+    if (const auto others = whetherOnlyJ1939())
+        return tl::unexpected(*others);
     if (m_link.sendsBesideOthers)
         m_session->sendBesideOthers();
     m_session->setOperate(true);
@@ -364,6 +366,17 @@ Complaint CanopenAccess::aboutNobody() const
         ExitCode::refused, QStringLiteral("nobodyAcknowledges"),
         CommandLine::tr("Nobody on the bus acknowledges what is sent: no node is there or has supply, the "
                         "rate is another one, or the wiring is interrupted.")};
+}
+
+std::optional<Complaint> CanopenAccess::whetherOnlyJ1939() const
+{
+    if (m_link.sendsBesideOthers || !m_session->latest().figures.isOnlyJ1939())
+        return std::nullopt;
+    return Complaint{
+        ExitCode::refused, QStringLiteral("onlyJ1939"),
+        CommandLine::tr(
+            "Only frames of 29 bits are heard: what is there speaks J1939, not CANopen, and nothing "
+            "is sent to it. Another variant of the device is needed.")};
 }
 
 std::optional<Complaint> CanopenAccess::whetherDoubled(int node) const

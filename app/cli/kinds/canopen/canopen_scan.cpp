@@ -131,8 +131,11 @@ QJsonObject nodeJson(const NodeOnBus &node)
     return json;
 }
 
-QString aboutNobody(bool wasAsked)
+QString aboutNobody(bool wasAsked, const CanopenFigures &figures)
 {
+    if (figures.isOnlyJ1939())
+        return CommandLine::tr("Only frames of 29 bits are heard: what is there speaks J1939, not CANopen. "
+                               "Another variant of the device is needed.");
     return wasAsked ? CommandLine::tr("No node answers. Check the rate of the bus, its terminators, wiring "
                                       "and supply; a node that was stopped does not answer.")
                     : CommandLine::tr("No node is heard. One that has not been started may tell nothing by "
@@ -150,7 +153,8 @@ Answer answerOf(const Catalog &catalog, const CanopenAccess &bus, const std::vec
     answer.json = {{QStringLiteral("nodes"), json}, {QStringLiteral("link"), bus.linkKey()}};
     for (const char *key : {"load", "otherMaster", "errorFrames"})
         answer.json.insert(QString::fromLatin1(key), canopenFact(QLatin1String(key)).json(bus.session()));
-    answer.text = nodes.empty() ? aboutNobody(wasAsked) + u'\n' : tableOf(catalog, nodes, wasAsked);
+    answer.text =
+        nodes.empty() ? aboutNobody(wasAsked, now.figures) + u'\n' : tableOf(catalog, nodes, wasAsked);
     if (now.otherMaster.isHeard())
         answer.text += sentence(CommandLine::tr("Another master is at work (heard: %1)."),
                                 {OtherMaster::textOf(now.otherMaster.argument())}) +
@@ -184,6 +188,8 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
     bool isStuck = false; // nothing went out any more
     bool isWhole = listen(bus, stop, *time);
     std::vector<canopen::FoundNode> asked;
+    if (const auto others = asks ? bus.whetherOnlyJ1939() : std::nullopt)
+        return tl::unexpected(*others);
     if (isWhole && asks) {
         const AskedNodes result = ask(call, bus, stop);
         const bool isCancelled = result.scanned && result.scanned->isCancelled;

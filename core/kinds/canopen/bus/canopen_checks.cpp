@@ -126,8 +126,7 @@ DataCheck protocolCheck(const CanopenSession &bus)
 {
     const QString what = CanopenCheckText::tr("Protocol");
     const QString expected = QStringLiteral("CANopen");
-    const CanopenFigures &figures = bus.latest().figures;
-    if (figures.received > 0 && figures.extended == figures.received)
+    if (bus.latest().figures.isOnlyJ1939())
         return failedCheck(DataCheck::Id::sense, what, expected, QStringLiteral("J1939"),
                            CanopenCheckText::tr("All frames have 29 bits: what is there speaks J1939, not "
                                                 "CANopen. It is another variant of the device."));

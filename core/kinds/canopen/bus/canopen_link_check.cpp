@@ -92,6 +92,11 @@ CanopenLinkFinding CanopenLinkCheck::listen()
         return told(CheckOutcome::skipped,
                     tr("Nothing was heard for three seconds. Nodes may be silent until they are started or "
                        "asked; or check the rate, the wiring and the supply of the nodes."));
+    if (m_extended == m_frames)
+        return told(
+            CheckOutcome::failed,
+            tr("Only frames of 29 bits came: what is there speaks J1939, not CANopen. Another variant "
+               "of the device is needed."));
     const QString heard =
         codewheel::sentence(tr("%1 frames came in three seconds."), {locale.toString(m_frames)});
     return told(CheckOutcome::passed,
@@ -108,6 +113,7 @@ void CanopenLinkCheck::take(const CanFrame &frame)
         return;
     }
     ++m_frames;
+    m_extended += frame.isExtended ? 1 : 0;
     m_master.take(frame);
     const auto cob = frame.isExtended || frame.isRemote ? std::nullopt : CobId::of(frame.id);
     if (!cob || !isOfNode(cob->service))

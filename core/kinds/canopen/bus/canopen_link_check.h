@@ -56,6 +56,7 @@ private:
 
     const int m_rate;
     int m_frames = 0;
+    int m_extended = 0; // among them
     int m_errors = 0;
     std::array<Heard, canopen::lastNode + 1> m_heard{};
     OtherMaster m_master{};

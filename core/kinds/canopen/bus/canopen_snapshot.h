@@ -42,6 +42,9 @@ struct CanopenFigures
     std::uint64_t lateAnswers = 0;
     double load = 0; // share of the last second
 
+    // What is there is of another variant.
+    bool isOnlyJ1939() const { return received > 0 && extended == received; }
+
     friend bool operator==(const CanopenFigures &, const CanopenFigures &) = default;
 };
 

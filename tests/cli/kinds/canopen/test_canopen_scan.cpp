@@ -68,6 +68,34 @@ TEST(CliCanScan, ThatFindsNobodySaysWhatToDo)
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("read can:5 --json"))), "nobodyAcknowledges");
 }
 
+// Says one frame of J1939 after the other.
+class J1939Talker final : public CanParticipant
+{
+public:
+    J1939Talker() { m_frame.isExtended = true; }
+    int rate() const override { return 125'000; }
+    const CanFrame *toSend() const override { return &m_frame; }
+    void sent(const CanFrame & /*frame*/, Instant /*now*/) override {}
+    void take(const CanFrame & /*frame*/, Instant /*now*/) override {}
+
+private:
+    CanFrame m_frame{.id = 0x0CFFE0E0, .length = 8};
+};
+
+TEST(CliCanScan, WhereOnlyJ1939IsHeardNothingIsSent)
+{
+    SharedCanBus bus(std::vector<canopen::CanopenEncoderPlan>{});
+    const auto talker = std::make_shared<J1939Talker>();
+    bus.plant().bus()->add(talker);
+    bus.plant().bus()->add(std::make_shared<J1939Talker>()); // acknowledges
+    const CliRun heard = bus.runLine(QStringLiteral("scan"));
+    EXPECT_EQ(heard.exit, 0);
+    EXPECT_THAT(heard.out, HasSubstr("J1939"));
+    for (const char *line : {"scan --ask --json", "od can:5 read 1000 --json", "read can:5 --json",
+                             "nmt start can:5 --yes --json"})
+        EXPECT_EQ(errorKey(bus.runLine(QString::fromLatin1(line))), "onlyJ1939") << line;
+}
+
 TEST(CliCanScan, MakesAProjectAndNeverShrinksIt)
 {
     QTemporaryDir folder;

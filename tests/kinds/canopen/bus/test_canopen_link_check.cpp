@@ -75,6 +75,23 @@ TEST(CanopenLinkCheck, TellsErrorsAndAnotherMaster)
     EXPECT_EQ(found[1].outcome, CheckOutcome::failed) << found[1].sentence.toStdString();
 }
 
+TEST(CanopenLinkCheck, TellsThatOnlyJ1939IsSpoken)
+{
+    const auto bus = std::make_shared<SimulatedCanBus>();
+    const auto talker = std::make_shared<test::Talker>();
+    bus->add(talker);
+    bus->add(std::make_shared<test::Talker>()); // acknowledges
+    CanFrame frame = test::canFrame(0x0CFFE0E0, {1, 2, 3, 4, 5, 6, 7, 8});
+    frame.isExtended = true;
+    talker->frames.assign(20, frame);
+    test::WatchedCanLink link(bus);
+    CanopenLinkCheck check(link, 125'000, {});
+    check.next();
+    const CanopenLinkFinding found = check.next();
+    EXPECT_EQ(found.outcome, CheckOutcome::failed) << found.sentence.toStdString();
+    EXPECT_TRUE(found.sentence.contains(QStringLiteral("J1939"))) << found.sentence.toStdString();
+}
+
 TEST(CanopenLinkCheck, SkipsWhatIsLeftWhenItIsEnded)
 {
     CheckedBus bus;
