@@ -43,6 +43,7 @@ struct CanopenWork final
         std::optional<canopen::NodeRequest> request{}; // of its driver, under way
         std::deque<canopen::SdoRequest> typed{};       // the first one may be under way
         bool isTypedUnderWay = false;                  //
+        bool isPollUnderWay = false;                   // as it was sent; a job may have begun since
         int typedFrames = 0;                           // SDO requests by hand that may be answered
         Instant dueAt = Instant::max();                // it may want to send something
         bool answers = true;                           // the last request was answered

@@ -78,7 +78,7 @@ void CanopenWork::take(const CanFrame &frame)
     const int number = isPdo ? senderOf(*cob, frame.id) : cob ? cob->node : 0;
     const Node *node = number != 0 ? nodes.at(static_cast<std::size_t>(number)).get() : nullptr;
     const bool isPolled = isAnswer && node != nullptr && node->device && !node->isTypedUnderWay &&
-                          !driver(*node->device)->busy();
+                          (node->isPollUnderWay || !driver(*node->device)->busy());
     tellRow(frame, now, {.isAutomatic = isPolled || isPdo || (cob && cob->service == Service::sync)});
     if (frame.isError) {
         takeError(frame);

@@ -125,6 +125,7 @@ std::optional<CanopenWork::Outgoing> CanopenWork::nextOf(int number)
         return std::nullopt;
     }
     const bool isAutomatic = !node.isTypedUnderWay && node.device && !driver(*node.device)->busy();
+    node.isPollUnderWay = isAutomatic;
     return Outgoing{*frame, Outgoing::By::transfer, number, {}, isAutomatic, node.client.given()};
 }
 
