@@ -7,6 +7,7 @@
 #include "cli/bus/present_ports.h"
 #include "cli/call/subcommand.h"
 #include "cli/call/texts.h"
+#include "cli/encoder/consent.h"
 #include "cli/encoder/jobs.h"
 #include "cli/kinds/canopen/device_on_node.h"
 #include "doctor/link_hindrances.h"
@@ -27,6 +28,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Instant listeningBeforeSending = 200ms; // for another master
+constexpr Instant longestSilence = 2s;            // before it is asked about
 constexpr Instant longestContactWithNode = 20s;   // silence is noticed long before
 constexpr Instant longestIdentityOfNode = 1s;
 constexpr Instant longestListening = 3s; // to a node that tells of itself once a second
@@ -129,7 +131,8 @@ Checked<void> CanopenAccess::openToSend(const Call &call)
         opened = open(CanopenSession::Start::operating);
     if (!opened)
         return opened;
-    advance(listeningBeforeSending);
+    if (auto may = listenFirst(call); !may)
+        return may;
     if (const auto others = whetherOnlyJ1939())
         return tl::unexpected(*others);
     if (m_link.sendsBesideOthers)
@@ -146,6 +149,29 @@ Checked<void> CanopenAccess::openToSend(const Call &call)
             sentence(CommandLine::tr("%1: in Operate, frames are sent."), {m_session->linkName()}));
     if (const auto remark = m_adapter != nullptr ? m_adapter->remark() : std::nullopt)
         call.terminal.complain(refusalText(*remark));
+    return {};
+}
+
+// Some adapters repeat a frame that nobody acknowledges for ever.
+Checked<void> CanopenAccess::listenFirst(const Call &call)
+{
+    const auto isHeard = [this] { return m_session->latest().figures.received > 0; };
+    advance(listeningBeforeSending);
+    if (isHeard())
+        return {};
+    if (waitUntil(isHeard, longestSilence - listeningBeforeSending)) {
+        advance(listeningBeforeSending);
+        return {};
+    }
+    if (!isConnected())
+        return tl::unexpected(linkLost());
+    const bool isAgreed = call.arguments.has("--yes") || call.arguments.has("--ask");
+    if (!isAgreed && call.terminal.isInteractive && !call.arguments.has("--json"))
+        return consent(call,
+                       CommandLine::tr("Nothing was heard on the bus for 2 s: the rate may be wrong, or "
+                                       "nobody there. Send all the same?"),
+                       {});
+    call.terminal.complain(CommandLine::tr("Nothing was heard on the bus for 2 s before sending."));
     return {};
 }
 

@@ -37,7 +37,8 @@ public:
     CanopenSession &session() const { return *m_session; }
     const CanopenLink &link() const { return m_link; }
     Checked<void> open() override;
-    // The same, in Operate: nothing keeps frames from being sent.
+    // The same, in Operate: nothing keeps frames from being sent. It listens first; where nothing is heard,
+    // the user is asked, or told where nobody can be asked.
     Checked<void> openToSend(const Call &call);
     // Before something is sent that was asked about meanwhile: another master may be at work by now.
     Checked<void> listenAgain();
@@ -122,6 +123,7 @@ protected:
 
 private:
     Checked<void> whetherHeldBack() const;
+    Checked<void> listenFirst(const Call &call);
     Checked<void> open(CanopenSession::Start start);
     bool isStopped();
     Complaint aboutOpening(const Refusal &why) const;
