@@ -97,8 +97,32 @@ Complaint aboutUntoldState(int node)
         {std::int64_t{node}}};
 }
 
+Complaint aboutSending(CanFate fate)
+{
+    return fate == CanFate::refused
+               ? Complaint{ExitCode::refused, QStringLiteral("nmtNotSent"),
+                           CommandLine::tr("The command could not be sent. Check the CAN bus, then send it "
+                                           "again.")}
+               : Complaint{ExitCode::refused, QStringLiteral("nmtNotKnown"),
+                           CommandLine::tr("Whether the command has gone out is not known: the adapter does "
+                                           "not tell.")};
+}
+
+// Where the node does not show it.
+Complaint aboutDoubt(const CanopenAccess &bus, const CommandRow &row, int node, CanFate fate)
+{
+    if (fate == CanFate::notKnown)
+        return aboutSending(fate);
+    if (row.command != NmtCommand::resetNode)
+        return aboutUntoldState(node);
+    return bus.complaint({RefusalKind::device,
+                          CanopenRefusalId::notBackAfterReset,
+                          {std::int64_t{node}, std::int64_t{longestBoot.count()}}});
+}
+
 // What is known of the node afterwards. The command itself is answered by nobody.
-void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched &before, Answer &answer)
+void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched &before, CanFate fate,
+              Answer &answer)
 {
     const bool resets = row.command == NmtCommand::resetNode;
     const auto isDone = [&] {
@@ -114,32 +138,17 @@ void tellNode(CanopenAccess &bus, const CommandRow &row, int node, const Watched
         answer.complaint = bus.linkLost();
     } else if (const auto doubled = bus.whetherDoubled(node)) {
         answer.complaint = doubled;
-    } else if (resets && !isSeen) {
-        answer.complaint = bus.complaint({RefusalKind::device,
-                                          CanopenRefusalId::notBackAfterReset,
-                                          {std::int64_t{node}, std::int64_t{longestBoot.count()}}});
-    } else if (resets) {
+    } else if (resets && isSeen) {
         answer.text += sentence(CommandLine::tr("Node %1 is back."), {CanopenAddress{node}.shown()}) + u'\n';
     } else if (isSeen) {
         answer.text +=
             sentence(CommandLine::tr("Node %1 is %2."), {CanopenAddress{node}.shown(), nmtStateText(state)}) +
             u'\n';
-    } else if (state) {
+    } else if (state && !resets) {
         answer.complaint = aboutState(node, state);
     } else {
-        answer.complaint = aboutUntoldState(node);
+        answer.complaint = aboutDoubt(bus, row, node, fate);
     }
-}
-
-Complaint aboutSending(CanFate fate)
-{
-    return fate == CanFate::refused
-               ? Complaint{ExitCode::refused, QStringLiteral("nmtNotSent"),
-                           CommandLine::tr("The command could not be sent. Check the CAN bus, then send it "
-                                           "again.")}
-               : Complaint{ExitCode::refused, QStringLiteral("nmtNotKnown"),
-                           CommandLine::tr("Whether the command has gone out is not known: the adapter does "
-                                           "not tell.")};
 }
 
 Checked<Answer> command(const Call &call, CanopenAccess &bus, const CommandRow &row, int node)
@@ -163,15 +172,12 @@ Checked<Answer> command(const Call &call, CanopenAccess &bus, const CommandRow &
     Answer answer{
         .json = {{QStringLiteral("nmt"), QString::fromLatin1(row.key)}, {QStringLiteral("node"), node}}};
     addBus(answer.json, bus);
-    if (*fate == CanFate::refused)
+    if (*fate != CanFate::refused && node != 0)
+        tellNode(bus, row, node, before, *fate, answer);
+    else if (*fate != CanFate::done)
         answer.complaint = aboutSending(*fate);
-    else if (node != 0)
-        tellNode(bus, row, node, before, answer);
     else
         answer.text += CommandLine::tr("Sent to all nodes.") + u'\n';
-    const bool isSeen = node != 0 && watched(bus, node).state == row.leadsTo;
-    if (*fate == CanFate::notKnown && !isSeen && !answer.complaint)
-        answer.complaint = aboutSending(*fate);
     return answer;
 }
 

@@ -420,6 +420,9 @@ void CanopenViews::tellSent(const FrameSent &sent)
     else if (sent.fate == CanFate::refused)
         parts().notice.showMessage(Role::attention, tr("The command to the node could not be sent. Check the "
                                                        "CAN bus, then send it again."));
+    else if (sent.fate == CanFate::notKnown)
+        parts().notice.showMessage(Role::attention, tr("Whether the command to the node has gone out is not "
+                                                       "known: the adapter does not tell."));
 }
 
 void CanopenViews::takeOver(const std::vector<CanFoundRow> &found)

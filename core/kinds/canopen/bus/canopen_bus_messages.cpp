@@ -56,9 +56,12 @@ constexpr auto canopenBusMessageRows = std::to_array<SentenceRow>({
      QT_TRANSLATE_NOOP("Message", "%1 was sent: %2. No answer came, so whether the node has taken "
                                   "it is not known.")},
     {CanopenBusMessageId::nmtSent, "canopenNmtSent", QT_TRANSLATE_NOOP("Message", "NMT was sent: %1.")},
+    {CanopenBusMessageId::nmtInDoubt, "canopenNmtInDoubt",
+     QT_TRANSLATE_NOOP("Message", "Whether NMT has gone out is not known: the adapter does not tell. It was "
+                                  "%1.")},
 });
 
-static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::nmtSent));
+static_assert(areInOrder(canopenBusMessageRows, &SentenceRow::id, CanopenBusMessageId::nmtInDoubt));
 
 QString linkText(const RefusalArgument &link)
 {
@@ -89,7 +92,7 @@ QString canopenBusMessageText(const Message &message)
         parts.back() = inKilobits(static_cast<int>(*rate));
     else if (id == CanopenBusMessageId::otherMasterHeard)
         parts.front() = OtherMaster::textOf(message.arguments.front());
-    else if (id == CanopenBusMessageId::nmtSent)
+    else if (id == CanopenBusMessageId::nmtSent || id == CanopenBusMessageId::nmtInDoubt)
         parts.front() = nmtText(message);
     return rowText(message, parts);
 }

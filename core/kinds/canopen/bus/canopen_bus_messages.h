@@ -25,6 +25,7 @@ enum class CanopenBusMessageId : std::uint8_t {
     objectWritten,    // object, value
     objectInDoubt,    // object, value
     nmtSent,          // NmtCommand, node; 0: all
+    nmtInDoubt,       // likewise
 };
 extern const MessageFamily canopenBusMessages;
 constexpr const MessageFamily &familyOf(CanopenBusMessageId)

@@ -104,11 +104,13 @@ void CanopenSession::tellNmt(const FrameSent &sent)
     const auto request = isNmt ? canopen::NmtRequest::read(sent.frame.data()) : std::nullopt;
     if (!request || sent.refused || sent.fate == CanFate::refused)
         return;
+    const bool isInDoubt = sent.fate == CanFate::notKnown;
     const NodeId node = request->node != 0 ? CanopenAddress{request->node}.place() : NodeId();
     Q_EMIT messaged(
         {.at = now(),
          .place = placeOf(node),
-         .id = CanopenBusMessageId::nmtSent,
+         .severity = isInDoubt ? Severity::attention : Severity::information,
+         .id = isInDoubt ? CanopenBusMessageId::nmtInDoubt : CanopenBusMessageId::nmtSent,
          .arguments = {static_cast<std::int64_t>(request->command), std::int64_t{request->node}}});
 }
 

@@ -143,8 +143,9 @@ def main():
     parser.add_argument("--no-listening", action="store_true", help="the adapter refuses L")
     parser.add_argument("--unplugged-by", type=lambda text: int(text, 16), help="this command of LSS")
     parser.add_argument("--stalls-at", type=lambda text: (int(text, 16), 0), help="a write to this object")
+    parser.add_argument("--firmware", default="lawicel", help="of the adapter")
     options = parser.parse_args()
-    for name, value in {"firmware": "lawicel", "end": "cr", "tear": False, "late": 0, "boot": 0, "open": False,
+    for name, value in {"end": "cr", "tear": False, "late": 0, "boot": 0, "open": False,
                         "stamps": False, "no_rates": ""}.items():
         setattr(options, name, value)
     encoder = Encoder(options)

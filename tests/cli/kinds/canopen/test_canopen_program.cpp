@@ -159,6 +159,13 @@ TEST(CliCanProgram, BesideAnotherMasterNothingIsSentUnlessThatWasAgreedTo)
               0);
 }
 
+TEST(CliCanProgram, ACommandIsNotCalledSentWhereTheAdapterDoesNotTell)
+{
+    CanNodePeer peer(QStringLiteral("--firmware canable"));
+    EXPECT_EQ(errorKey(peer.runLine(QStringLiteral("nmt stop can:9 --yes --json"))), "nmtNotKnown");
+    EXPECT_EQ(peer.runLine(QStringLiteral("nmt start --yes")).out, "");
+}
+
 TEST(CliCanProgram, AnAdapterThatCannotListenOnlyIsOpenedOnlyIfThatWasAgreedTo)
 {
     CanNodePeer peer(QStringLiteral("--no-listening"));

@@ -36,6 +36,7 @@ public:
     bool isGone = false;
     std::optional<Refusal> inTheWay{}; // of opening it while it is gone
     bool isFull = false;
+    bool tellsFates = true;                            // whether it says what became of what was sent
     bool isUnsure = false;                             // whether it only listens
     std::function<bool(const CanFrame &)> goneAfter{}; // it is gone once this has gone out
     std::shared_ptr<SimulatedCanAdapter> adapter() const { return m_link.adapter(); }
@@ -55,7 +56,10 @@ public:
     void wait(Instant until) override { m_link.wait(until); }
     Result<CanNews> receive(Instant until) override
     {
-        return isGone ? Result<CanNews>(gone()) : m_link.receive(until);
+        auto news = isGone ? Result<CanNews>(gone()) : m_link.receive(until);
+        if (news && !tellsFates)
+            std::ranges::fill(news->fates, CanFate::notKnown);
+        return news;
     }
     Result<bool> send(const CanFrame &frame) override
     {

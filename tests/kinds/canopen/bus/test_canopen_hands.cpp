@@ -3,6 +3,7 @@
 #include "bus/bus_outline.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
+#include "vocabulary/refusal_text.h"
 
 namespace codewheel {
 namespace {
@@ -118,6 +119,20 @@ TEST_F(CanopenByHand, WhatIsWrittenByHandIsToldAndWhatIsRefusedIsNot)
     EXPECT_EQ(messages[0].id, CanopenBusMessageId::objectWritten);
     EXPECT_EQ(messages[0].arguments,
               (std::vector<RefusalArgument>{QStringLiteral("6001h:0"), QStringLiteral("00000800h")}));
+}
+
+TEST_F(CanopenByHand, ACommandIsNotCalledSentWhereTheAdapterDoesNotTell)
+{
+    operate();
+    messages.clear();
+    link->tellsFates = false;
+    bus->send(test::canFrame(0, {1, 6}));
+    bus->advance(100ms);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_EQ(messages[0].id, CanopenBusMessageId::nmtInDoubt);
+    EXPECT_EQ(messages[0].severity, Severity::attention);
+    EXPECT_TRUE(messageText(messages[0]).endsWith(QStringLiteral("It was start node 6.")))
+        << messageText(messages[0]).toStdString();
 }
 
 TEST_F(CanopenByHand, StoringByHandIsAccountedFor)

@@ -195,6 +195,9 @@ void SendFrameBar::takeEnd(const FrameSent &ended)
         m_message->showMessage(Role::attention, refusalText(*ended.refused));
     else if (ended.fate == CanFate::refused)
         m_message->showMessage(Role::attention, tr("The frame was not sent: the adapter refused it."));
+    else if (ended.fate == CanFate::notKnown)
+        m_message->showMessage(Role::attention,
+                               tr("Whether the frame has gone out is not known: the adapter does not tell."));
 }
 
 } // namespace codewheel

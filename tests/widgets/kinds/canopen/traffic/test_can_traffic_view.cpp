@@ -184,6 +184,16 @@ TEST_F(CanTrafficViewTest, AnythingElseIsAskedFor)
     EXPECT_TRUE(said().endsWith(QStringLiteral("It costs an EEPROM write."))) << said().toStdString();
 }
 
+TEST_F(CanTrafficViewTest, WhatTheAdapterDoesNotTellIsSaid)
+{
+    operate();
+    link->tellsFates = false;
+    type("605#4003650000000000");
+    pass(200ms);
+    EXPECT_TRUE(said().startsWith(QStringLiteral("Whether the frame has gone out is not known")))
+        << said().toStdString();
+}
+
 TEST_F(CanTrafficViewTest, InWatchAndFromARecordingNothingIsSent)
 {
     open(EncoderBus::Start::watching);
