@@ -12,8 +12,10 @@
 #include "cli/kinds/canopen/device_on_node.h"
 #include "doctor/link_hindrances.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/bus/canopen_facts.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
+#include "links/can_interface.h"
 #include "links/can_link_to.h"
 #include "links/port_access.h"
 #include "links/slcan_link.h"
@@ -33,8 +35,9 @@ constexpr Instant longestContactWithNode = 20s;   // silence is noticed long bef
 constexpr Instant longestIdentityOfNode = 1s;
 constexpr Instant longestListening = 3s; // to a node that tells of itself once a second
 constexpr Instant longestLookAtNode = 1s;
-constexpr Instant longestTransfer = 60s; // in segments
-constexpr Instant longestAlone = 500ms;  // a frame needs some of them at most
+constexpr Instant longestTransfer = 60s;     // in segments
+constexpr Instant longestAlone = 500ms;      // a frame needs some of them at most
+constexpr Instant untilFateIsTold = 1'200ms; // by a serial adapter, of what it does not get rid of
 constexpr Instant untilSecondAnswer = 50ms;
 
 // What is watched is not asked.
@@ -268,7 +271,7 @@ Checked<QString> CanopenAccess::deviceAt(const Call &call, CanopenAddress addres
     if (!told)
         return tl::unexpected(told.error());
     if (told->kind == canopen::SdoOutcome::Kind::noAnswer)
-        return tl::unexpected(aboutSilentNode(address, true));
+        return tl::unexpected(besideLoad(aboutSilentNode(address, true)));
     const auto identity = identityOf(call, address.node);
     if (!identity)
         return tl::unexpected(identity.error());
@@ -309,7 +312,7 @@ Checked<EncoderSession *> CanopenAccess::heard(EncoderSession *encoder)
     const auto isHeard = [&] { return m_session->latest().heard(address.node) != nullptr; };
     if (waitUntil(isHeard, longestListening))
         return encoder;
-    return tl::unexpected(isConnected() ? aboutSilentNode(address, false) : linkLost());
+    return tl::unexpected(isConnected() ? besideLoad(aboutSilentNode(address, false)) : linkLost());
 }
 
 // If it already shows its position, no time passes.
@@ -323,7 +326,7 @@ Checked<EncoderSession *> CanopenAccess::inContact(EncoderSession *encoder)
     if (const auto doubled = whetherDoubled(CanopenAddress::of(encoder->place().node).node))
         return tl::unexpected(*doubled);
     if (isSilent() || state() == EncoderState::notSeen)
-        return tl::unexpected(aboutSilentNode(CanopenAddress::of(encoder->place().node), true));
+        return tl::unexpected(besideLoad(aboutSilentNode(CanopenAddress::of(encoder->place().node), true)));
     waitUntil([&] { return encoder->known(Parameter::serialNumber).has_value(); }, longestIdentityOfNode);
     if (!isConnected())
         return tl::unexpected(linkLost());
@@ -379,6 +382,13 @@ bool CanopenAccess::isAlone() const
     return m_session->latest().figures.notAcknowledged >= notByChance;
 }
 
+// LSS does not wait as long as it takes to find out.
+bool CanopenAccess::mayBeAlone() const
+{
+    const CanopenFigures &figures = m_session->latest().figures;
+    return m_adapter != nullptr && (figures.received == 0 || figures.errorFrames > 0);
+}
+
 Complaint CanopenAccess::whyNothingCame() const
 {
     if (isConnected() && m_stop && m_isStopped)
@@ -388,10 +398,12 @@ Complaint CanopenAccess::whyNothingCame() const
 
 Complaint CanopenAccess::aboutNobody() const
 {
-    return {
-        ExitCode::refused, QStringLiteral("nobodyAcknowledges"),
-        CommandLine::tr("Nobody on the bus acknowledges what is sent: no node is there or has supply, the "
-                        "rate is another one, or the wiring is interrupted.")};
+    QString text = CommandLine::tr("Nobody on the bus acknowledges what is sent: no node is there or has "
+                                   "supply, the rate is another one, or the wiring is interrupted.");
+    if (m_adapter != nullptr)
+        text += u' ' + CommandLine::tr("The adapter is closed now, which ends its attempts. If it goes on, "
+                                       "unplug it.");
+    return {ExitCode::refused, QStringLiteral("nobodyAcknowledges"), text};
 }
 
 std::optional<Complaint> CanopenAccess::whetherOnlyJ1939() const
@@ -469,6 +481,9 @@ Checked<canopen::LssOutcome> CanopenAccess::configure(const canopen::LssRequest 
         return tl::unexpected(whyNothingCame());
     if (ended->refused)
         return tl::unexpected(complaint(*ended->refused));
+    if (ended->outcome.kind == canopen::LssOutcome::Kind::noAnswer && mayBeAlone() &&
+        waitUntil([this] { return isAlone(); }, untilFateIsTold, stopped))
+        return tl::unexpected(aboutNobody());
     if (!isWrite && stopped == WhenStopped::ends && isStopped())
         return tl::unexpected(aboutCancelling());
     return ended->outcome;
@@ -521,9 +536,19 @@ QString CanopenAccess::howToAgree(const Refusal &why) const
     return why.id == CanopenRefusalId::nodeWouldStop ? behindLink(mayStopKey) : QString();
 }
 
+// What does not come may be late, or lost, where the bus is nearly full.
+Complaint CanopenAccess::besideLoad(Complaint told) const
+{
+    if (const QString load = highLoadText(m_session->latest()); !load.isEmpty())
+        told.text += u' ' + load;
+    return told;
+}
+
 Complaint CanopenAccess::complaint(const Refusal &why) const
 {
     Complaint told = complaintAbout(why);
+    if (why.id == CanopenRefusalId::sdoNoAnswer || why.id == CanopenRefusalId::notBackAfterReset)
+        told = besideLoad(std::move(told));
     if (const QString how = howToAgree(why); !how.isEmpty())
         told.text += u' ' + how;
     const Complaint lost = m_session->isOpen() && !isConnected() ? linkLost() : told;

@@ -108,10 +108,13 @@ public:
     std::optional<Complaint> whetherDoubled(int node) const;
     // Nobody acknowledges what is sent, so it never ends.
     bool isAlone() const;
+    bool mayBeAlone() const;
     Complaint aboutNobody() const; // who acknowledges
     // Only frames of 29 bits were heard: there is nobody to send anything to, as far as the user does
     // not say otherwise.
     std::optional<Complaint> whetherOnlyJ1939() const;
+    // With the load of the bus, where it may be why something does not come.
+    Complaint besideLoad(Complaint told) const;
     // Why what was waited for did not come.
     Complaint whyNothingCame() const;
     // False: the link is gone, nobody acknowledges, it was stopped, or it did not become so.

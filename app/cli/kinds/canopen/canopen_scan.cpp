@@ -8,6 +8,7 @@
 #include "cli/call/texts.h"
 #include "cli/kinds/canopen/canopen_access.h"
 #include "cli/kinds/canopen/device_on_node.h"
+#include "kinds/canopen/bus/canopen_facts.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/serial_number_text.h"
@@ -155,6 +156,8 @@ Answer answerOf(const Catalog &catalog, const CanopenAccess &bus, const std::vec
         answer.json.insert(QString::fromLatin1(key), canopenFact(QLatin1String(key)).json(bus.session()));
     answer.text =
         nodes.empty() ? aboutNobody(wasAsked, now.figures) + u'\n' : tableOf(catalog, nodes, wasAsked);
+    if (const QString load = highLoadText(now); !load.isEmpty())
+        answer.text += load + u'\n';
     if (now.otherMaster.isHeard())
         answer.text += sentence(CommandLine::tr("Another master is at work (heard: %1)."),
                                 {OtherMaster::textOf(now.otherMaster.argument())}) +
@@ -199,11 +202,17 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
     }
     if (!bus.isConnected() || bus.isAlone())
         return tl::unexpected(bus.whyNothingCame());
-    if (isStuck)
+    const bool isHeard = bus.session().latest().figures.received > 0;
+    if (isStuck && !isHeard)
         return tl::unexpected(bus.aboutNobody());
     ScannedCan scanned{.answer = {}, .nodes = together(bus.session().latest(), asked)};
     scanned.answer = answerOf(call.catalog, bus, scanned.nodes, asks);
-    if (!isWhole)
+    if (isStuck)
+        scanned.answer.complaint =
+            Complaint{ExitCode::refused, QStringLiteral("scanStuck"),
+                      CommandLine::tr("Nothing that is sent gets out, so not all nodes were asked: what was "
+                                      "found until then is listed.")};
+    else if (!isWhole)
         scanned.answer.complaint =
             Complaint{ExitCode::refused, QStringLiteral("scanCancelled"),
                       CommandLine::tr("The search was cancelled: what was found until then is listed.")};

@@ -2,8 +2,10 @@
 #include "kinds/canopen/bus/canopen_facts.h"
 
 #include "can/can_state.h"
+#include "kinds/canopen/bus/canopen_bus_messages.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "vocabulary/enumeration_rows.h"
+#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace codewheel {
 namespace {
@@ -258,6 +261,14 @@ QJsonValue nmtStateJson(std::optional<NmtState> state)
 {
     const auto row = state ? std::ranges::find(stateKeys, *state, &StateKey::state) : stateKeys.end();
     return row == stateKeys.end() ? QJsonValue() : QJsonValue(QString::fromLatin1(row->key));
+}
+
+QString highLoadText(const CanopenSnapshot &bus)
+{
+    if (bus.figures.load < CanopenFigures::highLoad)
+        return {};
+    return messageText({.id = CanopenBusMessageId::loadHigh,
+                        .arguments = {static_cast<std::int64_t>(std::lround(bus.figures.load * 100))}});
 }
 
 QStringList nodeTroubles(const Node &node)

@@ -47,6 +47,8 @@ std::span<const CanopenNodeFact> canopenNodeFacts();
 QString nmtStateText(std::optional<canopen::NmtState> state); // "operational"; empty: not known
 QString nodeStateText(const CanopenSnapshot::Node &node);     // with "as commanded" unless it has shown it
 QJsonValue nmtStateJson(std::optional<canopen::NmtState> state);
+// That the bus is nearly full, beside what does not come; empty: it is not.
+QString highLoadText(const CanopenSnapshot &bus);
 // What is wrong with a node: doubled, no heartbeat, EMCY; empty: nothing.
 QStringList nodeTroubles(const CanopenSnapshot::Node &node);
 

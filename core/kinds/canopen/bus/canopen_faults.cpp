@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_checks.h"
+#include "kinds/canopen/bus/canopen_facts.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/encoder_bits.h"
 #include "vocabulary/refusal_text.h"
@@ -27,6 +28,14 @@ QString bitsText(std::uint16_t index, std::uint32_t bits)
     return canopen::encoderBitTexts(index, bits).join(QStringLiteral(", "));
 }
 
+// What does not come may be late, or lost, where the bus is nearly full.
+Fault besideLoad(Fault fault, const CanopenSnapshot &bus)
+{
+    if (const QString load = highLoadText(bus); !load.isEmpty())
+        fault.text += u' ' + load;
+    return fault;
+}
+
 Fault noLink(const CanopenSession &bus)
 {
     const Refusal closed{RefusalKind::link, CanopenBusRefusalId::closed, {}};
@@ -35,7 +44,7 @@ Fault noLink(const CanopenSession &bus)
             .text = refusalText(bus.latest().whyLost.value_or(closed))};
 }
 
-std::optional<Fault> heardFault(const CanopenSnapshot::Node &heard, Place place)
+std::optional<Fault> heardFault(const CanopenSnapshot &bus, const CanopenSnapshot::Node &heard, Place place)
 {
     const QString node = place.toString();
     if (heard.isDoubled)
@@ -44,11 +53,12 @@ std::optional<Fault> heardFault(const CanopenSnapshot::Node &heard, Place place)
                                                        "them alone, and give it another number."),
                                   {node}));
     if (heard.heartbeat == canopen::Heartbeat::lost)
-        return faultWith(
-            place, Role::fault, CanopenFaultText::tr("lost"),
-            sentence(CanopenFaultText::tr("The heartbeat of %1 does not come any more. Check its "
-                                          "supply and the wires to it."),
-                     {node}));
+        return besideLoad(
+            faultWith(place, Role::fault, CanopenFaultText::tr("lost"),
+                      sentence(CanopenFaultText::tr("The heartbeat of %1 does not come any more. Check its "
+                                                    "supply and the wires to it."),
+                               {node})),
+            bus);
     if (heard.error)
         return faultWith(
             place, Role::fault, CanopenFaultText::tr("error"),
@@ -64,8 +74,9 @@ std::optional<Fault> canopenFaultOf(const CanopenSession &bus, Place place)
     const Reading &reading = encoder.latest();
     const QString node = place.toString();
     if (reading.state == EncoderState::silent)
-        return faultWith(place, Role::fault, CanopenFaultText::tr("silent"),
-                         refusalText({RefusalKind::device, RefusalId::encoderSilent, {node}}));
+        return besideLoad(faultWith(place, Role::fault, CanopenFaultText::tr("silent"),
+                                    refusalText({RefusalKind::device, RefusalId::encoderSilent, {node}})),
+                          bus.latest());
     if (reading.alarms.value_or(0) != 0)
         return faultWith(
             place, Role::fault, CanopenFaultText::tr("alarm"),
@@ -73,7 +84,7 @@ std::optional<Fault> canopenFaultOf(const CanopenSession &bus, Place place)
                                           "back, replace the encoder."),
                      {node, bitsText(0x6503, *reading.alarms)}));
     if (const auto *heard = bus.latest().heard(CanopenAddress::of(place.node).node))
-        if (auto fault = heardFault(*heard, place))
+        if (auto fault = heardFault(bus.latest(), *heard, place))
             return fault;
     if (reading.warnings.value_or(0) != 0)
         return faultWith(place, Role::attention, CanopenFaultText::tr("warning"),

@@ -163,6 +163,7 @@ struct CanopenWork final
     std::deque<Outgoing> underWay{};   // whose fate is not known yet
 
     CanStatus status{};
+    bool isDisturbed = false; // errors have been told since a frame was received, or acknowledged
     CanopenFigures figures{};
     CanLoad load;
     bool isLoadTold = false;

@@ -15,7 +15,6 @@ using Service = canopen::CobId::Service;
 
 constexpr Instant untilQueueIsFreer = std::chrono::milliseconds(1);
 constexpr Instant betweenLooks = std::chrono::milliseconds(100); // at the state of the controller
-constexpr double highLoad = 0.85;
 constexpr double lowLoad = 0.75;
 constexpr std::uint32_t nobodyAcknowledged = 0x020; // linux/can/error.h
 
@@ -84,8 +83,11 @@ void CanopenWork::take(const CanFrame &frame)
         takeError(frame);
         return;
     }
+    if (scan)
+        scan->hear(link.now());
     ++figures.received;
     figures.notAcknowledged = 0;
+    isDisturbed = false;
     figures.extended += frame.isExtended ? 1 : 0;
     takeOfOthers(frame);
     if (number != 0) {
@@ -138,7 +140,9 @@ int CanopenWork::senderOf(const canopen::CobId &cob, std::uint32_t identifier) c
 
 void CanopenWork::takeError(const CanFrame &frame)
 {
+    constexpr std::uint32_t onlyArbitration = 0x02;
     ++figures.errorFrames;
+    isDisturbed = isDisturbed || frame.id != onlyArbitration;
     if ((frame.id & nobodyAcknowledged) != 0)
         ++figures.notAcknowledged;
     statusAt = link.now();
@@ -252,7 +256,7 @@ void CanopenWork::lookAtBus()
     if (status.rate != before.rate)
         load = CanLoad(rateNow());
     figures.load = load.share(now);
-    const bool isFull = figures.load >= (isLoadTold ? lowLoad : highLoad);
+    const bool isFull = figures.load >= (isLoadTold ? lowLoad : CanopenFigures::highLoad);
     if (isFull && !isLoadTold)
         tell({.severity = Severity::attention,
               .id = CanopenBusMessageId::loadHigh,

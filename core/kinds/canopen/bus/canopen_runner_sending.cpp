@@ -13,6 +13,9 @@ using canopen::SdoOutcome;
 // A driver that wants something, and then does not, is asked again.
 constexpr Instant betweenQuestions = std::chrono::milliseconds(1);
 
+// Of a serial adapter to send a frame, until it is told that its fate is not known.
+constexpr std::uint64_t leastAttempts = 16;
+
 constexpr std::uint16_t producerTime = 0x1017;
 constexpr int firstPdoIndex = 0x1800;
 constexpr int predefinedPdos = 4;
@@ -256,6 +259,10 @@ void CanopenWork::fate(CanFate fate)
     underWay.pop_front();
     const bool isRefused = fate == CanFate::refused;
     ++(isRefused ? figures.notSent : figures.sent);
+    if (fate == CanFate::done)
+        isDisturbed = false;
+    else if (!isRefused && isDisturbed)
+        figures.notAcknowledged += leastAttempts;
     if (!isRefused)
         wasSent(sent);
     switch (sent.by) {

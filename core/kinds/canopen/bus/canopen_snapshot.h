@@ -44,6 +44,7 @@ struct CanopenFigures
 
     // What is there is of another variant.
     bool isOnlyJ1939() const { return received > 0 && extended == received; }
+    static constexpr double highLoad = 0.85; // from here on frames of low priority may not come
 
     friend bool operator==(const CanopenFigures &, const CanopenFigures &) = default;
 };

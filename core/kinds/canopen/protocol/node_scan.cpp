@@ -13,7 +13,8 @@ namespace {
 constexpr std::array scannedObjects{SdoObject{0x1000, 0}, SdoObject{0x1018, 1}, SdoObject{0x1018, 2},
                                     SdoObject{0x1018, 3}, SdoObject{0x1018, 4}};
 constexpr int mostTimes = 2;
-constexpr Instant longestStuck = std::chrono::seconds(2); // assumed
+constexpr Instant longestStuck = std::chrono::seconds(2); // assumed; while nothing is heard
+constexpr Instant longestFull = std::chrono::seconds(30); // assumed
 constexpr int frameBits = 135; // of a frame with eight bytes and all stuff bits, with the gap behind it
 
 std::uint32_t sdoIdentifier(CobId::Service service, int node)
@@ -112,7 +113,8 @@ void NodeScan::notSent(int node, Instant now)
 
 bool NodeScan::isStuck(Instant now) const
 {
-    return m_stuckSince && now - *m_stuckSince >= longestStuck;
+    return m_stuckSince &&
+           (now - std::max(*m_stuckSince, m_heardAt) >= longestStuck || now - *m_stuckSince >= longestFull);
 }
 
 void NodeScan::occupy(Instant now)

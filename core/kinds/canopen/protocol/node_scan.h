@@ -47,6 +47,8 @@ public:
     std::optional<Instant> wakesAt() const; // empty: it is done
 
     bool isDone() const { return progress() == lastNode; }
+    // Whether a frame was received: a full queue means wait, then.
+    void hear(Instant now) { m_heardAt = now; }
     // Nothing goes out any more, as where nobody acknowledges.
     bool isStuck(Instant now) const;
     int progress() const; // numbers of which all is known, of 127
@@ -73,6 +75,7 @@ private:
     int m_lastAsked = 0; // number; 0: none, or it was sent for good
     Instant m_freeAt;    // for the next frame
     std::optional<Instant> m_stuckSince{};
+    Instant m_heardAt{};
 };
 
 } // namespace codewheel::canopen

@@ -59,6 +59,10 @@ class Encoder(slcan_peer.Adapter):
         elif identifier == 0x600 + NODE and self.nmt != 0x04:
             self.send(0x580 + NODE, self.sdo(data))
 
+    def reply(self, text):
+        answer = super().reply(text)
+        return None if self.options.alone and text[:1] == "t" else answer
+
     def configure(self, data):
         """By LSS."""
         command = data[0]
@@ -128,7 +132,7 @@ class Encoder(slcan_peer.Adapter):
             self.next_beat = now + HEARTBEAT
             if self.state != "closed":
                 self.send(0x700 + NODE, bytes([self.nmt]))
-                if self.options.master:
+                if self.options.master and not self.options.alone:
                     self.receive("080#")
                 if self.nmt == 0x05:
                     self.send(0x180 + NODE, self.objects[0x6004, 0])
@@ -143,12 +147,15 @@ def main():
     parser.add_argument("--no-listening", action="store_true", help="the adapter refuses L")
     parser.add_argument("--unplugged-by", type=lambda text: int(text, 16), help="this command of LSS")
     parser.add_argument("--stalls-at", type=lambda text: (int(text, 16), 0), help="a write to this object")
+    parser.add_argument("--alone", action="store_true", help="nobody acknowledges what the adapter sends")
     parser.add_argument("--firmware", default="lawicel", help="of the adapter")
     options = parser.parse_args()
     for name, value in {"end": "cr", "tear": False, "late": 0, "boot": 0, "open": False,
                         "stamps": False, "no_rates": ""}.items():
         setattr(options, name, value)
     encoder = Encoder(options)
+    if options.alone:
+        encoder.own_rate, encoder.status = None, "A0"
     encoder.nmt = 0x05 if options.running else 0x7F
     encoder.serve()
 

@@ -34,10 +34,10 @@ public:
     CanNodePeer(const CanNodePeer &) = delete;
     CanNodePeer &operator=(const CanNodePeer &) = delete;
 
-    CliRun runLine(const QString &line, const QString &settings = {})
+    CliRun runLine(const QString &line, const QString &settings = {}, int rate = 250'000)
     {
-        return codewheel::runLine(line +
-                                  QStringLiteral(" --link slcan:%1,rate=250000%2").arg(m_port, settings));
+        return codewheel::runLine(
+            line + QStringLiteral(" --link slcan:%1,rate=%2%3").arg(m_port).arg(rate).arg(settings));
     }
     // It has been stopped, and goes on.
     void wake() { EXPECT_EQ(::kill(static_cast<pid_t>(m_process.processId()), SIGCONT), 0); }
@@ -164,6 +164,18 @@ TEST(CliCanProgram, ACommandIsNotCalledSentWhereTheAdapterDoesNotTell)
     CanNodePeer peer(QStringLiteral("--firmware canable"));
     EXPECT_EQ(errorKey(peer.runLine(QStringLiteral("nmt stop can:9 --yes --json"))), "nmtNotKnown");
     EXPECT_EQ(peer.runLine(QStringLiteral("nmt start --yes")).out, "");
+}
+
+TEST(CliCanProgram, WhatTheAdapterDoesNotGetRidOfNobodyAcknowledges)
+{
+    CanNodePeer peer(QStringLiteral("--alone"));
+    for (const char *line :
+         {"od can:5 read 1000 --json", "lss scan --yes --json", "scan --ask --listen 1 --json"}) {
+        const CliRun run = peer.runLine(QString::fromLatin1(line));
+        EXPECT_EQ(run.exit, 1) << line;
+        EXPECT_EQ(errorKey(run), "nobodyAcknowledges") << line;
+        EXPECT_THAT(run.err, HasSubstr("unplug it")) << line;
+    }
 }
 
 TEST(CliCanProgram, AnAdapterThatCannotListenOnlyIsOpenedOnlyIfThatWasAgreedTo)

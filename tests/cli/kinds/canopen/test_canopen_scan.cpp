@@ -96,6 +96,18 @@ TEST(CliCanScan, WhereOnlyJ1939IsHeardNothingIsSent)
         EXPECT_EQ(errorKey(bus.runLine(QString::fromLatin1(line))), "onlyJ1939") << line;
 }
 
+TEST(CliCanScan, OnAFullBusItWaitsAndSaysHowFullItIs)
+{
+    SharedCanBus bus;
+    bus.plant().setBackground({.load = 97});
+    const CliRun run = bus.runLine(QStringLiteral("scan --ask"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("canopen-406-linear"));
+    EXPECT_THAT(run.out, HasSubstr("% full"));
+    EXPECT_THAT(bus.runLine(QStringLiteral("od can:50 read 1000")).err, HasSubstr("% full"));
+    EXPECT_THAT(bus.runLine(QStringLiteral("read can:50 serial-number")).err, HasSubstr("% full"));
+}
+
 TEST(CliCanScan, MakesAProjectAndNeverShrinksIt)
 {
     QTemporaryDir folder;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Encoders on a bus that others use as well.
+#include "kinds/canopen/bus/canopen_checks.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
 
 #include <gmock/gmock.h>
@@ -50,6 +51,17 @@ TEST_F(FullCanBus, AtALoadOf70PercentItsEncodersAreFoundAndRead)
     EXPECT_EQ(bus->encoder(six)->known(Parameter::steps)->value, Value(4096));
     EXPECT_TRUE(bus->encoder(five)->latest().position);
     EXPECT_FALSE(bus->latest().heard(5)->isDoubled);
+}
+
+TEST_F(FullCanBus, ItsLoadStandsBesideASilentEncoder)
+{
+    plant->setBackground({.load = 92});
+    operate();
+    plant->withEncoder(0, [](canopen::SimulatedNode &node) { node.setOn(false); });
+    bus->advance(10s);
+    const auto fault = canopenFaultOf(*bus, five);
+    ASSERT_TRUE(fault);
+    EXPECT_THAT(fault->text.toStdString(), testing::HasSubstr("% full"));
 }
 
 TEST_F(FullCanBus, BesideAnotherMasterNothingIsSentUnasked)

@@ -165,6 +165,19 @@ TEST(NodeScan, WhatWasRefusedIsAskedAgain)
     EXPECT_EQ(textOf(*scan.next(now)), "602#4000100000000000");
 }
 
+TEST(NodeScan, IsNotStuckForLongWhereOthersAreHeard)
+{
+    NodeScan scan({}, 1s);
+    Instant now = 1s;
+    for (; now < 30s; now = scan.wakesAt().value()) {
+        EXPECT_FALSE(scan.isStuck(now));
+        scan.hear(now);
+        if (scan.next(now))
+            scan.queueFull(now);
+    }
+    EXPECT_TRUE(scan.isStuck(31s)) << "an adapter that sends nothing, though it receives";
+}
+
 TEST(NodeScan, IsStuckWhereNothingGoesOutAnyMore)
 {
     NodeScan scan({}, 1s);
