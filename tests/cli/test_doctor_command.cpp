@@ -24,6 +24,14 @@ QJsonObject firstHindrance(const CliRun &run)
     return run.json()[u"hindrances"][0].toObject();
 }
 
+TEST(DoctorCommand, KnowsThatACanInterfaceIsMissing)
+{
+    const CliRun run = runLine(QStringLiteral("doctor --json --link can:nowhere0"));
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(firstHindrance(run)[u"id"].toString(), QStringLiteral("canMissing"));
+    EXPECT_EQ(firstHindrance(run)[u"about"].toString(), QStringLiteral("nowhere0"));
+}
+
 TEST(DoctorCommand, SaysWhatIsWrongWithThePortOfALinkAndWhatToDo)
 {
     const CliRun text = runLine(QStringLiteral("doctor --link esc:/dev/ttyNowhere"));

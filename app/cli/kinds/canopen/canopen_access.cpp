@@ -98,6 +98,11 @@ Hindrances CanopenAccess::hindrances() const
         return {};
     if (m_link.at.isSerial)
         return portHindrances(portPath(m_link.at.where), Computer());
+    if (!canInterface(m_link.at.where, Computer(), {})) {
+        const auto missing =
+            canHindranceOf({RefusalKind::link, CanRefusalId::interfaceMissing, {m_link.at.where}});
+        return missing ? Hindrances{*missing} : Hindrances();
+    }
     Hindrances its = canHindrances(Computer());
     std::erase_if(its, [this](const Hindrance &one) { return one.about != m_link.at.where; });
     return its;
@@ -150,9 +155,24 @@ Checked<void> CanopenAccess::openToSend(const Call &call)
     if (!m_link.isSimulated())
         call.terminal.complain(
             sentence(CommandLine::tr("%1: in Operate, frames are sent."), {m_session->linkName()}));
+    tellRemark(call);
+    return {};
+}
+
+Checked<void> CanopenAccess::openToListen(const Call &call)
+{
+    if (m_session->isOpen())
+        return {};
+    auto opened = open();
+    if (opened)
+        tellRemark(call);
+    return opened;
+}
+
+void CanopenAccess::tellRemark(const Call &call) const
+{
     if (const auto remark = m_adapter != nullptr ? m_adapter->remark() : std::nullopt)
         call.terminal.complain(refusalText(*remark));
-    return {};
 }
 
 // Some adapters repeat a frame that nobody acknowledges for ever.
@@ -238,7 +258,7 @@ Checked<EncoderSession *> CanopenAccess::encoder(const Call &call, NodeId node, 
 {
     const CanopenAddress address = CanopenAddress::of(node);
     const bool listens = onlyListens(call);
-    if (const auto opened = listens ? open() : openToSend(call); !opened)
+    if (const auto opened = listens ? openToListen(call) : openToSend(call); !opened)
         return tl::unexpected(opened.error());
     if (m_session->encoder(node) == nullptr) {
         const auto device = deviceAt(call, address);

@@ -40,6 +40,8 @@ public:
     // The same, in Operate: nothing keeps frames from being sent. It listens first; where nothing is heard,
     // the user is asked, or told where nobody can be asked.
     Checked<void> openToSend(const Call &call);
+    // To listen only. What is to be said of the adapter is said.
+    Checked<void> openToListen(const Call &call);
     // Before something is sent that was asked about meanwhile: another master may be at work by now.
     Checked<void> listenAgain();
     Hindrances hindrances() const override;
@@ -126,6 +128,7 @@ protected:
 
 private:
     Checked<void> whetherHeldBack() const;
+    void tellRemark(const Call &call) const;
     Checked<void> listenFirst(const Call &call);
     Checked<void> open(CanopenSession::Start start);
     bool isStopped();

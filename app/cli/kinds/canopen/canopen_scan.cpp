@@ -185,7 +185,7 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
     if (!time)
         return tl::unexpected(time.error());
     const bool asks = call.arguments.has("--ask");
-    if (const auto opened = asks ? bus.openToSend(call) : bus.open(); !opened)
+    if (const auto opened = asks ? bus.openToSend(call) : bus.openToListen(call); !opened)
         return tl::unexpected(opened.error());
     StopSignals stop;
     bool isStuck = false; // nothing went out any more

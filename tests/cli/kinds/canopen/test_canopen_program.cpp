@@ -166,6 +166,14 @@ TEST(CliCanProgram, ACommandIsNotCalledSentWhereTheAdapterDoesNotTell)
     EXPECT_EQ(peer.runLine(QStringLiteral("nmt start --yes")).out, "");
 }
 
+TEST(CliCanProgram, ThatTheRateMayBeAnotherIsSaidOfWatchingToo)
+{
+    CanNodePeer peer(QStringLiteral("--firmware canable"));
+    EXPECT_THAT(
+        peer.runLine(QStringLiteral("scan --listen 1"), QStringLiteral(",unsure-watch=yes"), 800'000).err,
+        HasSubstr("750"));
+}
+
 TEST(CliCanProgram, WhatTheAdapterDoesNotGetRidOfNobodyAcknowledges)
 {
     CanNodePeer peer(QStringLiteral("--alone"));
