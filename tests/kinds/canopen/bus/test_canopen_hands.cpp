@@ -245,6 +245,8 @@ TEST_F(CanopenByHand, ASearchEndsWhereNothingGoesOut)
     link->isFull = true;
     bus->scan();
     bus->advance(5s);
+    EXPECT_TRUE(bus->latest().scanning) << "others are heard: a full queue means wait";
+    bus->advance(30s);
     ASSERT_FALSE(scans.empty());
     EXPECT_TRUE(scans.back().isDone && scans.back().isCancelled);
 }
