@@ -3202,6 +3202,10 @@
         <source>Node %2 says that it has stored the rate %1 kBit/s, in force once its supply was off and on.</source>
         <translation>Knoten %2 sagt, er habe die Rate %1 kBit/s gespeichert; sie gilt, sobald seine Versorgung aus und wieder ein war.</translation>
     </message>
+    <message>
+        <source>Whether NMT has gone out is not known: the adapter does not tell. It was %1.</source>
+        <translation>Ob NMT hinausgegangen ist, ist nicht bekannt: der Adapter sagt es nicht. Es war %1.</translation>
+    </message>
 </context>
 <context>
     <name>Mode</name>
@@ -4532,6 +4536,10 @@
     <message>
         <source>%1 has closed the connection.</source>
         <translation>%1 hat die Verbindung geschlossen.</translation>
+    </message>
+    <message>
+        <source>Node %1 tells the device profile %2, not that of encoders (406; object 1000h): what is wanted means something else there. Nothing was written. Its objects can still be read and written one by one, by its own manual.</source>
+        <translation>Knoten %1 nennt das Geräteprofil %2, nicht das der Encoder (406; Objekt 1000h): das Gewünschte bedeutet dort etwas anderes. Geschrieben wurde nichts. Seine Objekte lassen sich weiterhin einzeln lesen und schreiben, nach seinem eigenen Handbuch.</translation>
     </message>
 </context>
 <context>
@@ -7610,6 +7618,14 @@
         <source>Node %1 was heard and does not answer, and frames are disturbed: two devices may have its number. Connect one of them alone. If it is the only one, see to rate, terminators and wires.</source>
         <translation>Knoten %1 wurde gehört und antwortet nicht, und Telegramme sind gestört: Vielleicht haben zwei Geräte seine Nummer. Schließen Sie eines davon allein an. Ist es das einzige, prüfen Sie Rate, Abschlusswiderstände und Leitungen.</translation>
     </message>
+    <message>
+        <source>Device profile</source>
+        <translation>Geräteprofil</translation>
+    </message>
+    <message>
+        <source>Node %1 tells the device profile %2 (object 1000h), not that of encoders: what it sends means something else, and no values are written to it. See whether the right device has this number.</source>
+        <translation>Knoten %1 nennt das Geräteprofil %2 (Objekt 1000h), nicht das der Encoder: was er sendet, bedeutet etwas anderes, und Werte werden nicht hineingeschrieben. Prüfen, ob das richtige Gerät diese Nummer hat.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenFacts</name>
@@ -7705,10 +7721,6 @@
     <message>
         <source>Sent</source>
         <translation>Gesendet</translation>
-    </message>
-    <message>
-        <source>Frames of this program</source>
-        <translation>Telegramme dieses Programms</translation>
     </message>
     <message>
         <source>Not sent</source>
@@ -7834,6 +7846,10 @@
         <source>%1 (as commanded)</source>
         <comment>a state</comment>
         <translation>%1 (wie befohlen)</translation>
+    </message>
+    <message>
+        <source>Frames of this program that the adapter has not refused</source>
+        <translation>Telegramme dieses Programms, die der Adapter nicht abgelehnt hat</translation>
     </message>
 </context>
 <context>
@@ -7982,6 +7998,10 @@
     <message>
         <source>Heard: %1.</source>
         <translation>Zu hören: %1.</translation>
+    </message>
+    <message>
+        <source>Only frames of 29 bits came: what is there speaks J1939, not CANopen. Another variant of the device is needed.</source>
+        <translation>Nur Telegramme mit 29 Bit kamen: was da ist, spricht J1939, nicht CANopen. Es braucht eine andere Ausführung des Geräts.</translation>
     </message>
 </context>
 <context>
@@ -8200,6 +8220,10 @@ Telegramme: %5, Fehler: %6</translation>
     <message>
         <source>By its identity, %1 is described as %2.</source>
         <translation>Nach seiner Identität wird %1 als %2 beschrieben.</translation>
+    </message>
+    <message>
+        <source>Whether the command to the node has gone out is not known: the adapter does not tell.</source>
+        <translation>Ob der Befehl an den Knoten hinausgegangen ist, ist nicht bekannt: der Adapter sagt es nicht.</translation>
     </message>
 </context>
 <context>
@@ -12042,6 +12066,30 @@ der Datei, die das Projekt von ihm hat, sonst die seiner Beschreibung. Gelesen w
         <source>canopen: a master is at work, with SYNC and SDO requests of its own</source>
         <translation>canopen: Ein Master ist am Werk, mit SYNC und eigenen SDO-Anforderungen</translation>
     </message>
+    <message>
+        <source>Nothing was heard on the bus for 2 s: the rate may be wrong, or nobody there. Send all the same?</source>
+        <translation>Auf dem Bus war 2 s lang nichts zu hören: Die Rate kann falsch sein, oder niemand ist da. Trotzdem senden?</translation>
+    </message>
+    <message>
+        <source>Nothing was heard on the bus for 2 s before sending.</source>
+        <translation>Auf dem Bus war 2 s lang nichts zu hören, bevor gesendet wurde.</translation>
+    </message>
+    <message>
+        <source>The adapter is closed now, which ends its attempts. If it goes on, unplug it.</source>
+        <translation>Der Adapter ist jetzt geschlossen, was seine Versuche beendet. Macht er weiter, ziehen Sie ihn ab.</translation>
+    </message>
+    <message>
+        <source>Only frames of 29 bits are heard: what is there speaks J1939, not CANopen, and nothing is sent to it. Another variant of the device is needed.</source>
+        <translation>Nur Telegramme mit 29 Bit sind zu hören: was da ist, spricht J1939, nicht CANopen, und gesendet wird ihm nichts. Es braucht eine andere Ausführung des Geräts.</translation>
+    </message>
+    <message>
+        <source>Only frames of 29 bits are heard: what is there speaks J1939, not CANopen. Another variant of the device is needed.</source>
+        <translation>Nur Telegramme mit 29 Bit sind zu hören: was da ist, spricht J1939, nicht CANopen. Es braucht eine andere Ausführung des Geräts.</translation>
+    </message>
+    <message>
+        <source>Nothing that is sent gets out, so not all nodes were asked: what was found until then is listed.</source>
+        <translation>Was gesendet wird, kommt nicht hinaus, also wurden nicht alle Knoten gefragt: Was bis dahin gefunden war, ist aufgeführt.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CommandList</name>
@@ -13231,6 +13279,49 @@ der Datei, die das Projekt von ihm hat, sonst die seiner Beschreibung. Gelesen w
     <message>
         <source>%1 is a bus terminal</source>
         <translation>%1 ist eine Busklemme</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::DeviceProfile</name>
+    <message>
+        <source>I/O modules</source>
+        <translation>E/A-Module</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>measuring devices and controllers</source>
+        <translation>Messgeräte und Regler</translation>
+    </message>
+    <message>
+        <source>programmable controllers</source>
+        <translation>Steuerungen</translation>
+    </message>
+    <message>
+        <source>encoders</source>
+        <translation>Encoder</translation>
+    </message>
+    <message>
+        <source>hydraulic valves and drives</source>
+        <translation>hydraulische Ventile und Antriebe</translation>
+    </message>
+    <message>
+        <source>inclinometers</source>
+        <translation>Neigungsgeber</translation>
+    </message>
+    <message>
+        <source>lifts</source>
+        <translation>Aufzüge</translation>
+    </message>
+    <message>
+        <source>batteries</source>
+        <translation>Batterien</translation>
+    </message>
+    <message>
+        <source>battery chargers</source>
+        <translation>Ladegeräte</translation>
     </message>
 </context>
 <context>
@@ -20090,6 +20181,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <source>guarding</source>
         <translation>Guarding</translation>
     </message>
+    <message>
+        <source>heartbeat of a master</source>
+        <translation>Heartbeat eines Masters</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::Page</name>
@@ -24598,6 +24693,10 @@ Worte: IN %3, OUT %4</translation>
     <message>
         <source>The frame was not sent: the adapter refused it.</source>
         <translation>Das Telegramm wurde nicht gesendet: Der Adapter hat es abgelehnt.</translation>
+    </message>
+    <message>
+        <source>Whether the frame has gone out is not known: the adapter does not tell.</source>
+        <translation>Ob das Telegramm hinausgegangen ist, ist nicht bekannt: der Adapter sagt es nicht.</translation>
     </message>
 </context>
 <context>
