@@ -152,7 +152,8 @@ def check_sent_once(attempt):
 def check_state(attempt):
     """A node that was stopped for it runs again, or the answer says that it does not."""
     left = attempt.answer.get("leftIn")
-    if left in STATES and STATES[left] != attempt.state:
+    mayBeUntold = left == "operation" and attempt.state == attempt.state_before  # it gives its position when it is asked
+    if left in STATES and STATES[left] != attempt.state and not mayBeUntold:
         attempt.loses(f"left in {left}, it says")
     if attempt.state != attempt.state_before and (attempt.is_done() or left is None):
         attempt.loses("in another state, and nothing said so")
@@ -207,6 +208,7 @@ class Round:
         self._bus = bus
         self._relay = relay
         self._ledger = bench.path(f"can-{number}.sqlite")
+        self._doubtful = 0  # commands to store that were sent by hand and had no answer: they are counted
         self._truth = truth(bus)
 
     def attempt(self):
@@ -235,7 +237,8 @@ class Round:
             return
         count = ledger.counts(self._bench, self._ledger, self._findings)
         stores = self._bus.account.stores
-        if count and not count[0] <= stores <= sum(count):
+        self._doubtful += attempt.answer.get("index") == "1010" and attempt.answer.get("fate") == "unknown"
+        if count and not count[0] - self._doubtful <= stores <= sum(count):
             attempt.loses(f"the node stored {stores} times, {count[0]} are counted, {count[1]} perhaps")
 
 
