@@ -18,13 +18,15 @@ public:
         : QObject(receiver)
         , m_events(events)
         , m_receiver(receiver)
+        , m_kind(receiver->metaObject())
         , m_then(std::move(then))
     {}
 
-    // A receiver that is being destroyed may still get some.
+    // One that is being destroyed may still get some, when it is no more than a widget or an object.
     bool eventFilter(QObject *, QEvent *event) override
     {
-        if (m_receiver && std::ranges::find(m_events, event->type()) != m_events.end())
+        const bool isWhole = m_receiver && m_receiver->metaObject()->inherits(m_kind);
+        if (isWhole && std::ranges::find(m_events, event->type()) != m_events.end())
             m_then();
         return false;
     }
@@ -32,6 +34,7 @@ public:
 private:
     const std::vector<QEvent::Type> m_events;
     const QPointer<QObject> m_receiver;
+    const QMetaObject *const m_kind; // where it was asked for
     const std::function<void()> m_then;
 };
 
