@@ -117,12 +117,6 @@ protected:
     // All previous values have been restored.
     bool hasRestored() const { return m_restores && m_steps.atEnd() && !m_failure; }
 
-    // The encoder could not be followed to the end.
-    static bool isCutOff(const Result<void> &result)
-    {
-        return !result &&
-               (result.error().kind == RefusalKind::link || result.error().kind == RefusalKind::stopped);
-    }
     Result<void> result() const
     {
         if (m_failure)
@@ -140,8 +134,8 @@ protected:
         const bool hasPositionStep = isAnyPositionStep(m_steps.done());
         outcome.isPositionSet = m_cancelled && !m_failure && hasPositionStep;
         const bool isSeen = outcome.positionAfter || outcome.isPositionSet;
-        if (hasPositionStep && !isSeen &&
-            isCutOff(outcome.result)) // accepted, and nobody saw what came of it
+        // Accepted, and nobody saw what came of it.
+        if (hasPositionStep && !isSeen && endedOutOfSight(outcome))
             outcome.inDoubt.position = true;
         complete(outcome);
         outcome.eepromWrites += m_known.eepromWrites() - m_account.writesBefore;
