@@ -45,8 +45,9 @@ class Attempt:
         return self.run.code == 0
 
     def is_fair(self):
-        """Nothing happened to any frame."""
-        return self._relay.last() == "none"
+        """Nothing happened to any frame, and a node that is only listened to may be heard."""
+        mayBeUnheard = self.run.arguments[0] == "monitor" and self.state_before != OPERATIONAL
+        return self._relay.last() == "none" and not mayBeUnheard
 
     def doubt(self):
         return self.answer.get("inDoubt", {})
