@@ -10,6 +10,7 @@ namespace codewheel {
 namespace {
 
 constexpr Instant betweenSnapshots = std::chrono::milliseconds(30); // as often as a window looks
+constexpr Instant justNow = std::chrono::milliseconds(2);
 
 } // namespace
 
@@ -112,10 +113,11 @@ void CanopenWork::complete(CanopenSnapshot &made)
     }
 }
 
+// Another master may be in what nobody has looked at, or what a command depends on.
 void CanopenWork::step(Instant until)
 {
-    if (mail.hasCommands())
-        receiveWhatIsThere();
+    if (state.connected && (mail.hasCommands() || link.now() > lookedAt + justNow))
+        receive(link.now());
     carryOutCommands();
     if (state.connected)
         useAsWanted();
@@ -129,7 +131,6 @@ void CanopenWork::step(Instant until)
 
 void CanopenWork::turn(Instant until)
 {
-    receiveWhatIsThere();
     AskingWork::turn(until);
     publish();
 }

@@ -106,7 +106,6 @@ struct CanopenWork final
     void noteCommand(const canopen::NmtRequest &command, bool isOurs);
 
     // canopen_runner_receiving.cpp
-    void receiveWhatIsThere();
     void receive(Instant until);
     Instant wakesAt(Instant until) const;
     void take(const CanFrame &frame);
@@ -169,6 +168,7 @@ struct CanopenWork final
     bool isLoadTold = false;
     Instant statusAt{};
     Instant publishedAt{};
+    Instant lookedAt{}; // for what has come in
     bool isPublishDue = false;
 };
 

@@ -42,16 +42,10 @@ Instant CanopenWork::wakesAt(Instant until) const
     return std::max(wakes, now);
 }
 
-// Nobody may have looked for long: another master may be in it, or what a command depends on.
-void CanopenWork::receiveWhatIsThere()
-{
-    if (state.connected)
-        receive(link.now());
-}
-
 void CanopenWork::receive(Instant until)
 {
     auto news = link.receive(wakesAt(until));
+    lookedAt = link.now();
     if (!news) {
         linkIsGone(news.error());
         return;

@@ -57,6 +57,21 @@ TEST_F(CanopenByHand, WhatHasComeInIsReadBeforeACommandIsCarriedOut)
     EXPECT_NE(transfers.front().outcome.kind, SdoOutcome::Kind::read);
 }
 
+TEST_F(CanopenByHand, AfterAPauseWhatHasComeInIsReadBeforeAnythingIsAsked)
+{
+    operate();
+    hear();
+    link->sent.clear();
+    plant->bus()->advance(plant->bus()->now() + 3s);
+    bus->advance(1ms);
+    EXPECT_FALSE(link->sent.empty()) << "encoders are asked";
+    link->sent.clear();
+    say(canopen::syncFrame());
+    plant->bus()->advance(plant->bus()->now() + 3s);
+    bus->advance(100ms);
+    EXPECT_TRUE(link->sent.empty()) << "another master is at work by now";
+}
+
 TEST_F(CanopenByHand, AFrameIsSentOnceInOperate)
 {
     open(EncoderBus::Start::watching);
