@@ -7194,6 +7194,18 @@
         <source>Takes values only while pre-operational</source>
         <translation>Nimmt Werte nur pre-operational</translation>
     </message>
+    <message>
+        <source>Load by other devices: %1 %.</source>
+        <translation>Last durch andere Geräte: %1 %.</translation>
+    </message>
+    <message>
+        <source>Another master is on the bus.</source>
+        <translation>Ein anderer Master ist am Bus.</translation>
+    </message>
+    <message>
+        <source>The other master is gone.</source>
+        <translation>Der andere Master ist fort.</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanTrainingPanel</name>
@@ -20169,6 +20181,29 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>This code is here twice.</source>
         <translation>Dieser Code steht hier doppelt.</translation>
+    </message>
+</context>
+<context>
+    <name>codewheel::OtherDevicesBox</name>
+    <message>
+        <source>Load by other devices, in percent</source>
+        <translation>Last durch andere Geräte, in Prozent</translation>
+    </message>
+    <message>
+        <source>Devices that are no encoders send so much that they take this part of the bus</source>
+        <translation>Geräte, die keine Geber sind, senden so viel, dass sie diesen Teil des Busses belegen</translation>
+    </message>
+    <message>
+        <source>Load by others, %</source>
+        <translation>Last durch andere, %</translation>
+    </message>
+    <message>
+        <source>Another master</source>
+        <translation>Anderer Master</translation>
+    </message>
+    <message>
+        <source>A master sends SYNC, and asks a device that is no encoder</source>
+        <translation>Ein Master sendet SYNC und fragt ein Gerät, das kein Geber ist</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "widgets/kinds/canopen/dictionary/dictionary_view.h"
 #include "widgets/kinds/canopen/setup/node_setup_page.h"
 #include "widgets/kinds/canopen/setup/node_setup_view.h"
+#include "widgets/structure/structure_view.h"
 #include "widgets/why/why_page.h"
 
 #include <QAction>
@@ -160,6 +161,15 @@ QWidget *settingsOfInterface(TrainingWindow &shown)
     return page;
 }
 
+QWidget *trainingOfTheBus(TrainingWindow &shown)
+{
+    connected(shown);
+    QWidget *its = openedDock(shown, "trainingDock");
+    shown.window().findChild<StructureView *>()->choose(firstCanBus);
+    shown.advance(whileMilliseconds);
+    return its;
+}
+
 QWidget *whyItIsSilent(TrainingWindow &shown)
 {
     atWork(shown);
@@ -181,6 +191,7 @@ std::vector<Picture> canopenPictures()
         pictureOf("can-objects", objectsAtWork, wideBus),
         pictureOf("can-search", searchOfNodes),
         pictureOf("can-number", numberGiven),
+        pictureOf("can-training", trainingOfTheBus, tallBus),
         pictureOf("can-settings", settingsOfInterface),
         pictureOf("can-why", whyItIsSilent),
     };

@@ -30,8 +30,11 @@ constexpr auto canActRows = std::to_array<TrainingActRow>({
     {"canAdapterBusOff", QT_TRANSLATE_NOOP("codewheel::CanTraining", "The adapter went bus off.")},
     {"canAdapterUnplugged", QT_TRANSLATE_NOOP("codewheel::CanTraining", "Adapter unplugged.")},
     {"canAdapterPluggedIn", QT_TRANSLATE_NOOP("codewheel::CanTraining", "Adapter plugged in.")},
+    {"canLoadByOthers", QT_TRANSLATE_NOOP("codewheel::CanTraining", "Load by other devices: %1 %.")},
+    {"canMasterComes", QT_TRANSLATE_NOOP("codewheel::CanTraining", "Another master is on the bus.")},
+    {"canMasterGoes", QT_TRANSLATE_NOOP("codewheel::CanTraining", "The other master is gone.")},
 });
-static_assert(canActRows.size() == static_cast<std::size_t>(CanAct::adapterPluggedIn) + 1);
+static_assert(canActRows.size() == static_cast<std::size_t>(CanAct::masterGoes) + 1);
 
 constexpr auto nodeTroubleRows = std::to_array<KeyedText<NodeTrouble>>({
     {NodeTrouble::powered, "powered", QT_TRANSLATE_NOOP("codewheel::CanTraining", "Power on")},

@@ -21,6 +21,9 @@ enum class CanAct : std::uint8_t {
     adapterBusOff,     //
     adapterUnplugged,  //
     adapterPluggedIn,  //
+    loadByOthers,      // percent
+    masterComes,       //
+    masterGoes,        //
 };
 
 // What can be wrong with an encoder of the bus.

@@ -196,6 +196,29 @@ TEST_F(CanopenTraining, TheBusLosesDestroysAndDoublesFrames)
     EXPECT_TRUE(isTold("Destroyed frames: 300 of 1000."));
 }
 
+TEST_F(CanopenTraining, OtherDevicesTakeTheirPartOfTheBus)
+{
+    chooseDevice(QStringLiteral("CAN bus"));
+    const double before = now().figures.load;
+    enter<QSpinBox>("Load by other devices, in percent", 40);
+    advance(2'000);
+    EXPECT_NEAR(now().figures.load, before + 0.4, 0.1);
+    EXPECT_TRUE(isTold("Load by other devices: 40 %."));
+    EXPECT_EQ(control<QSpinBox>("Load by other devices, in percent").maximum(), 95);
+}
+
+TEST_F(CanopenTraining, AnotherMasterComesAndIsNamed)
+{
+    chooseDevice(QStringLiteral("CAN bus"));
+    ASSERT_FALSE(now().otherMaster.isHeard());
+    tick("Another master");
+    EXPECT_TRUE(isTold("Another master is on the bus."));
+    EXPECT_TRUE(comes([this] { return now().isHeldBack(); })) << "nothing is sent before the user agrees";
+    tick("Another master");
+    EXPECT_TRUE(isTold("The other master is gone."));
+    EXPECT_FALSE(canBus().training()->background().hasMaster);
+}
+
 TEST_F(CanopenTraining, AloneNobodyAcknowledgesItsAdapter)
 {
     chooseDevice(QStringLiteral("CAN bus"));
@@ -223,12 +246,14 @@ TEST_F(CanopenTraining, ItBeginsAfresh)
     tick("Position error");
     chooseDevice(QStringLiteral("CAN bus"));
     enter<QSpinBox>("Lost frames, of 1000", 20);
+    enter<QSpinBox>("Load by other devices, in percent", 5);
     for (auto *button : panel().findChildren<QPushButton *>(QStringLiteral("startAfresh")))
         button->click();
     advance(1'500);
     chooseDevice(QStringLiteral("CAN bus"));
     EXPECT_EQ(canBus().training()->bus()->faults(), CanBusFaults{});
     EXPECT_EQ(control<QSpinBox>("Lost frames, of 1000").value(), 0);
+    EXPECT_EQ(control<QSpinBox>("Load by other devices, in percent").value(), 0);
     EXPECT_EQ(
         canBus().training()->withEncoder(0, [](const canopen::SimulatedNode &node) { return node.alarms(); }),
         0);

@@ -5,6 +5,7 @@
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 #include "widgets/kinds/canopen/training/can_encoder_box.h"
 #include "widgets/kinds/canopen/training/can_faults_box.h"
+#include "widgets/kinds/canopen/training/other_devices_box.h"
 
 #include <QVBoxLayout>
 
@@ -26,12 +27,15 @@ CanTrainingPanel::CanTrainingPanel(BusId bus, QWidget *parent)
     : TrainingArea(tr("The simulated bus, or the encoder on it, that is moved and disturbed here"), parent)
     , m_bus(bus)
     , m_faults(new CanFaultsBox(content()))
+    , m_others(new OtherDevicesBox(content()))
     , m_encoder(new CanEncoderBox(content()))
 {
     column()->addWidget(m_faults);
+    column()->addWidget(m_others);
     column()->addWidget(m_encoder);
     endColumn();
     connect(m_faults, &CanFaultsBox::acted, this, &CanTrainingPanel::tell);
+    connect(m_others, &OtherDevicesBox::acted, this, &CanTrainingPanel::tell);
     connect(m_encoder, &CanEncoderBox::acted, this, &CanTrainingPanel::tell);
     setPlant(nullptr, {});
 }
@@ -92,13 +96,16 @@ void CanTrainingPanel::refresh()
     }
     const auto encoder = chosenEncoder();
     m_faults->setVisible(!encoder);
+    m_others->setVisible(!encoder);
     m_encoder->setVisible(encoder.has_value());
     if (m_plant == nullptr || !chosen())
         return;
-    if (encoder)
+    if (encoder) {
         m_encoder->showEncoder(*m_plant, *encoder);
-    else
-        m_faults->showBus(*m_plant, m_adapter);
+        return;
+    }
+    m_faults->showBus(*m_plant, m_adapter);
+    m_others->showPlant(*m_plant);
 }
 
 void CanTrainingPanel::leave()

@@ -14,6 +14,7 @@ class SimulatedCanopenPlant;
 }
 class CanEncoderBox;
 class CanFaultsBox;
+class OtherDevicesBox;
 class SimulatedCanAdapter;
 
 // What a trainer can do to a simulated CAN bus: to the bus itself (a place without a node), and to each of
@@ -44,6 +45,7 @@ private:
     std::vector<int> m_numbers;    // listed, by encoder
     std::vector<Place> m_encoders; // likewise; of several with one number, each has its own
     CanFaultsBox *m_faults;
+    OtherDevicesBox *m_others;
     CanEncoderBox *m_encoder;
 };
 
