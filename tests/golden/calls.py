@@ -189,6 +189,7 @@ def can_buses():
                      ["od", place, "write", "6001=4096", "--yes"], ["od", place, "write", "1010:1=save", "--yes"],
                      ["nmt", "start", place, "--yes"], ["nmt", "reset", place, "--yes"]):
             yield [*call, "--link", "canopen:training"]
+    yield ["reset", "can:5", "--yes", "--link", "canopen:training,may-stop=yes"]
 
 
 def refused(commands):

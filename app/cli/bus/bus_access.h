@@ -94,6 +94,8 @@ public:
     // About a job that was refused, and about the link if that is gone.
     virtual Complaint complaint(const Refusal &why) const { return complaintAbout(why); }
 
+    // Before a job: what it depends on, and the encoder tells by itself before long.
+    virtual void listenBefore(const EncoderSession &, const Job &) {}
     virtual void prepare(const Job &) {}              // it needs Operate, and the bus is in Watch
     virtual void rest() {}                            // after it, or the last of several
     virtual void lookAgain(const EncoderSession &) {} // after it: the position is to be from then

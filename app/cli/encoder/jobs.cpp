@@ -91,6 +91,7 @@ void noteSent(std::vector<Parameter> &sent, const Progress &progress)
 void carryOut(const Terminal &terminal, BusAccess &bus, const AllowedJob &allowed, FinishedJob &finished)
 {
     EncoderSession &encoder = allowed.encoder();
+    bus.listenBefore(encoder, allowed.job());
     const auto started = startOn(bus, allowed);
     if (!started) {
         finished.outcome.result = tl::unexpected(started.error());

@@ -68,8 +68,11 @@ public:
             BusAccess *bus = call.findBus(one.place.bus);
             if (bus == nullptr)
                 continue;
-            for (const Job &job : one.jobs)
+            for (const Job &job : one.jobs) {
                 bus->prepare(job);
+                if (const EncoderSession *encoder = call.buses.encoder(one.place))
+                    bus->listenBefore(*encoder, job);
+            }
             m_buses.insert(bus);
         }
     }

@@ -73,7 +73,8 @@ CanNodeRow CanNodeModel::rowFor(const CanopenSession &bus, int number)
                  bus.dateTime(bus.now()).toLocalTime().toString(QStringLiteral("HH:mm:ss"))};
     row.isInTrouble = !row.errors.isEmpty();
     const auto nmtState = heard->stateOrCommanded();
-    row.isWaiting = nmtState == canopen::NmtState::stopped || nmtState == canopen::NmtState::preOperational;
+    row.isWaiting = heard->hasBooted || nmtState == canopen::NmtState::stopped ||
+                    nmtState == canopen::NmtState::preOperational;
     row.since = known.since;
     row.isOld = !bus.latest().connected;
     return row;

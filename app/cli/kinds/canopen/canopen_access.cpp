@@ -13,6 +13,7 @@
 #include "doctor/link_hindrances.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "kinds/canopen/bus/canopen_facts.h"
+#include "kinds/canopen/driver/node_job.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 #include "links/can_interface.h"
@@ -35,9 +36,10 @@ constexpr Instant longestContactWithNode = 20s;   // silence is noticed long bef
 constexpr Instant longestIdentityOfNode = 1s;
 constexpr Instant longestListening = 3s; // to a node that tells of itself once a second
 constexpr Instant longestLookAtNode = 1s;
-constexpr Instant longestTransfer = 60s;     // in segments
-constexpr Instant longestAlone = 500ms;      // a frame needs some of them at most
-constexpr Instant untilFateIsTold = 1'200ms; // by a serial adapter, of what it does not get rid of
+constexpr Instant longestWaitForHeartbeat = 1'500ms; // which comes once a second, with most
+constexpr Instant longestTransfer = 60s;             // in segments
+constexpr Instant longestAlone = 500ms;              // a frame needs some of them at most
+constexpr Instant untilFateIsTold = 1'200ms;         // by a serial adapter, of what it does not get rid of
 constexpr Instant untilSecondAnswer = 50ms;
 
 // What is watched is not asked.
@@ -353,6 +355,19 @@ Checked<EncoderSession *> CanopenAccess::inContact(EncoderSession *encoder)
     return encoder;
 }
 
+// Whether the node runs, where it may have to be stopped.
+void CanopenAccess::listenBefore(const EncoderSession &encoder, const Job &job)
+{
+    if (m_link.mayStopNodes || !canopen::changesEncoder(job))
+        return;
+    const int node = CanopenAddress::of(encoder.place().node).node;
+    const auto isTold = [&] {
+        const CanopenSnapshot::Node *heard = m_session->latest().heard(node);
+        return heard != nullptr && (heard->stateOrCommanded() || heard->heartbeatTime == Instant());
+    };
+    waitUntil(isTold, longestWaitForHeartbeat);
+}
+
 // It has been switched to Operate when the encoder was first asked.
 void CanopenAccess::prepare(const Job &)
 {
@@ -553,7 +568,7 @@ QString CanopenAccess::howToAgree(const Refusal &why) const
         return behindLink(unsureWatchKey);
     if (why.id == CanopenBusRefusalId::otherMaster)
         return behindLink(besideMasterKey);
-    return why.id == CanopenRefusalId::nodeWouldStop ? behindLink(mayStopKey) : QString();
+    return canopen::isAboutStopping(why) ? behindLink(mayStopKey) : QString();
 }
 
 // What does not come may be late, or lost, where the bus is nearly full.

@@ -63,6 +63,7 @@ public:
 
     bool startThread() override;
     Complaint complaint(const Refusal &why) const override;
+    void listenBefore(const EncoderSession &encoder, const Job &job) override;
     void prepare(const Job &job) override;
     void lookAgain(const EncoderSession &encoder) override;
     std::unique_ptr<JobTrace> trace(const std::vector<const EncoderSession *> &encoders) override;

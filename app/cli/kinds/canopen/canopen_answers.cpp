@@ -74,7 +74,7 @@ QStringList CanopenAccess::remarks(const Reading &reading) const
     QStringList texts = BusAccess::remarks(reading);
     const int number = showing(reading);
     if (const auto *node = m_session->latest().heard(number)) {
-        if (const QString state = nmtStateText(node->state); !state.isEmpty())
+        if (const QString state = nodeStateText(*node); !state.isEmpty())
             texts << state;
         if (const QString errors = nodeTroubles(*node).join(QStringLiteral("; ")); !errors.isEmpty())
             texts << errors;

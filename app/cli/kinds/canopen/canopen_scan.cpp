@@ -100,7 +100,7 @@ QString tableOf(const Catalog &catalog, const std::vector<NodeOnBus> &nodes, boo
     table.add(head << CommandLine::tr("errors"));
     for (const NodeOnBus &node : nodes) {
         QStringList cells{CanopenAddress{node.heard.node}.place().toString(),
-                          orDash(nmtStateText(node.heard.state)),
+                          orDash(nodeStateText(node.heard)),
                           node.heard.sendsPdos ? CommandLine::tr("sends") : orDash({})};
         if (wasAsked) {
             cells << orDash(typeText(catalog, node));

@@ -376,7 +376,7 @@ void CanopenViews::agree()
 // A running node takes some objects only while it is pre-operational.
 void CanopenViews::jobEnded(const EncoderSession &encoder, const Outcome &outcome)
 {
-    if (outcome.result || outcome.result.error().id != CanopenRefusalId::nodeWouldStop) {
+    if (outcome.result || !canopen::isAboutStopping(outcome.result.error())) {
         withdraw(Asked::stopOfNode);
         return;
     }

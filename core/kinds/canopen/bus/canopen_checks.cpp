@@ -211,6 +211,12 @@ DataCheck nodeStateCheck(const CanopenSession &bus, int number)
                                                 "asked for them."),
                            DataCheck::Action::operate);
     DataCheck passed = passedCheck(DataCheck::Id::state, what, expected, stateText(node));
+    if (node != nullptr && node->hasBooted)
+        return remarkOf(
+            std::move(passed),
+            CanopenCheckText::tr("The node has booted, and does not tell its state: most then wait "
+                                 "to be started (NMT), some start by themselves."),
+            bus.isOperating() ? DataCheck::Action::startNode : DataCheck::Action::operate);
     if (state != NmtState::preOperational)
         return passed;
     return remarkOf(

@@ -184,9 +184,11 @@ constexpr auto nodeFactRows = std::to_array<CanopenNodeFact>({
      [](const Node &node) { return CanopenAddress{node.node}.shown(); },
      [](const Node &node) { return QJsonValue(node.node); }},
     {"state", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "State"),
-     QT_TRANSLATE_NOOP("codewheel::CanopenFacts",
-                       "The NMT state that the node has told last. Only an operational one sends PDOs, and a "
-                       "stopped one answers nothing"),
+     QT_TRANSLATE_NOOP(
+         "codewheel::CanopenFacts",
+         "The NMT state that the node has told last. Only an operational one sends PDOs, and a "
+         "stopped one answers nothing. Behind its boot-up a node waits to be started, or starts "
+         "by itself"),
      nodeStateText, [](const Node &node) { return nmtStateJson(node.state); }},
     {"heartbeat", QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Heartbeat"),
      QT_TRANSLATE_NOOP("codewheel::CanopenFacts", "Whether it comes in time. A node may have none"),
@@ -251,6 +253,8 @@ QString nmtStateText(std::optional<NmtState> state)
 
 QString nodeStateText(const Node &node)
 {
+    if (node.hasBooted)
+        return nmtStateText(NmtState::bootUp);
     return node.state || !node.commanded ? nmtStateText(node.state)
                                          : sentence(CanopenFactText::tr("%1 (as commanded)", "a state"),
                                                     {nmtStateText(node.commanded)});

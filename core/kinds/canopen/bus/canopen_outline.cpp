@@ -2,6 +2,7 @@
 #include "kinds/canopen/bus/canopen_outline.h"
 
 #include "kinds/canopen/bus/canopen_checks.h"
+#include "kinds/canopen/bus/canopen_facts.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/canopen_profile.h"
 #include "vocabulary/sentence.h"
@@ -97,6 +98,8 @@ StateWord CanopenOutline::shown(Place place) const
         return {Role::attention, tr("stopped", "a node")};
     if (state == NmtState::preOperational)
         return {Role::attention, tr("pre-operational")};
+    if (heard->hasBooted)
+        return {Role::attention, nodeStateText(*heard)};
     if (encoder.latest().state == EncoderState::notSeen)
         return {Role::inactive, tr("not seen")};
     return {Role::running, tr("ok")};

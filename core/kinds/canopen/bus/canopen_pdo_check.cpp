@@ -79,6 +79,12 @@ NoPdo notStarted()
             CanopenPdoText::tr("PDOs come once the node is started (NMT).")};
 }
 
+NoPdo noneSinceBootUp()
+{
+    return {CanopenPdoText::tr("none since the boot-up"),
+            CanopenPdoText::tr("PDOs come once the node is started (NMT), unless it starts by itself.")};
+}
+
 // Empty: it is not known when the next one should come, or it is not due yet.
 std::optional<NoPdo> noMore(const CanopenSnapshot::Node &node, Instant now)
 {
@@ -153,6 +159,7 @@ DataCheck canopenPdoCheck(const CanopenSession &bus, int number)
     const auto terms = node != nullptr ? node->position : std::nullopt;
     const bool isPreOperational =
         node != nullptr && node->stateOrCommanded() == canopen::NmtState::preOperational;
+    const bool hasBooted = node != nullptr && node->hasBooted;
     const auto stopped = node != nullptr ? noMore(*node, latest.at) : std::nullopt;
     if (node != nullptr && node->sendsPdos && !stopped) {
         DataCheck passed = passedCheck(DataCheck::Id::answer, what, expected, expected);
@@ -163,12 +170,13 @@ DataCheck canopenPdoCheck(const CanopenSession &bus, int number)
     const NoPdo why = stopped                        ? *stopped
                       : bySettings                   ? *bySettings
                       : isPreOperational             ? notStarted()
+                      : hasBooted                    ? noneSinceBootUp()
                       : terms && terms->isOnChange() ? onlyOnChange(*terms)
                                                      : notReadYet(isSyncHeard);
     if (bus.isOperating()) // they are asked for
         return remarkOf(
             passedCheck(DataCheck::Id::answer, what, expected, why.came),
-            terms || isPreOperational
+            terms || isPreOperational || hasBooted
                 ? sentence(CanopenPdoText::tr("The position is asked for (SDO). %1"), {why.remedy})
                 : CanopenPdoText::tr("The position is asked for (SDO)."));
     return failedCheck(DataCheck::Id::answer, what, expected, why.came, why.remedy,

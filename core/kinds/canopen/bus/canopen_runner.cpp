@@ -101,6 +101,7 @@ void CanopenWork::complete(CanopenSnapshot &made)
              .isDoubled = watch.isDoubled(),
              .secondAnswers = watch.secondAnswers(),
              .sendsPdos = watch.pdoAt().has_value(),
+             .hasBooted = watch.hasBooted(),
              .bootUps = watch.bootUps(),
              .unaskedBootUps = watch.unaskedBootUps(),
              .error = watch.standing().empty() ? std::nullopt : std::optional(watch.standing().back()),
@@ -108,6 +109,7 @@ void CanopenWork::complete(CanopenSnapshot &made)
                                                          canopen::object::position)
                                       : std::nullopt,
              .deviceType = node->device ? driver(*node->device)->deviceType() : std::nullopt,
+             .heartbeatTime = watch.producerTime(),
              .heardAt = *node->heardAt,
              .pdoAt = watch.pdoAt()});
     }

@@ -2,6 +2,7 @@
 // What goes out: by hand first, then what configures or searches, then the nodes in turn.
 #include "kinds/canopen/bus/canopen_runner_private.h"
 #include "kinds/canopen/protocol/frames.h"
+#include "kinds/canopen/protocol/sdo_abort.h"
 
 #include <algorithm>
 
@@ -216,6 +217,8 @@ void CanopenWork::answerDriver(Node &node, const SdoOutcome &outcome)
 void CanopenWork::learn(Node &node, const canopen::SdoRequest &request, const SdoOutcome &outcome)
 {
     const bool isRead = outcome.kind == SdoOutcome::Kind::read;
+    if (request.object.index == producerTime && !request.value && canopen::isMissing(outcome))
+        node.watch.setProducerTime(Instant(), link.now());
     if (!isRead && outcome.kind != SdoOutcome::Kind::written)
         return;
     const std::uint32_t number = canopen::numberOf(isRead ? outcome.value : *request.value);

@@ -62,11 +62,13 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
         bool isDoubled = false;
         int secondAnswers = 0; // more SDO answers than requests
         bool sendsPdos = false;
+        bool hasBooted = false; // and neither shown its state nor been commanded since
         int bootUps = 0;
         int unaskedBootUps = 0;                      // without a reset before
         std::optional<canopen::Emcy> error{};        // the newest that stands
         std::optional<canopen::PdoTerms> position{}; // when the PDO with its position comes, as read
         std::optional<std::uint32_t> deviceType{};   // 1000h, as read
+        std::optional<Instant> heartbeatTime{};      // 1017h, likewise; 0: it has none
         Instant heardAt{};
         std::optional<Instant> pdoAt{}; // the last one, since it was operational
 

@@ -79,9 +79,8 @@ Result<void> Cia406Driver::begin(JobId id, const Job &job, Pace pace, Instant no
         return checked;
     if (changesEncoder(job) && isOfOtherProfile(m_deviceType))
         return tl::unexpected(otherProfile());
-    const bool stops = std::holds_alternative<ResetToDefault>(job) && state() == NmtState::operational;
-    if (stops && !mayStop)
-        return refuse(RefusalKind::busy, CanopenRefusalId::nodeWouldStop, {std::int64_t{node()}});
+    if (std::holds_alternative<ResetToDefault>(job) && m_encoder.mayRun() && !mayStop)
+        return tl::unexpected(m_encoder.wouldStop());
     m_now = now;
     m_job.emplace(id, job, pace, mayStop, m_encoder);
     return {};

@@ -29,8 +29,8 @@ public:
     virtual std::optional<NmtState> state() const = 0;
     virtual bool busy() const = 0;
     virtual void setKnown(const std::vector<Known> &known) = 0;
-    // Refused: the encoder cannot do the job or goes by another profile, or it would stop a running node and
-    // mayStopNode() was not called.
+    // Refused: the encoder cannot do the job or goes by another profile, or it would stop a node that
+    // runs, or may, and mayStopNode() was not called.
     virtual Result<void> begin(JobId id, const Job &job, Pace pace, Instant now) = 0;
     // The user agrees that the next job stops the node, where it takes something only then, and starts it
     // again.

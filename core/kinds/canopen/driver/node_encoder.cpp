@@ -5,6 +5,7 @@
 #include "jobs/position_scale.h"
 #include "kinds/canopen/protocol/canopen_messages.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
+#include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
 
@@ -83,6 +84,19 @@ std::optional<NmtState> NodeEncoder::state() const
     return shown ? shown : watch.commandedState();
 }
 
+bool NodeEncoder::mayRun() const
+{
+    const auto its = state();
+    return !its || its == NmtState::operational;
+}
+
+Refusal NodeEncoder::wouldStop() const
+{
+    return {RefusalKind::busy,
+            state() ? CanopenRefusalId::nodeWouldStop : CanopenRefusalId::nodeMayRun,
+            {std::int64_t{node}}};
+}
+
 void NodeEncoder::take(const CanFrame &frame, Instant now)
 {
     const int bootUps = watch.bootUps();
@@ -116,7 +130,8 @@ void NodeEncoder::showState()
 void NodeEncoder::hasBooted(Instant now)
 {
     bootedAt = now;
-    reading.state = EncoderState::waiting;
+    if (reading.state != EncoderState::notSeen)
+        reading.state = EncoderState::operation;
     forgetPosition();
     m_widths.clear();
     for (const ParameterValue &value : values.values())

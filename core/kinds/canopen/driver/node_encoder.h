@@ -35,6 +35,9 @@ public:
 
     // As it has shown, otherwise as it was told to; empty: not known.
     std::optional<NmtState> state() const;
+    // It runs, or may: its state is not known.
+    bool mayRun() const;
+    Refusal wouldStop() const; // to what would stop it then
     // What it sends by itself, and commands of others.
     void take(const CanFrame &frame, Instant now);
     // A command that we sent.

@@ -31,7 +31,7 @@ NodeJob::NodeJob(JobId id, Job job, Pace pace, bool mayStop, NodeEncoder &encode
     , m_mayStop(mayStop)
 {
     m_steps.all = encoder.plan().stepsFor(m_job);
-    m_startsAgain = JobRun::job<ResetToDefault>() != nullptr && encoder.state() == NmtState::operational;
+    m_startsAgain = JobRun::job<ResetToDefault>() != nullptr && encoder.mayRun();
     if (const auto *write = JobRun::job<WriteCams>();
         write != nullptr && encoder.cams && !write->onlyWhatDiffers)
         m_camsGiven = encoder.cams->program;

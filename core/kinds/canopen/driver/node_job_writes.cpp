@@ -122,11 +122,11 @@ void NodeJob::aborted(const SdoOutcome &outcome)
 bool NodeJob::stopsForIt(const SdoOutcome &outcome)
 {
     constexpr std::uint32_t wrongStateCode = 0x0800'0022;
-    const bool runs = m_encoder.state() == NmtState::operational;
-    if (outcome.abortCode != wrongStateCode || !runs || m_hasStopped) // once: somebody else has started it
+    if (outcome.abortCode != wrongStateCode || !m_encoder.mayRun() ||
+        m_hasStopped) // once: somebody else has started it
         return false;
     if (!m_mayStop) {
-        fail({RefusalKind::busy, CanopenRefusalId::nodeWouldStop, {std::int64_t{m_encoder.node}}});
+        fail(m_encoder.wouldStop());
         return true;
     }
     m_startsAgain = m_hasStopped = true;

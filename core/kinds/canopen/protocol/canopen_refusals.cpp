@@ -74,9 +74,14 @@ constexpr auto canopenRefusalRows = std::to_array<SentenceRow>({
          "means "
          "something else there. Nothing was written. Its objects can still be read and written one by one, "
          "by its own manual.")},
+    {CanopenRefusalId::nodeMayRun, "nodeMayRun",
+     QT_TRANSLATE_NOOP("Refusal", "Node %1 does not tell whether it is running, and this stops it: if it "
+                                  "runs, its positions would not "
+                                  "come until it is started again. Agree that it is stopped and started "
+                                  "afterwards, or stop it first.")},
 });
 
-static_assert(areInOrder(canopenRefusalRows, &SentenceRow::id, CanopenRefusalId::otherProfile));
+static_assert(areInOrder(canopenRefusalRows, &SentenceRow::id, CanopenRefusalId::nodeMayRun));
 
 constexpr const char *otherReason = QT_TRANSLATE_NOOP("Refusal", "CiA 301 has no reason with this number.");
 

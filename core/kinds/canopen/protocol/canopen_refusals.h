@@ -23,6 +23,7 @@ enum class CanopenRefusalId : std::uint8_t {
     startNotSeen,      // node: likewise, and it does not show its state
     makeDiffers,       // object, Word vendor number of the description, Word vendor number of the device
     otherProfile,      // node, profile that it tells: what was wanted has another meaning there
+    nodeMayRun,        // node: its state is not known, and what is wanted would stop it
 };
 extern const RefusalFamily canopenRefusals;
 constexpr const RefusalFamily &familyOf(CanopenRefusalId)
@@ -31,6 +32,12 @@ constexpr const RefusalFamily &familyOf(CanopenRefusalId)
 }
 
 namespace canopen {
+
+// The user may agree that the node is stopped.
+inline bool isAboutStopping(const Refusal &why)
+{
+    return why.id == CanopenRefusalId::nodeWouldStop || why.id == CanopenRefusalId::nodeMayRun;
+}
 
 // Nobody knows of whom an answer was, nor who has taken what was sent.
 inline Refusal nodeIsDoubled(int node)

@@ -163,6 +163,11 @@ void NodeWatch::takeCommand(const CanFrame &frame, Instant at)
     m_bootedAt.reset();
 }
 
+bool NodeWatch::hasBooted() const
+{
+    return m_bootedAt && !m_state;
+}
+
 std::optional<NmtState> NodeWatch::commandedState() const
 {
     const auto row =
@@ -214,7 +219,7 @@ void NodeWatch::takeBootUp(Instant at)
     m_hasTwoBootUps = m_bootedAt && at - *m_bootedAt < bootUpsTime;
     m_bootedAt = at;
     m_statesTold.clear();
-    m_state = NmtState::preOperational;
+    m_state.reset();
     m_command.reset();
     m_pdoAt.reset();
     m_countsFrom.reset();

@@ -34,17 +34,21 @@ public:
     void setTpdos(std::vector<std::uint32_t> identifiers);
     // Object 1017h; 0: it has no heartbeat, empty: not known.
     void setProducerTime(std::optional<Instant> time, Instant now);
+    const std::optional<Instant> &producerTime() const { return m_producerTime; }
     // While it stores or restores, a node may be silent.
     void setMayBeSilent(bool may, Instant now);
 
     void take(const CanFrame &frame, Instant now);
 
-    // As the node has shown; empty: not known, as after a command.
+    // As the node has shown; empty: not known, as after a boot-up, behind which some start by themselves, or
+    // after a command.
     std::optional<NmtState> state() const { return m_state; }
     // The last command to it, until the node shows its state.
     std::optional<NmtCommand> command() const { return m_command; }
     // That in which this command sends it; empty: in none, or it has shown its own since.
     std::optional<NmtState> commandedState() const;
+    // It has reported, and neither shown its state nor been commanded since.
+    bool hasBooted() const;
     // When the last PDO came; empty: none has since it was last otherwise than operational.
     const std::optional<Instant> &pdoAt() const { return m_pdoAt; }
     // It was last known as stopped, by what it told or by a command, and has shown nothing else since: it

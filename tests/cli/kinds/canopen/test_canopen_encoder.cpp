@@ -73,6 +73,17 @@ TEST(CliCanEncoder, ThatRunsIsStoppedOnlyIfThatWasAgreedTo)
     EXPECT_EQ(bus.runLine(QStringLiteral("reset can:6 --yes --link canopen:training,may-stop=yes")).exit, 0);
 }
 
+// Node 5 has no heartbeat.
+TEST(CliCanEncoder, ThatMayRunIsStoppedOnlyIfThatWasAgreedTo)
+{
+    SharedCanBus bus;
+    const CliRun refused = bus.runLine(QStringLiteral("reset can:5 --yes --json"));
+    EXPECT_EQ(refused.exit, 1);
+    EXPECT_EQ(errorKey(refused), "nodeMayRun");
+    EXPECT_THAT(refused.err, HasSubstr("may-stop=yes"));
+    EXPECT_EQ(bus.runLine(QStringLiteral("reset can:5 --yes --link canopen:training,may-stop=yes")).exit, 0);
+}
+
 TEST(CliCanEncoder, IsWatchedWithoutSending)
 {
     SharedCanBus bus;

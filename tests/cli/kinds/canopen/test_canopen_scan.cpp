@@ -21,7 +21,7 @@ TEST(CliCanScan, ListensToWhoTellsOfItself)
     EXPECT_EQ(run.exit, 0);
     EXPECT_EQ(run.err, "");
     EXPECT_EQ(run.out, "place  state            PDO  errors\n"
-                       "can:5  pre-operational  -    -\n"
+                       "can:5  boot-up          -    -\n"
                        "can:6  pre-operational  -    -\n"
                        "can:7  pre-operational  -    -\n");
     const CliRun again = bus.runLine(QStringLiteral("scan")); // can:5 said only that it had started
@@ -34,7 +34,7 @@ TEST(CliCanScan, AsksWhatEachIs)
     SharedCanBus bus;
     const CliRun run = bus.runLine(QStringLiteral("scan --ask"));
     EXPECT_EQ(run.exit, 0);
-    EXPECT_THAT(run.out, HasSubstr("can:5  pre-operational  -    canopen-406-single-turn  10Dh    13h      "
+    EXPECT_THAT(run.out, HasSubstr("can:5  boot-up          -    canopen-406-single-turn  10Dh    13h      "
                                    "10000h    1234321 (12D591h)  -\n"));
     EXPECT_THAT(run.out, HasSubstr("canopen-406-linear"));
 }
@@ -139,7 +139,7 @@ TEST(CliCanScan, TheTrainingBusesEndWithTheCanBus)
     EXPECT_EQ(run.exit, 0);
     EXPECT_THAT(run.out, EndsWith("CAN: CAN bus (CANopen)\n"
                                   "place  state            PDO  errors\n"
-                                  "can:5  pre-operational  -    -\n"
+                                  "can:5  boot-up          -    -\n"
                                   "can:6  pre-operational  -    -\n"
                                   "can:7  pre-operational  -    -\n"));
     EXPECT_THAT(runLine(QStringLiteral("read can:6 serial-number")).out, HasSubstr("1234340"));

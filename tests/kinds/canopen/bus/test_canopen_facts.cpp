@@ -94,6 +94,11 @@ TEST_F(CanopenFactsOfABus, TellANodeInTextAndInJson)
                                                   node.error->text().toStdString());
     EXPECT_EQ(json.join(u' ').toStdString(), "node=26 state=preOperational heartbeat=lost sendsPdos=false "
                                              "doubled=true error=33072");
+    const CanopenSnapshot::Node booted{.node = 26, .hasBooted = true};
+    const auto stateFact = std::ranges::find_if(
+        canopenNodeFacts(), [](const CanopenNodeFact &fact) { return qstrcmp(fact.key, "state") == 0; });
+    EXPECT_EQ(stateFact->text(booted).toStdString(), "boot-up");
+    EXPECT_TRUE(stateFact->json(booted).isNull());
     EXPECT_EQ(nodeTroubles(node).size(), 3);
     EXPECT_TRUE(nodeTroubles({.node = 5}).isEmpty());
     EXPECT_TRUE(nmtStateJson(static_cast<canopen::NmtState>(9)).isNull());

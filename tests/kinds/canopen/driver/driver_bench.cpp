@@ -151,6 +151,8 @@ void DriverBench::run(Instant duration)
 void DriverBench::settle()
 {
     run(std::chrono::seconds(1));
+    hear(0x700 + driverNode,
+         {static_cast<std::uint8_t>(isRunning ? NmtState::operational : NmtState::preOperational)});
     log.clear();
     messages.clear();
 }

@@ -45,7 +45,7 @@ public:
 
     Instant now{};
     void run(Instant duration);
-    void settle(); // until it knows what it wants to know; clears the log
+    void settle(); // until it knows what it wants to know, and its state; clears the log
     Result<void> begin(const Job &job, Pace pace = Pace::byItself);
     // Runs the job to its end; by hand, or where it gets no further, as far as it gets.
     const Outcome &finish(const Job &job, Pace pace = Pace::byItself);

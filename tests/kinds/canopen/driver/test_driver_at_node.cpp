@@ -99,7 +99,7 @@ TEST_F(DriverAtNode, ReadsEverythingThatTheEncoderHas)
 {
     put(planned());
     EXPECT_TRUE(driver.reading().position);
-    EXPECT_EQ(driver.reading().state, EncoderState::waiting);
+    EXPECT_EQ(driver.reading().state, EncoderState::operation) << "it does not tell whether it waits";
     const Outcome &read = finish(ReadParameters{catalog.find(u"canopen-406-multi-turn")->readableValues()});
     EXPECT_TRUE(read.result);
     EXPECT_EQ(valueOf(read.read, Parameter::serialNumber), 12345);
@@ -141,6 +141,7 @@ TEST_F(DriverAtNode, FactoryValuesComeBack)
 {
     put(planned());
     EXPECT_TRUE(finish(WriteParameters{.values = values, .previous = {}}).result);
+    EXPECT_TRUE(finish(nmtJob(NmtCommand::preOperational)).result);
     EXPECT_TRUE(finish(ResetToDefault{}).result);
     pass(100ms);
     EXPECT_TRUE(finish(ReadParameters{{Parameter::steps}}).result);
@@ -157,6 +158,19 @@ TEST_F(DriverAtNode, ANodeThatTakesValuesOnlyBeforeItRunsIsStoppedWithConsent)
     EXPECT_TRUE(finish(WriteParameters{.values = values, .previous = {}}).result);
     EXPECT_EQ(node->state(), NmtState::operational);
     EXPECT_EQ(outcome->written.size(), values.size());
+}
+
+// It has booted, and no heartbeat that would tell.
+TEST_F(DriverAtNode, OneThatMayRunIsNotResetUnasked)
+{
+    put(planned());
+    EXPECT_FALSE(driver.state());
+    EXPECT_FALSE(finish(ResetToDefault{}).result);
+    EXPECT_EQ(outcome->result.error().id, CanopenRefusalId::nodeMayRun);
+    EXPECT_EQ(node->eepromWrites(), 0u);
+    driver.mayStopNode(true);
+    EXPECT_TRUE(finish(ResetToDefault{}).result);
+    EXPECT_EQ(node->state(), NmtState::operational);
 }
 
 TEST_F(DriverAtNode, CamsAreWrittenAndReadBack)

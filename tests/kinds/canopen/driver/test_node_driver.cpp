@@ -192,7 +192,7 @@ TEST(NodeDriver, SilenceAndItsEndAreToldOnce)
     EXPECT_EQ(bench.countOf(MessageId::encoderSilent), 1);
     bench.run(60s);
     EXPECT_EQ(bench.countOf(MessageId::encoderAnswers), 1);
-    EXPECT_EQ(bench.driver.reading().state, EncoderState::operation);
+    EXPECT_EQ(bench.driver.reading().state, EncoderState::waiting);
 }
 
 TEST(NodeDriver, AnotherSerialNumberIsAnotherEncoder)

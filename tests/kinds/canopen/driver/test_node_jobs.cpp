@@ -304,6 +304,32 @@ TEST_F(NodeJobs, ARunningNodeIsNotStoppedUnasked)
     EXPECT_TRUE(bench.isRunning);
 }
 
+// Some start by themselves behind the boot-up, and a shaft at rest sends nothing.
+TEST_F(NodeJobs, ANodeThatMayRunIsNotStoppedUnaskedEither)
+{
+    bench.hear(0x705, {0x00});
+    bench.run(std::chrono::seconds(1));
+    bench.log.clear();
+    EXPECT_FALSE(bench.finish(ResetToDefault{}).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::nodeMayRun);
+    bench.refusesWhileRunning = bench.isRunning = true;
+    EXPECT_FALSE(bench.finish(writing({{Parameter::steps, 4000}})).result);
+    EXPECT_EQ(bench.refusal(), CanopenRefusalId::nodeMayRun);
+    EXPECT_EQ(bench.jobLog(), (Rows{"6001:0 A0 0F 00 00"})) << "nothing is sent but what was refused";
+
+    bench.driver.mayStopNode(true);
+    EXPECT_TRUE(bench.finish(writing({{Parameter::steps, 4000}})).result);
+    EXPECT_EQ(bench.jobLog().back(), "NMT 01") << "and started again";
+    bench.hear(0x705, {0x00});
+    bench.driver.mayStopNode(true);
+    EXPECT_TRUE(bench.finish(ResetToDefault{}).result);
+    EXPECT_EQ(bench.jobLog().back(), "NMT 01") << "it may have run before";
+
+    bench.hear(0x705, {0x00});
+    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::preOperational)).result);
+    EXPECT_TRUE(bench.finish(ResetToDefault{}).result) << "it was stopped first";
+}
+
 TEST_F(NodeJobs, WhetherANodeRunsAgainIsSeenOrSaid)
 {
     bench.refusesWhileRunning = bench.isRunning = true;
@@ -602,6 +628,7 @@ TEST_F(OtherProfiles, AreAskedForBeforeTheFirstWrite)
 {
     for (const Job &job : writing) {
         bench.driver.lost(bench.now);
+        bench.hear(0x705, {0x7F});
         bench.log.clear();
         EXPECT_FALSE(bench.finish(job).result);
         EXPECT_EQ(bench.refusal(), CanopenRefusalId::otherProfile);

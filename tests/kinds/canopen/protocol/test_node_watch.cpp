@@ -41,19 +41,29 @@ TEST_F(NodeWatchTest, StatesAreThoseThatTheNodeShows)
     EXPECT_EQ(watch.state(), NmtState::stopped);
 }
 
-TEST_F(NodeWatchTest, AfterBootUpItIsPreOperationalAndAPdoTellsThatItRuns)
+// Some start by themselves behind it.
+TEST_F(NodeWatchTest, AfterBootUpTheStateIsNotKnownUntilTheNodeShowsItOrIsCommanded)
 {
-    comes("705# 05");
+    EXPECT_FALSE(watch.hasBooted());
+    int bootUps = 0;
+    for (const auto &[told, state] :
+         {std::pair("185# 88 13 00 00", NmtState::operational), std::pair("705# 05", NmtState::operational),
+          std::pair("705# 7F", NmtState::preOperational), std::pair("705# 04", NmtState::stopped)}) {
+        comes("705# 05");
+        comes("705# 00");
+        EXPECT_EQ(watch.bootUps(), ++bootUps);
+        EXPECT_FALSE(watch.state());
+        EXPECT_TRUE(watch.hasBooted());
+        comes("205# 00"); // to the node
+        EXPECT_FALSE(watch.state());
+        comes(told);
+        EXPECT_EQ(watch.state(), state);
+        EXPECT_FALSE(watch.hasBooted());
+    }
     comes("705# 00");
-    EXPECT_EQ(watch.bootUps(), 1);
-    EXPECT_EQ(watch.state(), NmtState::preOperational);
-    comes("205# 00"); // to the node
-    EXPECT_EQ(watch.state(), NmtState::preOperational);
-    comes("185# 88 13 00 00");
-    EXPECT_EQ(watch.state(), NmtState::operational);
-    comes("705# 00");
-    EXPECT_EQ(watch.bootUps(), 2);
-    EXPECT_EQ(watch.state(), NmtState::preOperational);
+    comes("000# 80 05");
+    EXPECT_FALSE(watch.hasBooted());
+    EXPECT_EQ(watch.commandedState(), NmtState::preOperational);
 }
 
 TEST_F(NodeWatchTest, PdosMayHaveOtherIdentifiers)
