@@ -27,6 +27,13 @@ struct TypedWrite
     ParameterValues values{}; // that it sets, according to the description of the encoder
 };
 
+// What became of it.
+enum class TypedEnd : std::uint8_t {
+    notDone, // it did not go out, or was refused
+    done,
+    notKnown, // it went out, or may have, and no answer tells
+};
+
 // A connected bus of any kind as window, command line and ledger see it: its devices, its state, and what may
 // be sent to it. Implemented by RingSession (a ring) and EscLineSession (a serial line).
 class EncoderBus : public QObject
@@ -150,9 +157,8 @@ Q_SIGNALS:
     void trafficRestarted();
     // For the ledger of EEPROM writes, before anything of it is sent.
     void writeAboutToBeSent(const codewheel::TypedWrite &write);
-    // Once for each that was about to be sent, for every encoder that exists by then. `mayBeDone`: it went
-    // out, and was not refused.
-    void typedWriteEnded(const codewheel::TypedWrite &write, bool mayBeDone);
+    // Once for each that was about to be sent, for every encoder that exists by then.
+    void typedWriteEnded(const codewheel::TypedWrite &write, codewheel::TypedEnd end);
 
 protected:
     // What name() may be refused for on every bus; null: the make is no longer known.

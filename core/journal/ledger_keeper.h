@@ -74,6 +74,7 @@ private:
         int awaited = 0; // typed writes that have not ended
         int planned = 0; // writes, at most
         int counted = 0;
+        int inDoubt = 0; // typed writes without an answer
     };
     struct ToStranger // a write typed for a place without a session
     {
@@ -140,8 +141,8 @@ private:
     void loseByHand(Place place, Watched &watched);
     void settleByHand();
     void settleByHand(Place place, Watched &watched);
-    void settleTyped(const TypedWrite &write, bool mayBeDone);
-    void settleToStranger(const TypedWrite &write, bool mayBeDone);
+    void settleTyped(const TypedWrite &write, TypedEnd end);
+    void settleToStranger(const TypedWrite &write, TypedEnd end);
     void noteWhatWasToStranger(Place place);
     bool standsStill(Place place, const EncoderSession &encoder) const;
 

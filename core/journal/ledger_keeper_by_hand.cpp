@@ -86,12 +86,16 @@ void LedgerKeeper::settleByHand()
     }
 }
 
-void LedgerKeeper::settleTyped(const TypedWrite &write, bool mayBeDone)
+void LedgerKeeper::settleTyped(const TypedWrite &write, TypedEnd end)
 {
     const auto found = m_watched.find(write.place);
-    if (found != m_watched.end() && found->second.byHand && --found->second.byHand->awaited <= 0)
-        settleByHand(write.place, found->second);
-    settleToStranger(write, mayBeDone);
+    if (found != m_watched.end() && found->second.byHand) {
+        ByHand &noted = *found->second.byHand;
+        noted.inDoubt += end == TypedEnd::notKnown ? 1 : 0;
+        if (--noted.awaited <= 0)
+            settleByHand(write.place, found->second);
+    }
+    settleToStranger(write, end);
 }
 
 void LedgerKeeper::beginToStranger(const TypedWrite &write)
@@ -105,7 +109,7 @@ void LedgerKeeper::beginToStranger(const TypedWrite &write)
 }
 
 // Without an answer it may have been carried out.
-void LedgerKeeper::settleToStranger(const TypedWrite &write, bool mayBeDone)
+void LedgerKeeper::settleToStranger(const TypedWrite &write, TypedEnd end)
 {
     std::vector<ToStranger> &requests = m_strangers[write.place];
     const auto ended = std::ranges::find(requests, std::optional(write.text), &ToStranger::awaited);
@@ -115,9 +119,9 @@ void LedgerKeeper::settleToStranger(const TypedWrite &write, bool mayBeDone)
     ended->awaited.reset();
     if (m_watched.contains(write.place)) // by now, and it is noted there
         requests.erase(ended);
-    if (mayBeDone)
+    if (end == TypedEnd::done)
         m_book->count(id, 1);
-    m_book->settle(id, {});
+    m_book->settle(id, {}, {}, end == TypedEnd::notKnown ? 1 : 0);
 }
 
 // It is being added now. What has not been answered yet ends as typed for a stranger, and may be counted by
@@ -133,7 +137,7 @@ void LedgerKeeper::noteWhatWasToStranger(Place place)
 void LedgerKeeper::settleByHand(Place place, Watched &watched)
 {
     const ByHand done = *std::exchange(watched.byHand, std::nullopt);
-    m_book->settle(done.id, done.sent);
+    m_book->settle(done.id, done.sent, {}, std::min(done.inDoubt, std::max(0, done.planned - done.counted)));
     showCount(place);
 }
 

@@ -21,6 +21,29 @@ QString textOf(const std::vector<std::uint8_t> &octets)
     return QString::fromLatin1(bytes.toHex(' ').toUpper());
 }
 
+TypedEnd endOf(CanFate fate)
+{
+    return fate == CanFate::refused ? TypedEnd::notDone
+           : fate == CanFate::done  ? TypedEnd::done
+                                    : TypedEnd::notKnown;
+}
+
+TypedEnd endOf(const canopen::SdoOutcome &outcome)
+{
+    using Kind = canopen::SdoOutcome::Kind;
+    if (outcome.kind == Kind::written)
+        return TypedEnd::done;
+    return outcome.kind == Kind::noAnswer || outcome.isOwnAbort ? TypedEnd::notKnown : TypedEnd::notDone;
+}
+
+TypedEnd endOf(const canopen::LssOutcome &outcome)
+{
+    using Kind = canopen::LssOutcome::Kind;
+    return outcome.kind == Kind::done       ? TypedEnd::done
+           : outcome.kind == Kind::noAnswer ? TypedEnd::notKnown
+                                            : TypedEnd::notDone;
+}
+
 } // namespace
 
 CanopenSession::CanopenSession(std::unique_ptr<CanLink> link, const Catalog &catalog, const QDateTime &begin,
@@ -80,17 +103,14 @@ void CanopenSession::takeOther(const CanopenEvent &event)
     } else if (const auto *sent = std::get_if<FrameSent>(&event.what)) {
         Q_EMIT frameSent(*sent);
         tellNmt(*sent);
-        tellEnd(storing(sent->frame), sent->fate != CanFate::refused);
+        tellEnd(storing(sent->frame), endOf(sent->fate));
     } else if (const auto *ended = std::get_if<TransferEnded>(&event.what)) {
-        using Kind = canopen::SdoOutcome::Kind;
         Q_EMIT transferEnded(*ended);
         tellWritten(*ended);
-        tellEnd(storing(ended->request),
-                ended->outcome.kind == Kind::written || ended->outcome.kind == Kind::noAnswer);
+        tellEnd(storing(ended->request), endOf(ended->outcome));
     } else if (const auto *lss = std::get_if<Configured>(&event.what)) {
         Q_EMIT configured(*lss);
-        tellEnd(storing(lss->request), lss->outcome.kind == canopen::LssOutcome::Kind::done ||
-                                           lss->outcome.kind == canopen::LssOutcome::Kind::noAnswer);
+        tellEnd(storing(lss->request), endOf(lss->outcome));
     } else if (const auto *found = std::get_if<NodesScanned>(&event.what)) {
         Q_EMIT scanned(*found);
     } else if (const auto *unsure = std::get_if<WatchNotSure>(&event.what)) {
@@ -212,13 +232,13 @@ void CanopenSession::accountFor(const std::optional<TypedWrite> &write)
         Q_EMIT writeAboutToBeSent(*write);
 }
 
-void CanopenSession::tellEnd(const std::optional<TypedWrite> &write, bool mayBeDone)
+void CanopenSession::tellEnd(const std::optional<TypedWrite> &write, TypedEnd end)
 {
     if (!write)
         return;
-    if (AskedEncoder *its = encoderAt(write->place.node); mayBeDone && its != nullptr)
+    if (AskedEncoder *its = encoderAt(write->place.node); end == TypedEnd::done && its != nullptr)
         its->take(Event(KnowledgeChanged{.known = {}, .noLongerKnown = {}, .eepromWrites = 1}), now());
-    Q_EMIT typedWriteEnded(*write, mayBeDone);
+    Q_EMIT typedWriteEnded(*write, end);
 }
 
 } // namespace codewheel

@@ -81,7 +81,7 @@ private:
     void tellNmt(const FrameSent &sent);
     void tellWritten(const TransferEnded &ended);
     void accountFor(const std::optional<TypedWrite> &write);
-    void tellEnd(const std::optional<TypedWrite> &write, bool mayBeDone);
+    void tellEnd(const std::optional<TypedWrite> &write, TypedEnd end);
     std::optional<TypedWrite> storing(int node, const canopen::SdoObject &object, bool isWrite) const;
     std::optional<TypedWrite> storing(const CanFrame &frame) const;
     std::optional<TypedWrite> storing(const canopen::SdoRequest &request) const;

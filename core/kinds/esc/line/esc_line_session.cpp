@@ -230,11 +230,13 @@ void EscLineSession::tellEnd(const TypedAnswered &answered)
     const Place addressed = placeOf(request.to.node());
     if (std::ranges::find(writes, addressed, &TypedWrite::place) == writes.end())
         writes.push_back({addressed, request.text()});
-    const bool mayBeDone = result.sent > 0 && !wasRefused;
+    const TypedEnd end = result.sent == 0 || wasRefused ? TypedEnd::notDone
+                         : result.answer                ? TypedEnd::done
+                                                        : TypedEnd::notKnown;
     for (const TypedWrite &write : writes) {
-        if (mayBeDone)
+        if (end != TypedEnd::notDone)
             tellTyped(write.place, answered);
-        Q_EMIT typedWriteEnded(write, mayBeDone);
+        Q_EMIT typedWriteEnded(write, end);
     }
 }
 

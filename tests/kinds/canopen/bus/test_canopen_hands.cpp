@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done by hand on the bus: frames, transfers, searching, LSS.
 #include "bus/bus_outline.h"
+#include "journal/ledger_keeper.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
 #include "vocabulary/refusal_text.h"
@@ -155,11 +156,11 @@ TEST_F(CanopenByHand, StoringByHandIsAccountedFor)
     operate();
     hear();
     std::vector<TypedWrite> writes;
-    std::vector<bool> ends;
+    std::vector<TypedEnd> ends;
     QObject::connect(bus.get(), &EncoderBus::writeAboutToBeSent, bus.get(),
                      [&](const TypedWrite &write) { writes.push_back(write); });
     QObject::connect(bus.get(), &EncoderBus::typedWriteEnded, bus.get(),
-                     [&](const TypedWrite &, bool mayBeDone) { ends.push_back(mayBeDone); });
+                     [&](const TypedWrite &, TypedEnd end) { ends.push_back(end); });
     bus->transfer({.node = 6,
                    .object = {0x1010, 1},
                    .value = std::vector<std::uint8_t>{0x73, 0x61, 0x76, 0x65},
@@ -167,11 +168,36 @@ TEST_F(CanopenByHand, StoringByHandIsAccountedFor)
     ASSERT_EQ(writes.size(), 1U);
     EXPECT_EQ(writes.front().place, six);
     bus->advance(6s);
-    EXPECT_EQ(ends, std::vector{true});
+    EXPECT_EQ(ends, std::vector{TypedEnd::done});
     bus->send(test::canFrame(0x606, {0x23, 0x10, 0x10, 1, 0x73, 0x61, 0x76, 0x65}));
     EXPECT_EQ(writes.size(), 2U);
     bus->advance(1s);
     EXPECT_EQ(ends.size(), 2U);
+}
+
+// What was answered counts, what was refused does not, and of the rest nobody knows.
+TEST_F(CanopenByHand, OneThatIsNotAnsweredIsPerhapsStored)
+{
+    const canopen::SdoRequest store{.node = 6,
+                                    .object = {0x1010, 1},
+                                    .value = std::vector<std::uint8_t>{0x73, 0x61, 0x76, 0x65},
+                                    .timeOut = 5s};
+    operate();
+    const LedgerKeeper keeper(*bus, DatabasePlace::memory());
+    const auto count = [this] { return bus->encoder(six)->eepromCount(); };
+    bus->transfer(store);
+    bus->advance(6s);
+    EXPECT_EQ(count().writes, 1);
+    canopen::SdoRequest refusedStore = store;
+    refusedStore.value->front() = 0;
+    bus->transfer(refusedStore);
+    bus->advance(6s);
+    EXPECT_EQ(count().atMost(), 1);
+    plant->withEncoder(1, [](canopen::SimulatedNode &node) { node.setOn(false); });
+    bus->transfer(store);
+    bus->advance(6s);
+    EXPECT_EQ(count().writes, 1);
+    EXPECT_EQ(count().perhaps, 1);
 }
 
 TEST_F(CanopenByHand, ATransferThatTheLinkBreaksIsNotKnown)
