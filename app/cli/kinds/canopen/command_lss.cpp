@@ -9,12 +9,16 @@
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/canopen/object_writing.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
+#include "kinds/canopen/protocol/kept_identifier.h"
 #include "kinds/canopen/protocol/lss_rates.h"
 #include "kinds/canopen/protocol/lss_selection.h"
 #include "kinds/canopen/setup/identity_reading.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/serial_number_text.h"
+
+#include <QJsonArray>
 
 #include <algorithm>
 #include <array>
@@ -434,6 +438,30 @@ Checked<Answer> writeByLss(const Call &call, CanopenAccess &bus, const LssReques
     return answer;
 }
 
+// Which identifiers the node has that are not those of its number: some makes keep stored ones.
+void tellKeptIdentifiers(CanopenAccess &bus, int node, Answer &answer)
+{
+    std::vector<canopen::SdoObject> objects(canopen::identifierObjects.begin(),
+                                            canopen::identifierObjects.end());
+    std::ranges::copy(canopen::identifierObjectsOfTpdos, std::back_inserter(objects));
+    QJsonArray told;
+    for (const canopen::SdoObject object : objects) {
+        const auto outcome = bus.transfer({.node = node, .object = object});
+        if (!outcome || outcome->kind == canopen::SdoOutcome::Kind::noAnswer)
+            break;
+        const auto kept = outcome->kind == canopen::SdoOutcome::Kind::read
+                              ? canopen::keptIdentifier(object, canopen::numberOf(outcome->value), node)
+                              : std::nullopt;
+        if (!kept)
+            continue;
+        told.append(QJsonObject{{QStringLiteral("object"), object.text()},
+                                {QStringLiteral("identifier"), qint64{kept->identifier}},
+                                {QStringLiteral("predefined"), qint64{kept->predefined}}});
+        answer.text += messageText(kept->message()) + u'\n';
+    }
+    answer.json.insert(QStringLiteral("keptIdentifiers"), told);
+}
+
 // Whether a device that had no number reports with its new one.
 void tellNewNode(CanopenAccess &bus, int node, Answer &answer)
 {
@@ -447,6 +475,8 @@ void tellNewNode(CanopenAccess &bus, int node, Answer &answer)
                                                 "until it is stored: codewheel-cli lss store --of %2."),
                                 {CanopenAddress{node}.shown(), CanopenAddress{node}.place().toString()}) +
                        u'\n';
+    if (isThere)
+        tellKeptIdentifiers(bus, node, answer);
     else if (!answer.complaint)
         answer.complaint = lssComplaint(
             "lssNotBack", sentence(CommandLine::tr("The device has taken the number, but node %1 has not "
@@ -618,6 +648,8 @@ Checked<Answer> lssShow(const Call &call, CanopenAccess &bus)
     addBus(answer.json, bus);
     if (!call.arguments.has("--of"))
         answer.text += aboutMore(call) + u'\n';
+    if (device.numberOnBus() != 0)
+        tellKeptIdentifiers(bus, device.numberOnBus(), answer);
     return answer;
 }
 

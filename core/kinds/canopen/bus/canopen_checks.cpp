@@ -6,6 +6,7 @@
 #include "kinds/canopen/bus/canopen_facts.h"
 #include "kinds/canopen/bus/canopen_session.h"
 #include "kinds/canopen/protocol/device_profile.h"
+#include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
@@ -186,6 +187,19 @@ DataCheck otherProfileCheck(std::uint32_t deviceType, int number)
                  {QString::number(number), told}));
 }
 
+// The data comes all the same.
+void addKeptIdentifiers(DataChecks &checks, const CanopenSnapshot::Node *node)
+{
+    if (node == nullptr)
+        return;
+    for (const canopen::KeptIdentifier &kept : node->kept)
+        checks.push_back(
+            remarkOf(passedCheck(DataCheck::Id::answer,
+                                 sentence(CanopenCheckText::tr("Identifier of %1"), {kept.name()}),
+                                 hexNumber(kept.predefined, 3), hexNumber(kept.identifier, 3)),
+                     messageText(kept.message())));
+}
+
 QString stateText(const CanopenSnapshot::Node *node)
 {
     const QString text = node != nullptr ? nodeStateText(*node) : QString();
@@ -251,6 +265,7 @@ void addOfNode(DataChecks &checks, const CanopenSession &bus, NodeId node,
             checks.push_back(otherProfileCheck(*heard->deviceType, number));
         checks.push_back(nodeStateCheck(bus, number));
         checks.push_back(canopenPdoCheck(bus, number));
+        addKeptIdentifiers(checks, bus.latest().heard(number));
     }
     checks.push_back(kindCheck(bus, node, planned));
     if (!isAdded)

@@ -10,6 +10,12 @@ namespace codewheel {
 namespace {
 
 constexpr Instant betweenSnapshots = std::chrono::milliseconds(30); // as often as a window looks
+
+std::vector<canopen::KeptIdentifier> keptOf(const canopen::NodeDriver &driver)
+{
+    const auto kept = driver.keptIdentifiers();
+    return {kept.begin(), kept.end()};
+}
 constexpr Instant justNow = std::chrono::milliseconds(2);
 
 } // namespace
@@ -110,6 +116,7 @@ void CanopenWork::complete(CanopenSnapshot &made)
                                       : std::nullopt,
              .deviceType = node->device ? driver(*node->device)->deviceType() : std::nullopt,
              .heartbeatTime = watch.producerTime(),
+             .kept = node->device ? keptOf(*driver(*node->device)) : std::vector<canopen::KeptIdentifier>(),
              .heardAt = *node->heardAt,
              .pdoAt = watch.pdoAt()});
     }

@@ -4,6 +4,7 @@
 #include "bus/asked_snapshot.h"
 #include "can/can_link.h"
 #include "kinds/canopen/bus/other_master.h"
+#include "kinds/canopen/protocol/kept_identifier.h"
 #include "kinds/canopen/protocol/node_watch.h"
 #include "kinds/canopen/protocol/pdo_mapping.h"
 
@@ -69,6 +70,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
         std::optional<canopen::PdoTerms> position{}; // when the PDO with its position comes, as read
         std::optional<std::uint32_t> deviceType{};   // 1000h, as read
         std::optional<Instant> heartbeatTime{};      // 1017h, likewise; 0: it has none
+        std::vector<canopen::KeptIdentifier> kept{}; // likewise, that are not those of its number
         Instant heardAt{};
         std::optional<Instant> pdoAt{}; // the last one, since it was operational
 

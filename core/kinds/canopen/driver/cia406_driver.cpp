@@ -64,6 +64,8 @@ void Cia406Driver::getToKnow()
     };
     if (const CanopenReach *serial = reachOf(Parameter::serialNumber))
         m_toKnow.push_back(serial->object);
+    std::ranges::copy(identifierObjects, std::back_inserter(m_toKnow));
+    m_kept.clear();
     for (const Parameter parameter : {Parameter::alarms, Parameter::warnings})
         if (const CanopenReach *bits = reachOf(parameter))
             m_bits.push_back(bits->object);
@@ -286,6 +288,7 @@ void Cia406Driver::pollAnswered(SdoObject object, const SdoOutcome &outcome, Ins
 void Cia406Driver::gotToKnow(SdoObject object, const SdoOutcome &outcome, Instant now)
 {
     if (std::ranges::any_of(m_pdos, [&](PdoMapping &each) { return each.take(object, outcome.value); })) {
+        takeIdentifier(object, outcome, now);
         noteMappings();
         return;
     }
@@ -294,6 +297,8 @@ void Cia406Driver::gotToKnow(SdoObject object, const SdoOutcome &outcome, Instan
         takeType(outcome, now);
     else if (object == heartbeatTime && !outcome.value.empty())
         m_encoder.watch.setProducerTime(std::chrono::milliseconds(numberOf(outcome.value)), now);
+    else if (std::ranges::find(identifierObjects, object) != identifierObjects.end())
+        takeIdentifier(object, outcome, now);
     else
         takeSerialNumber();
 }
@@ -367,6 +372,9 @@ void Cia406Driver::noteWrite(SdoObject object, bool isDone)
         }
     if (object == heartbeatTime)
         m_toKnow.push_back(object);
+    if (std::ranges::find(identifierObjects, object) != identifierObjects.end())
+        m_toKnow.push_back(object);
+    std::erase_if(m_kept, [object](const KeptIdentifier &each) { return each.object == object; });
     if (object == object::store && isDone)
         m_encoder.values.haveBeenStored();
     else if (object == object::store)
@@ -384,6 +392,24 @@ void Cia406Driver::takeSerialNumber()
     const auto before = std::exchange(m_serialNumber, number);
     if (number && before && before != number)
         forgetValues();
+}
+
+// It is told once, not at each boot-up.
+void Cia406Driver::takeIdentifier(SdoObject object, const SdoOutcome &outcome, Instant now)
+{
+    std::erase_if(m_kept, [object](const KeptIdentifier &each) { return each.object == object; });
+    if (outcome.value.empty())
+        return;
+    const auto kept = keptIdentifier(object, static_cast<std::uint32_t>(numberOf(outcome.value)), node());
+    if (!kept)
+        return;
+    m_kept.push_back(*kept);
+    if (std::ranges::find(m_keptTold, *kept) != m_keptTold.end())
+        return;
+    m_keptTold.push_back(*kept);
+    Message message = kept->message();
+    message.at = now;
+    m_encoder.messages.push_back(std::move(message));
 }
 
 void Cia406Driver::forgetValues()
@@ -458,6 +484,7 @@ void Cia406Driver::lost(Instant /*now*/)
     m_asks = Asks::nobody;
     m_unanswered = 0;
     m_deviceType.reset();
+    m_keptTold.clear();
     getToKnow();
 }
 

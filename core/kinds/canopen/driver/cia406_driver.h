@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/canopen/driver/node_job.h"
+#include "kinds/canopen/protocol/kept_identifier.h"
 #include "kinds/canopen/protocol/pdo_mappings_heard.h"
 
 #include <optional>
@@ -39,6 +40,7 @@ public:
     int node() const override { return m_encoder.node; }
     std::optional<std::uint32_t> deviceType() const override { return m_deviceType; }
     std::span<const PdoMapping> transmitPdos() const override { return m_pdos; }
+    std::span<const KeptIdentifier> keptIdentifiers() const override { return m_kept; }
     std::vector<Event> takeEvents() override;
     std::vector<Message> takeMessages() override;
 
@@ -64,6 +66,7 @@ private:
     Refusal otherProfile() const; // than that of encoders
     void noteMappings();
     void takeSerialNumber();
+    void takeIdentifier(SdoObject object, const SdoOutcome &outcome, Instant now);
     void takePdo(const CanFrame &frame, Instant now);
     void takeValues(const PdoMapping &pdo, const CanFrame &frame, Instant now);
     void forgetValues();
@@ -78,6 +81,8 @@ private:
     PdoMappingsHeard m_heard;
     std::optional<PdoMapping> m_usual{}; // empty: the user has not said so
     std::vector<SdoObject> m_toKnow;     // once, when it answers
+    std::vector<KeptIdentifier> m_kept;
+    std::vector<KeptIdentifier> m_keptTold; // since it is this encoder
     std::optional<std::uint32_t> m_deviceType{};
     bool m_isTypeAsked = false;        // since it got to know the node
     std::optional<SdoObject> m_mute{}; // of these: it has not answered for it

@@ -3,6 +3,7 @@
 
 #include "can/can_frame.h"
 #include "catalog/device_description.h"
+#include "kinds/canopen/protocol/kept_identifier.h"
 #include "kinds/canopen/protocol/nmt.h"
 #include "kinds/canopen/protocol/pdo_mapping.h"
 #include "kinds/canopen/protocol/sdo_client.h"
@@ -63,6 +64,8 @@ public:
     virtual std::optional<std::uint32_t> deviceType() const = 0;
     // The PDOs that it sends, as far as they were read from it.
     virtual std::span<const PdoMapping> transmitPdos() const = 0;
+    // Identifiers that it has and are not those of its number, as far as they were read.
+    virtual std::span<const KeptIdentifier> keptIdentifiers() const = 0;
     // What happened since the last call, oldest first.
     virtual std::vector<Event> takeEvents() = 0;
     virtual std::vector<Message> takeMessages() = 0;

@@ -12,6 +12,7 @@ enum class CanopenMessageId : std::uint8_t {
     nodeBooted,       // unasked
     speedStandsStill, // object: it is 0 while the position moves
     speedIsOpposite,  // object: its sign is not that of the position
+    identifierKept,   // object, Word identifier, Word that which is predefined for the number of the node
 };
 extern const MessageFamily canopenMessages;
 constexpr const MessageFamily &familyOf(CanopenMessageId)

@@ -54,6 +54,31 @@ TEST(CliLss, GivesItANumberAfterItsIdentityWasShown)
     EXPECT_EQ(errorKey(bus.runLine(QStringLiteral("lss scan --json"))), "lssNobodyWithoutNumber");
 }
 
+// It was stored before it got its number.
+TEST(CliLss, IdentifiersThatItKeepsAreTold)
+{
+    auto encoders = canopen::trainingEncoders();
+    encoders[1].quirks.keepsIdentifiers = true;
+    SharedCanBus bus(encoders);
+    EXPECT_TRUE(bus.runLine(QStringLiteral("lss show --of can:6 --json"))
+                    .json()[u"keptIdentifiers"]
+                    .toArray()
+                    .isEmpty());
+    EXPECT_EQ(bus.runLine(QStringLiteral("od can:6 write 1010:1=save --yes")).exit, 0);
+    EXPECT_EQ(bus.runLine(QStringLiteral("lss node 16 --of can:6 --yes")).exit, 0);
+    EXPECT_EQ(bus.runLine(QStringLiteral("lss store --of can:6 --yes")).exit, 0);
+    bus.runLine(QStringLiteral("nmt reset can:6 --yes"));
+    const CliRun run = bus.runLine(QStringLiteral("lss show --of can:16"));
+    EXPECT_THAT(run.out, HasSubstr("1014h:0 (EMCY) has the identifier 086h, and 090h is predefined"));
+    EXPECT_THAT(run.out, HasSubstr("1800h:1 (TPDO1) has the identifier 186h, and 190h is predefined"));
+    const QJsonArray kept =
+        bus.runLine(QStringLiteral("lss show --of can:16 --json")).json()[u"keptIdentifiers"].toArray();
+    ASSERT_EQ(kept.size(), 3);
+    EXPECT_EQ(kept[0].toObject(), (QJsonObject{{QStringLiteral("object"), QStringLiteral("1014h:0")},
+                                               {QStringLiteral("identifier"), 0x86},
+                                               {QStringLiteral("predefined"), 0x90}}));
+}
+
 TEST(CliLss, ANumberThatIsTakenIsRefused)
 {
     SharedCanBus bus;

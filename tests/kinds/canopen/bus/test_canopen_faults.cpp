@@ -2,6 +2,7 @@
 #include "bus/bus_outline.h"
 #include "bus/data_check.h"
 #include "kinds/canopen/bus/canopen_bus_refusals.h"
+#include "kinds/canopen/protocol/canopen_messages.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
 #include "vocabulary/refusal_text.h"
@@ -494,6 +495,32 @@ TEST_F(CanopenBusFaults, ThatANodeIsPreOperationalIsTheReasonThatNoPdoComes)
     EXPECT_NE(outcomes().second.outcome, DataCheck::Outcome::asExpected) << "they came";
 }
 
+// It keeps those of the number it had before.
+TEST_F(CanopenBusFaults, IdentifiersThatAreNotThoseOfTheNumberAreNamed)
+{
+    auto encoders = canopen::trainingEncoders();
+    encoders[1].quirks.keepsIdentifiers = true;
+    connectTo(encoders);
+    operate(1s);
+    bus->transfer(
+        {.node = 6, .object = {0x1010, 1}, .value = std::vector<std::uint8_t>{0x73, 0x61, 0x76, 0x65}});
+    bus->transfer({.node = 6, .object = {0x2000, 0}, .value = std::vector<std::uint8_t>{9}});
+    bus->transfer(
+        {.node = 6, .object = {0x1010, 1}, .value = std::vector<std::uint8_t>{0x73, 0x61, 0x76, 0x65}});
+    bus->advance(1s);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::resetNode, 6}.frame());
+    ASSERT_TRUE(bus->add(9, QStringLiteral("canopen-406-multi-turn")));
+    bus->advance(3s);
+    const DataChecks checks = bus->dataChecks(NodeId("can:9"), {});
+    const auto check =
+        std::ranges::find(checks, QStringLiteral("Identifier of 1014h:0 (EMCY)"), &DataCheck::what);
+    ASSERT_NE(check, checks.end());
+    EXPECT_EQ(check->outcome, DataCheck::Outcome::remark);
+    EXPECT_EQ(check->expected, QStringLiteral("089h"));
+    EXPECT_EQ(check->came, QStringLiteral("086h"));
+    EXPECT_EQ(countOf(CanopenMessageId::identifierKept), 3) << "and two PDOs";
+}
+
 // Node 5 has no heartbeat that would tell.
 TEST_F(CanopenBusFaults, WhyNothingNewComesOfAStoppedNodeOrInWatchIsSaid)
 {
@@ -530,7 +557,7 @@ TEST_F(CanopenBusFaults, ManyErrorFramesAreNotedThoughFramesCome)
     };
     EXPECT_EQ(frames().outcome, DataCheck::Outcome::asExpected);
     plant->bus()->setFaults({.damaged = 300});
-    bus->advance(20s);
+    bus->advance(30s);
     EXPECT_EQ(frames().outcome, DataCheck::Outcome::remark);
     EXPECT_TRUE(frames().remedy.startsWith(QStringLiteral("Error frames: ")))
         << frames().remedy.toStdString();

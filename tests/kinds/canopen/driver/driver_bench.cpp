@@ -30,7 +30,8 @@ std::string requestText(const SdoRequest &request)
 
 bool isPolledRow(const std::string &text)
 {
-    for (const char *object : {"1000:0", "6004:0", "6503:0", "6505:0", "1017:0", "1018:4"})
+    for (const char *object :
+         {"1000:0", "6004:0", "6503:0", "6505:0", "1017:0", "1018:4", "1005:0", "1014:0", "1200:1", "1200:2"})
         if (text == object)
             return true;
     return text.starts_with("180") || text.starts_with("1A0");

@@ -180,6 +180,32 @@ TEST(NodeDriver, EmergenciesAreTold)
     EXPECT_EQ(bench.countOf(CanopenMessageId::emergencyGone), 1);
 }
 
+// Stored ones may be of the number that it had before.
+TEST(NodeDriver, IdentifiersThatAreNotThoseOfItsNumberAreTold)
+{
+    DriverBench bench;
+    bench.has["1005:0"] = {0x80, 0, 0, 0x40};    // it sends SYNC
+    bench.has["1014:0"] = {0x88, 0, 0, 0};       // of node 8
+    bench.has["1200:1"] = {0x05, 0x06, 0, 0x80}; // off
+    bench.has["1800:1"] = {0x88, 0x01, 0, 0x40}; // of node 8
+    bench.has["1801:1"] = {0xA7, 0x01, 0, 0};    // TPDO1 of node 39
+    bench.has["1802:1"] = {0x85, 0x03, 0, 0};    // its own
+    bench.run(5s);
+    const auto kept = bench.driver.keptIdentifiers();
+    EXPECT_EQ((std::vector<KeptIdentifier>{kept.begin(), kept.end()}),
+              (std::vector<KeptIdentifier>{
+                  {{0x1800, 1}, 0x188, 0x185}, {{0x1801, 1}, 0x1A7, 0x285}, {{0x1014, 0}, 0x88, 0x85}}));
+    EXPECT_EQ(bench.countOf(CanopenMessageId::identifierKept), 3);
+    bench.hear(0x705, {0});
+    bench.run(5s);
+    EXPECT_EQ(bench.countOf(CanopenMessageId::identifierKept), 3) << "each once";
+    bench.has["1014:0"] = {0x85, 0, 0, 0};
+    bench.driver.observe({.node = 5, .object = {0x1014, 0}, .value = bench.has["1014:0"]},
+                         {.kind = SdoOutcome::Kind::written}, bench.now);
+    bench.run(5s);
+    EXPECT_EQ(bench.driver.keptIdentifiers().size(), 2U);
+}
+
 TEST(NodeDriver, SilenceAndItsEndAreToldOnce)
 {
     DriverBench bench;
