@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <tuple>
 
 namespace codewheel {
@@ -148,6 +149,13 @@ QString unitText(Unit unit, const std::optional<Value> &of)
         return QCoreApplication::translate("Unit", "ms");
     }
     return {};
+}
+
+QString unitText(const ParameterDescription &parameter, const Value &value)
+{
+    const QString text = valueText(parameter, value);
+    const bool isNumber = std::ranges::any_of(text, [](QChar one) { return one.isDigit(); });
+    return isNumber ? unitText(parameter.unit, value) : QString();
 }
 
 } // namespace codewheel

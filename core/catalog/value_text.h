@@ -23,5 +23,7 @@ QString textLimit(const ParameterDescription &parameter);
 // The unit that goes with valueText(): "steps", "°C"; empty if there is none. `of` this number: "1
 // revolution".
 QString unitText(Unit unit, const std::optional<Value> &of = {});
+// That of this value; empty also where it is told in words.
+QString unitText(const ParameterDescription &parameter, const Value &value);
 
 } // namespace codewheel

@@ -62,7 +62,7 @@ QString valueWithUnit(const DeviceDescription &device, const ParameterValue &val
     if (parameter == nullptr)
         return plainText(value.value);
     return QStringLiteral("%1 %2")
-        .arg(valueText(*parameter, value.value, options), unitText(parameter->unit, value.value))
+        .arg(valueText(*parameter, value.value, options), unitText(*parameter, value.value))
         .trimmed();
 }
 

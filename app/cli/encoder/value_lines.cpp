@@ -12,7 +12,8 @@ namespace codewheel {
 QString valueCell(const ParameterDescription &parameter, const Value &value, const KindData &options)
 {
     const bool isItsUnit = parameterKey(parameter.parameter) == unitKey(parameter.unit);
-    const QString unit = isItsUnit ? QString() : unitText(parameter.unit);
+    const QString unit =
+        isItsUnit || unitText(parameter, value).isEmpty() ? QString() : unitText(parameter.unit);
     return QStringLiteral("= %1 %2").arg(typedValue(parameter, value, options), unit).trimmed();
 }
 

@@ -17,7 +17,7 @@ QString whoseAndValue(const ShownEncoder &encoder, const ParameterDescription &p
     if (!known)
         return text;
     text += QStringLiteral(" \u00B7 ") + valueText(parameter, known->value);
-    const QString unit = unitText(parameter.unit, known->value);
+    const QString unit = unitText(parameter, known->value);
     return unit.isEmpty() ? text : QStringLiteral("%1 %2").arg(text, unit);
 }
 

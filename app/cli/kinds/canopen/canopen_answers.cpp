@@ -82,10 +82,12 @@ QStringList CanopenAccess::remarks(const Reading &reading) const
     if (const CanFrame *pdo = m_firstPdos.of(number); pdo != nullptr && !reading.position)
         texts << sentence(CommandLine::tr("PDO1 %1, which is position %2 if it is mapped as CiA 406 has it"),
                           {octetsText(pdo->data()), QString::number(assumedPosition(*pdo))});
-    if (reading.alarms)
-        texts << canopen::encoderBitTexts(canopen::object::alarms.index, *reading.alarms);
-    if (reading.warnings)
-        texts << canopen::encoderBitTexts(canopen::object::warnings.index, *reading.warnings);
+    const EncoderSession *encoder = m_session->encoder(CanopenAddress{number}.place());
+    if (encoder != nullptr && reading.alarms)
+        texts << canopen::encoderBitTexts(encoder->device(), canopen::object::alarms.index, *reading.alarms);
+    if (encoder != nullptr && reading.warnings)
+        texts << canopen::encoderBitTexts(encoder->device(), canopen::object::warnings.index,
+                                          *reading.warnings);
     return texts;
 }
 

@@ -23,9 +23,9 @@ Fault faultWith(Place place, Role role, const QString &word, const QString &text
     return {.node = place.node, .shown = {role, word}, .text = text};
 }
 
-QString bitsText(std::uint16_t index, std::uint32_t bits)
+QString bitsText(const EncoderSession &encoder, std::uint16_t index, std::uint32_t bits)
 {
-    return canopen::encoderBitTexts(index, bits).join(QStringLiteral(", "));
+    return canopen::encoderBitTexts(encoder.device(), index, bits).join(QStringLiteral(", "));
 }
 
 // What does not come may be late, or lost, where the bus is nearly full.
@@ -82,14 +82,14 @@ std::optional<Fault> canopenFaultOf(const CanopenSession &bus, Place place)
             place, Role::fault, CanopenFaultText::tr("alarm"),
             sentence(CanopenFaultText::tr("%1 reports an alarm: %2. Switch it off and on; if the alarm comes "
                                           "back, replace the encoder."),
-                     {node, bitsText(0x6503, *reading.alarms)}));
+                     {node, bitsText(encoder, 0x6503, *reading.alarms)}));
     if (const auto *heard = bus.latest().heard(CanopenAddress::of(place.node).node))
         if (auto fault = heardFault(bus.latest(), *heard, place))
             return fault;
     if (reading.warnings.value_or(0) != 0)
         return faultWith(place, Role::attention, CanopenFaultText::tr("warning"),
                          sentence(CanopenFaultText::tr("%1 warns: %2. See to it before it becomes an alarm."),
-                                  {node, bitsText(0x6505, *reading.warnings)}));
+                                  {node, bitsText(encoder, 0x6505, *reading.warnings)}));
     return std::nullopt;
 }
 

@@ -181,7 +181,7 @@ void CanopenRules::complete(ParameterDescription &parameter) const
 {
     const CanopenReach *reach = canopenReach(parameter);
     if (reach != nullptr && !reach->bit)
-        parameter.form = canopen::encoderBitForm(reach->object.index);
+        parameter.form = canopen::encoderValueForm(reach->object.index);
 }
 
 ProtocolRules::ReachText CanopenRules::reachText(const ParameterDescription &parameter) const

@@ -2,13 +2,17 @@
 #include "kinds/canopen/protocol/encoder_bits.h"
 
 #include "catalog/device_description.h"
+#include "kinds/canopen/protocol/canopen_reach.h"
+#include "kinds/canopen/protocol/encoder_objects.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace codewheel::canopen {
 namespace {
@@ -18,7 +22,7 @@ struct EncoderBitTexts
     Q_DECLARE_TR_FUNCTIONS(CanopenBit)
 };
 
-enum class BitsOf : std::uint8_t { operating, alarms, warnings };
+enum class BitsOf : std::uint8_t { operating, alarms, warnings, area };
 
 struct EncoderBit
 {
@@ -44,6 +48,9 @@ constexpr std::array encoderBits{
     EncoderBit{BitsOf::warnings, 2, QT_TRANSLATE_NOOP("CanopenBit", "CPU watchdog")},
     EncoderBit{BitsOf::warnings, 1, QT_TRANSLATE_NOOP("CanopenBit", "light reserve used up")},
     EncoderBit{BitsOf::warnings, 0, QT_TRANSLATE_NOOP("CanopenBit", "frequency exceeded")},
+    EncoderBit{BitsOf::area, 2, QT_TRANSLATE_NOOP("CanopenBit", "below the work area")},
+    EncoderBit{BitsOf::area, 1, QT_TRANSLATE_NOOP("CanopenBit", "above the work area")},
+    EncoderBit{BitsOf::area, 0, QT_TRANSLATE_NOOP("CanopenBit", "outside the work area")},
 };
 
 constexpr unsigned firstMakersBit = 12;
@@ -57,26 +64,44 @@ constexpr std::array bitObjects{
     BitObject{0x6000, BitsOf::operating}, BitObject{0x6500, BitsOf::operating},
     BitObject{0x6503, BitsOf::alarms},    BitObject{0x6504, BitsOf::alarms},
     BitObject{0x6505, BitsOf::warnings},  BitObject{0x6506, BitsOf::warnings},
+    BitObject{0x6400, BitsOf::area},
 };
 
-QString unnamed(unsigned bit)
+QString unnamed(BitsOf object, unsigned bit)
 {
     const QString number = QString::number(bit);
-    return bit >= firstMakersBit ? sentence(EncoderBitTexts::tr("bit %1 (of the maker)"), {number})
-                                 : sentence(EncoderBitTexts::tr("bit %1 (not described)"), {number});
+    return object != BitsOf::area && bit >= firstMakersBit
+               ? sentence(EncoderBitTexts::tr("bit %1 (of the maker)"), {number})
+               : sentence(EncoderBitTexts::tr("bit %1 (not described)"), {number});
 }
 
-QStringList textsOf(BitsOf object, std::uint32_t bits)
+// As the description names this bit of an object; empty: it does not.
+QString describedName(const DeviceDescription &device, std::uint16_t index, unsigned bit)
+{
+    const auto its = std::ranges::find_if(device.parameters, [&](const ParameterDescription &each) {
+        const CanopenReach *reach = canopenReach(each);
+        return reach != nullptr && reach->object.index == index && reach->bit == bit;
+    });
+    return its != device.parameters.end() ? parameterNameInText(device, its->parameter) : QString();
+}
+
+using BitName = std::function<QString(unsigned)>;
+
+QStringList textsOf(BitsOf object, std::uint32_t bits, const BitName &described = {})
 {
     constexpr unsigned highestBit = 31;
     QStringList texts;
     for (unsigned bit = highestBit + 1; bit-- > 0;) {
         const bool isSet = (bits >> bit & 1) != 0;
+        if (const QString name = isSet && described ? described(bit) : QString(); !name.isEmpty()) {
+            texts << name;
+            continue;
+        }
         const auto row = std::ranges::find_if(
             encoderBits, [&](const EncoderBit &each) { return each.object == object && each.bit == bit; });
         if (row == encoderBits.end()) {
             if (isSet)
-                texts << unnamed(bit);
+                texts << unnamed(object, bit);
         } else if (const char *text = isSet ? row->set : row->clear) {
             texts << EncoderBitTexts::tr(text);
         }
@@ -87,7 +112,7 @@ QStringList textsOf(BitsOf object, std::uint32_t bits)
 template <BitsOf object>
 QString bitsText(std::int64_t value, const KindData & /*options*/)
 {
-    constexpr int digits = 4;
+    constexpr int digits = object == BitsOf::area ? 2 : 4;
     const auto bits = static_cast<std::uint32_t>(value);
     const QStringList texts = textsOf(object, bits);
     return QStringLiteral("%1 (%2)").arg(hexNumber(bits, digits), texts.isEmpty()
@@ -98,7 +123,30 @@ QString bitsText(std::int64_t value, const KindData & /*options*/)
 constexpr ValueForm operatingForm{.text = bitsText<BitsOf::operating>};
 constexpr ValueForm alarmForm{.text = bitsText<BitsOf::alarms>};
 constexpr ValueForm warningForm{.text = bitsText<BitsOf::warnings>};
-constexpr std::array bitForms{&operatingForm, &alarmForm, &warningForm};
+constexpr ValueForm areaForm{.text = bitsText<BitsOf::area>};
+constexpr std::array bitForms{&operatingForm, &alarmForm, &warningForm, &areaForm};
+
+// Two octets each: that of the profile, that of the software.
+QString versionsText(std::int64_t value, const KindData & /*options*/)
+{
+    constexpr int digits = 8;
+    const auto octet = [value](unsigned shift) { return QString::number(value >> shift & 0xFF); };
+    return QStringLiteral("%1 (%2)").arg(hexNumber(static_cast<std::uint32_t>(value), digits),
+                                         sentence(EncoderBitTexts::tr("profile %1.%2, software %3.%4"),
+                                                  {octet(8), octet(0), octet(24), octet(16)}));
+}
+
+// In tenths of an hour.
+QString operatingTimeText(std::int64_t value, const KindData & /*options*/)
+{
+    constexpr std::int64_t notSupported = 0xFFFF'FFFF;
+    constexpr double tenths = 10;
+    return value == notSupported ? EncoderBitTexts::tr("not supported")
+                                 : QLocale().toString(static_cast<double>(value) / tenths, 'f', 1);
+}
+
+constexpr ValueForm versionsForm{.text = versionsText};
+constexpr ValueForm operatingTimeForm{.text = operatingTimeText};
 
 const BitObject *bitObjectOf(std::uint16_t index)
 {
@@ -114,8 +162,21 @@ QStringList encoderBitTexts(std::uint16_t index, std::uint32_t bits)
     return its != nullptr ? textsOf(its->object, bits) : QStringList();
 }
 
-const ValueForm *encoderBitForm(std::uint16_t index)
+QStringList encoderBitTexts(const DeviceDescription &device, std::uint16_t index, std::uint32_t bits)
 {
+    const BitObject *its = bitObjectOf(index);
+    if (its == nullptr)
+        return {};
+    return textsOf(its->object, bits,
+                   [&device, index](unsigned bit) { return describedName(device, index, bit); });
+}
+
+const ValueForm *encoderValueForm(std::uint16_t index)
+{
+    if (index == object::versions.index)
+        return &versionsForm;
+    if (index == object::operatingTime.index)
+        return &operatingTimeForm;
     const BitObject *its = bitObjectOf(index);
     return its != nullptr ? bitForms.at(static_cast<std::size_t>(its->object)) : nullptr;
 }

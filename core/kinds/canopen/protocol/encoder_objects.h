@@ -17,6 +17,8 @@ inline constexpr SdoObject position{0x6004, 0};
 inline constexpr SdoObject speed{0x6030, 1};
 inline constexpr SdoObject alarms{0x6503, 0};
 inline constexpr SdoObject warnings{0x6505, 0};
+inline constexpr SdoObject versions{0x6507, 0};
+inline constexpr SdoObject operatingTime{0x6508, 0};
 
 inline constexpr std::uint32_t saveSignature = 0x6576'6173; // "save"
 inline constexpr std::uint32_t loadSignature = 0x6461'6F6C; // "load"

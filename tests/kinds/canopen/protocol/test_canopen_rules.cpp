@@ -136,6 +136,38 @@ TEST(CanopenRules, BitsHaveTheirNames)
     EXPECT_EQ(valueText(*device->find(Parameter::warnings), 0x0001),
               QStringLiteral("0001h (frequency exceeded)"));
     EXPECT_EQ(valueText(*device->find(Parameter::alarms), 0), QStringLiteral("0000h (none)"));
+    EXPECT_EQ(valueText(*device->find(Parameter::of(u"6400:1")), 0x03),
+              QStringLiteral("03h (above the work area, outside the work area)"));
+    EXPECT_EQ(valueText(*device->find(Parameter::of(u"6400:1")), 0), QStringLiteral("00h (none)"));
+}
+
+// A description may say what the bits of its maker mean.
+TEST(CanopenRules, BitsHaveTheNamesOfTheDescription)
+{
+    Catalog catalog;
+    const auto added = catalog.add(
+        withRow(R"({"parameter": "6503b12", "name": {"en": "Battery empty", "de": "Batterie leer"},
+                    "object": "6503", "type": "u16", "bit": 12, "minimum": 0, "maximum": 1})"),
+        QStringLiteral("d.json"));
+    ASSERT_TRUE(added);
+    EXPECT_EQ(canopen::encoderBitTexts(catalog.devices().front(), 0x6503, 0x3001).join(u'|'),
+              QStringLiteral("bit 13 (of the maker)|Battery empty|position error"));
+}
+
+// 6507h: profile low, high, software low, high.
+TEST(CanopenRules, VersionsAndOperatingTimeAreToldInWords)
+{
+    const Catalog catalog = Catalog::builtIn();
+    for (const char *key : {"canopen-406-single-turn", "canopen-406-multi-turn", "canopen-406-linear"}) {
+        const DeviceDescription *device = catalog.find(QString::fromLatin1(key));
+        EXPECT_EQ(valueText(*device->find(Parameter::of(u"6507")), 0x0504'0302),
+                  QStringLiteral("05040302h (profile 3.2, software 5.4)"));
+        const ParameterDescription &hours = *device->find(Parameter::operatingTime);
+        EXPECT_EQ(valueText(hours, 12'876), QStringLiteral("1287.6"));
+        EXPECT_EQ(unitText(hours, 12'876), QStringLiteral("h"));
+        EXPECT_EQ(valueText(hours, 0xFFFF'FFFF), QStringLiteral("not supported"));
+        EXPECT_EQ(unitText(hours, 0xFFFF'FFFF), QString());
+    }
 }
 
 struct ValueRow

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/kinds/canopen/dictionary/object_texts.h"
 
+#include "catalog/device_description.h"
 #include "kinds/canopen/protocol/encoder_bits.h"
+#include "kinds/canopen/protocol/encoder_objects.h"
 #include "vocabulary/sentence.h"
 
 #include <QCoreApplication>
@@ -90,8 +92,12 @@ QString objectMeaningText(canopen::SdoObject object, const canopen::FileValue &v
         return word == 0 ? QString() : ObjectTexts::mapping(word);
     if (ObjectTexts::isIdentifier(object))
         return ObjectTexts::identifier(word);
-    return object.sub == 0 ? canopen::encoderBitTexts(object.index, word).join(QStringLiteral(", "))
-                           : QString();
+    constexpr std::uint16_t areaState = 0x6400; // of each area
+    if (object == canopen::object::versions || object == canopen::object::operatingTime)
+        return canopen::encoderValueForm(object.index)->text(word, {});
+    return (object.sub == 0) != (object.index == areaState)
+               ? canopen::encoderBitTexts(object.index, word).join(QStringLiteral(", "))
+               : QString();
 }
 
 QString objectAccessText(std::optional<canopen::FileAccess> access)
