@@ -165,7 +165,7 @@ DataCheck canopenPdoCheck(const CanopenSession &bus, int number)
         DataCheck passed = passedCheck(DataCheck::Id::answer, what, expected, expected);
         return terms ? termsCheck(std::move(passed), *terms, number) : passed;
     }
-    const bool isSyncHeard = latest.otherMaster.isHeard(OtherMaster::Sign::sync);
+    const bool isSyncHeard = latest.sync.goesOn(latest.at);
     const auto bySettings = terms ? whyNever(*terms, isSyncHeard) : std::nullopt;
     const NoPdo why = stopped                        ? *stopped
                       : bySettings                   ? *bySettings

@@ -90,6 +90,7 @@ void CanopenWork::complete(CanopenSnapshot &made)
     publishedAt = link.now();
     made.status = status;
     made.figures = figures;
+    made.sync = sync;
     for (int number = 1; number <= canopen::lastNode; ++number) {
         const auto &node = nodes.at(static_cast<std::size_t>(number));
         if (!node)

@@ -81,6 +81,7 @@ void CanopenWork::forget()
     started.clear();
     listeners.clear();
     pdoSenders.clear();
+    sync = {};
     status = {};
 }
 

@@ -164,6 +164,7 @@ struct CanopenWork final
     CanStatus status{};
     bool isDisturbed = false; // errors have been told since a frame was received, or acknowledged
     CanopenFigures figures{};
+    SyncHeard sync{};
     CanLoad load;
     bool isLoadTold = false;
     Instant statusAt{};

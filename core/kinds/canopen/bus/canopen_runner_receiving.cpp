@@ -84,6 +84,8 @@ void CanopenWork::take(const CanFrame &frame)
     isDisturbed = false;
     figures.extended += frame.isExtended ? 1 : 0;
     takeOfOthers(frame);
+    if (cob && cob->service == Service::sync && !frame.isRemote)
+        sync.take(now);
     if (number != 0) {
         Node &its = nodeAt(number);
         const int bootUps = its.watch.bootUps();

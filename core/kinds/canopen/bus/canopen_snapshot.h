@@ -4,6 +4,7 @@
 #include "bus/asked_snapshot.h"
 #include "can/can_link.h"
 #include "kinds/canopen/bus/other_master.h"
+#include "kinds/canopen/bus/sync_heard.h"
 #include "kinds/canopen/protocol/kept_identifier.h"
 #include "kinds/canopen/protocol/node_watch.h"
 #include "kinds/canopen/protocol/pdo_mapping.h"
@@ -79,6 +80,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
 
     CanStatus status{};
     CanopenFigures figures{};
+    SyncHeard sync{};
     std::vector<Node> nodes;  // by number
     std::vector<int> stopped; // last known as such, whether they were heard or not
 

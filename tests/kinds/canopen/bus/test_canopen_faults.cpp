@@ -436,6 +436,28 @@ TEST_F(CanopenBusFaults, WhyNoPdoComesIsSaid)
     }
 }
 
+TEST_F(CanopenBusFaults, SyncCountsOnlyAsLongAsItGoesOn)
+{
+    operate();
+    bus->transfer({.node = 5, .object = {0x1800, 2}, .value = std::vector<std::uint8_t>{1}});
+    bus->advance(500ms);
+    const auto waits = [this] {
+        const DataChecks checks = bus->dataChecks(five.node, {});
+        const auto pdo = std::ranges::find(checks, QStringLiteral("Positions by PDO"), &DataCheck::what);
+        return pdo != checks.end() && pdo->came == QStringLiteral("TPDO1 waits for SYNC");
+    };
+    EXPECT_TRUE(waits());
+    for (const Instant period : {100ms, 2000ms}) {
+        for (int i = 0; i < 3; ++i) {
+            say(canopen::syncFrame());
+            bus->advance(period);
+        }
+        EXPECT_FALSE(waits());
+        bus->advance(4 * period + 1s);
+        EXPECT_TRUE(waits()) << "it has ended";
+    }
+}
+
 TEST_F(CanopenBusFaults, PdosUnderUnusualTermsAreNoted)
 {
     const auto operateStarted = [this] {
