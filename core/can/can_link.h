@@ -77,6 +77,8 @@ public:
     virtual Result<bool> send(const CanFrame &frame) = 0;
     // As last told by the adapter.
     virtual CanStatus status() const = 0;
+    // What is to be said of an open link, though it is no reason against it: its rate may be another.
+    virtual std::optional<Refusal> remark() const { return std::nullopt; }
     // As known to the user: "can0", "/dev/ttyACM0", "simulated bus". Any thread.
     virtual QString name() const = 0;
     // Whether what answers is not real, and new with each start.

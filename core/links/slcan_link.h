@@ -27,6 +27,7 @@ public:
     // Refused: lineClosed, onlyWatches, what the line refuses.
     Result<bool> send(const CanFrame &frame) override;
     CanStatus status() const override { return m_talk.status(); }
+    std::optional<Refusal> remark() const override; // rateMayBe750
     QString name() const override { return m_line->name(); }
     bool isSimulated() const override { return m_line->isSimulated(); }
     void interrupt() override { m_line->interrupt(); }
@@ -34,8 +35,6 @@ public:
     // Of the bus, from when it is next opened after it was closed.
     void setRate(int rate) { m_rate = rate; }
     const SlcanFirmware &firmware() const { return m_talk.firmware(); }
-    // What is to be said of an open link, though it is no reason against it (rateMayBe750).
-    std::optional<Refusal> remark() const;
     std::uint64_t skipped() const { return m_talk.skipped(); }
 
 private:

@@ -27,7 +27,7 @@ public:
         silent,       // it does not answer
         notAsked,     // not for longer than it may be late: something else keeps the line busy
         watched,      // likewise: in Watch nothing is sent, and it tells nothing by itself
-        heldBack,     // likewise: another master is at work
+        heldBack,     // likewise: another master is at work, or J1939
         nodeStopped,  // likewise: it was told to be silent
         slept,        // the computer has slept since
         recorded,     // it is of a recording

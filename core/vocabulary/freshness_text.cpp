@@ -45,7 +45,8 @@ public:
          QT_TR_NOOP("In Watch the encoder is not asked, and it sends no position by itself."),
          QT_TR_NOOP("Not asked")},
         {Freshness::Reason::heldBack,
-         QT_TR_NOOP("The encoder is not being asked, as another master is at work on the bus."),
+         QT_TR_NOOP(
+             "The encoder is not being asked, as others are at work on the bus: another master, or J1939."),
          QT_TR_NOOP("Not asked")},
         {Freshness::Reason::nodeStopped, QT_TR_NOOP("The node is stopped, so it sends and answers nothing."),
          QT_TR_NOOP("Stopped")},

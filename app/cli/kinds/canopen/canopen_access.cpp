@@ -180,7 +180,7 @@ void CanopenAccess::tellRemark(const Call &call) const
 // Some adapters repeat a frame that nobody acknowledges for ever.
 Checked<void> CanopenAccess::listenFirst(const Call &call)
 {
-    const auto isHeard = [this] { return m_session->latest().figures.received > 0; };
+    const auto isHeard = [this] { return !m_session->latest().figures.isNothingHeard(); };
     advance(listeningBeforeSending);
     if (isHeard())
         return {};
@@ -214,10 +214,8 @@ Checked<void> CanopenAccess::changeRate(int rate)
 
 Checked<void> CanopenAccess::whetherHeldBack() const
 {
-    if (!m_session->latest().isHeldBack())
-        return {};
-    return tl::unexpected(complaint(
-        {RefusalKind::busy, CanopenBusRefusalId::otherMaster, {m_session->latest().otherMaster.argument()}}));
+    const auto held = whyHeldBack(m_session->latest());
+    return held ? Checked<void>(tl::unexpected(complaint(*held))) : Checked<void>();
 }
 
 Checked<void> CanopenAccess::listenAgain()
@@ -443,13 +441,9 @@ Complaint CanopenAccess::aboutNobody() const
 
 std::optional<Complaint> CanopenAccess::whetherOnlyJ1939() const
 {
-    if (m_link.sendsBesideOthers || !m_session->latest().figures.isOnlyJ1939())
+    if (m_link.sendsBesideOthers || !m_session->latest().onlyJ1939)
         return std::nullopt;
-    return Complaint{
-        ExitCode::refused, QStringLiteral("onlyJ1939"),
-        CommandLine::tr(
-            "Only frames of 29 bits are heard: what is there speaks J1939, not CANopen, and nothing "
-            "is sent to it. Another variant of the device is needed.")};
+    return complaintAbout({RefusalKind::busy, CanopenBusRefusalId::onlyJ1939, {}});
 }
 
 std::optional<Complaint> CanopenAccess::whetherDoubled(int node) const

@@ -55,14 +55,22 @@ constexpr char nodeSetupTopic[] = "canopen.md#number-and-rate";
 OperateWarning canOperateWarning(const EncoderBus &bus)
 {
     const QString name = nameAmongOthers(bus.id());
-    return {.question =
-                name.isEmpty()
-                    ? OperateQuestion::tr("This CAN bus is real. Shall the program send to it?")
-                    : OperateQuestion::tr("%1 is a real CAN bus. Shall the program send to it?").arg(name),
-            .explanation = OperateQuestion::tr(
+    const auto *session = qobject_cast<const CanopenSession *>(&bus);
+    const bool isSilent = session != nullptr && session->latest().figures.isNothingHeard();
+    return {
+        .question =
+            name.isEmpty()
+                ? OperateQuestion::tr("This CAN bus is real. Shall the program send to it?")
+                : OperateQuestion::tr("%1 is a real CAN bus. Shall the program send to it?").arg(name),
+        .explanation =
+            (isSilent ? OperateQuestion::tr("Nothing was heard on the bus so far: the rate may be wrong, or "
+                                            "nobody there.") +
+                            QStringLiteral("\n\n")
+                      : QString()) +
+            OperateQuestion::tr(
                 "In Operate, the encoders are asked for what they do not tell by themselves, and what you "
                 "write goes to them. A preset or a parameter changes the position that the controller sees."),
-            .helpTopic = "canopen.md#watch-and-operate"};
+        .helpTopic = "canopen.md#watch-and-operate"};
 }
 
 } // namespace
@@ -362,7 +370,7 @@ void CanopenViews::agree()
         return;
     if (asked == Asked::unsureWatch)
         session()->takeUnsureWatch();
-    else if (asked == Asked::otherMaster)
+    else if (asked == Asked::otherMaster || asked == Asked::onlyJ1939)
         session()->sendBesideOthers();
     else if (asked == Asked::stopOfNode && m_wouldStop) {
         session()->mayStopNode(*m_wouldStop);
@@ -441,12 +449,13 @@ void CanopenViews::showState()
     const CanopenSnapshot &now = session()->latest();
     if (now.connected)
         withdraw(Asked::unsureWatch);
-    if (now.operate && now.isHeldBack())
-        ask(Asked::otherMaster,
-            refusalText({RefusalKind::busy, CanopenBusRefusalId::otherMaster, {now.otherMaster.argument()}}),
-            tr("&Send all the same"));
-    else
-        withdraw(Asked::otherMaster);
+    const auto held = now.operate ? whyHeldBack(now) : std::nullopt;
+    for (const auto &[asked, why] : {std::pair(Asked::otherMaster, CanopenBusRefusalId::otherMaster),
+                                     std::pair(Asked::onlyJ1939, CanopenBusRefusalId::onlyJ1939)})
+        if (held && held->id == why)
+            ask(asked, refusalText(*held), tr("&Send all the same"));
+        else
+            withdraw(asked);
 }
 
 void CanopenViews::listPorts()

@@ -83,6 +83,7 @@ private:
         nothing,
         unsureWatch, // that watching may acknowledge frames
         otherMaster, // that frames are sent beside another master
+        onlyJ1939,   // that frames are sent to whoever speaks J1939
         stopOfNode,  // that a job stops its node for a moment
     };
 

@@ -23,9 +23,13 @@ constexpr auto canopenBusRefusalRows = std::to_array<SentenceRow>({
                        "The bus is being searched for nodes. Wait for the end of it, or cancel it.")},
     {CanopenBusRefusalId::closed, "canopenBusClosed",
      QT_TRANSLATE_NOOP("Refusal", "The CAN bus is not open. Connect it first.")},
+    {CanopenBusRefusalId::onlyJ1939, "onlyJ1939",
+     QT_TRANSLATE_NOOP(
+         "Refusal", "Only frames of 29 bits are heard: what is there speaks J1939, not CANopen, and nothing "
+                    "is sent to it. Another variant of the device is needed.")},
 });
 
-static_assert(areInOrder(canopenBusRefusalRows, &SentenceRow::id, CanopenBusRefusalId::closed));
+static_assert(areInOrder(canopenBusRefusalRows, &SentenceRow::id, CanopenBusRefusalId::onlyJ1939));
 
 QString canopenBusRefusalText(const Refusal &refusal)
 {

@@ -11,6 +11,7 @@ enum class CanopenBusRefusalId : std::uint8_t {
     otherMaster,     // what was heard of it
     searching,       //
     closed,          //
+    onlyJ1939,       // nothing else was heard
 };
 extern const RefusalFamily canopenBusRefusals;
 constexpr const RefusalFamily &familyOf(CanopenBusRefusalId)

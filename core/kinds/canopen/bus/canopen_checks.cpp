@@ -48,11 +48,8 @@ DataCheck askingCheck(const CanopenSession &bus)
                            CanopenCheckText::tr("No node is asked: that was stopped. Start it."),
                            DataCheck::Action::start);
     const CanopenSnapshot &latest = bus.latest();
-    if (latest.isHeldBack())
-        return remarkOf(
-            passedCheck(DataCheck::Id::running, what, expected, came),
-            refusalText(
-                {RefusalKind::busy, CanopenBusRefusalId::otherMaster, {latest.otherMaster.argument()}}));
+    if (const auto held = whyHeldBack(latest))
+        return remarkOf(passedCheck(DataCheck::Id::running, what, expected, came), refusalText(*held));
     return passedCheck(DataCheck::Id::running, what, expected, came);
 }
 

@@ -3,6 +3,7 @@
 
 #include "can/can_state.h"
 #include "kinds/canopen/protocol/cob_id.h"
+#include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
 
 #include <QLocale>
@@ -65,11 +66,12 @@ CanopenLinkFinding CanopenLinkCheck::open()
         return refused(opened.error());
     const CanStatus status = link().status();
     const QString rate = inKilobits(status.rate.value_or(m_rate));
-    return told(CheckOutcome::passed,
-                codewheel::sentence(status.listensOnly == true
-                                        ? tr("%1 is open at %2 kBit/s, and listens only.")
-                                        : tr("%1 is open at %2 kBit/s. Nothing is sent."),
-                                    {link().name(), rate}));
+    const QString text =
+        codewheel::sentence(status.listensOnly == true ? tr("%1 is open at %2 kBit/s, and listens only.")
+                                                       : tr("%1 is open at %2 kBit/s. Nothing is sent."),
+                            {link().name(), rate});
+    const auto remark = link().remark();
+    return told(CheckOutcome::passed, remark ? text + u' ' + refusalText(*remark) : text);
 }
 
 CanopenLinkFinding CanopenLinkCheck::listen()

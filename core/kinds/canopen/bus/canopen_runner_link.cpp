@@ -26,6 +26,13 @@ Result<void> CanopenWork::openFor(CanUse wanted)
     return opened;
 }
 
+// Once, however often it is opened.
+void CanopenWork::tellRemark()
+{
+    if (const auto remark = link.remark(); remark && !std::exchange(isRemarkTold, true))
+        tell({.severity = Severity::attention, .refusal = remark});
+}
+
 bool CanopenWork::reopen(CanUse wanted)
 {
     const auto opened = openFor(wanted);
@@ -35,6 +42,7 @@ bool CanopenWork::reopen(CanUse wanted)
     }
     use = wanted;
     statusAt = link.now();
+    tellRemark();
     return true;
 }
 

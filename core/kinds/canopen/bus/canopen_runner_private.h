@@ -122,6 +122,7 @@ struct CanopenWork final
 
     // canopen_runner_link.cpp
     Result<void> openLink() override { return link.open(use); }
+    void linkIsOpen() override { tellRemark(); }
     Result<void> reopenLink() override;
     void tellGone(const Refusal &why) override;
     void tellNotBack(const Refusal &why, bool isNew) override;
@@ -130,6 +131,7 @@ struct CanopenWork final
     void sendLast() override; // stops of an ALARM STOP
     void leaveOff() override;
     Result<void> openFor(CanUse wanted);
+    void tellRemark();
     bool reopen(CanUse wanted); // false: it is gone
     void useAsWanted();
     void keepStops(); // of an ALARM STOP that may not have gone out
@@ -167,6 +169,7 @@ struct CanopenWork final
     SyncHeard sync{};
     CanLoad load;
     bool isLoadTold = false;
+    bool isRemarkTold = false;
     Instant statusAt{};
     Instant publishedAt{};
     Instant lookedAt{}; // for what has come in

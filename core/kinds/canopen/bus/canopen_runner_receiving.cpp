@@ -83,6 +83,8 @@ void CanopenWork::take(const CanFrame &frame)
     figures.notAcknowledged = 0;
     isDisturbed = false;
     figures.extended += frame.isExtended ? 1 : 0;
+    if (std::exchange(state.onlyJ1939, figures.isOnlyJ1939()) != figures.isOnlyJ1939())
+        settleAll();
     takeOfOthers(frame);
     if (cob && cob->service == Service::sync && !frame.isRemote)
         sync.take(now);

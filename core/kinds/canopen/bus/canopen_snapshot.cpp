@@ -7,6 +7,15 @@
 
 namespace codewheel {
 
+std::optional<Refusal> whyHeldBack(const CanopenState &bus)
+{
+    if (!bus.isHeldBack())
+        return std::nullopt;
+    if (bus.onlyJ1939)
+        return Refusal{RefusalKind::busy, CanopenBusRefusalId::onlyJ1939, {}};
+    return Refusal{RefusalKind::busy, CanopenBusRefusalId::otherMaster, {bus.otherMaster.argument()}};
+}
+
 Result<void> maySend(const CanopenState &bus, const QString &place)
 {
     if (!bus.connected)
@@ -15,8 +24,8 @@ Result<void> maySend(const CanopenState &bus, const QString &place)
     if (!bus.operate)
         return refuse(RefusalKind::busy, RefusalId::watchOnly,
                       place.isEmpty() ? std::vector<RefusalArgument>() : std::vector<RefusalArgument>{place});
-    if (bus.isHeldBack())
-        return refuse(RefusalKind::busy, CanopenBusRefusalId::otherMaster, {bus.otherMaster.argument()});
+    if (const auto held = whyHeldBack(bus))
+        return tl::unexpected(*held);
     if (bus.scanning)
         return refuse(RefusalKind::busy, CanopenBusRefusalId::searching);
     return {};

@@ -18,14 +18,18 @@ namespace codewheel {
 struct CanopenState : AskingState
 {
     OtherMaster otherMaster{};
-    bool besideOthers = false; // the user agrees to that
+    bool onlyJ1939 = false;    // is heard: what is there is of another variant
+    bool besideOthers = false; // the user agrees to sending all the same
     bool scanning = false;
     bool stopsWait = false; // those of an ALARM STOP are not sent yet
 
-    bool isHeldBack() const { return otherMaster.isHeard() && !besideOthers; }
+    // Nothing is sent, for the sake of others.
+    bool isHeldBack() const { return (otherMaster.isHeard() || onlyJ1939) && !besideOthers; }
     friend bool operator==(const CanopenState &, const CanopenState &) = default;
 };
 
+// For whose sake; empty: it is not held back.
+std::optional<Refusal> whyHeldBack(const CanopenState &bus);
 // Why nothing may be sent to `place` now; it may be empty.
 Result<void> maySend(const CanopenState &bus, const QString &place);
 // Nor a job started there.
@@ -46,6 +50,8 @@ struct CanopenFigures
 
     // What is there is of another variant.
     bool isOnlyJ1939() const { return received > 0 && extended == received; }
+    // The rate may be wrong, or nobody there.
+    bool isNothingHeard() const { return received == 0; }
     static constexpr double highLoad = 0.85; // from here on frames of low priority may not come
 
     friend bool operator==(const CanopenFigures &, const CanopenFigures &) = default;

@@ -38,6 +38,7 @@ public:
     bool isFull = false;
     bool tellsFates = true;                            // whether it says what became of what was sent
     bool isUnsure = false;                             // whether it only listens
+    std::optional<Refusal> remarked{};                 // of it once it is open
     std::function<bool(const CanFrame &)> goneAfter{}; // it is gone once this has gone out
     std::shared_ptr<SimulatedCanAdapter> adapter() const { return m_link.adapter(); }
 
@@ -74,6 +75,7 @@ public:
         return taken;
     }
     CanStatus status() const override { return m_link.status(); }
+    std::optional<Refusal> remark() const override { return remarked; }
     QString name() const override { return m_link.name(); }
     bool isSimulated() const override { return true; }
     void interrupt() override { m_link.interrupt(); }

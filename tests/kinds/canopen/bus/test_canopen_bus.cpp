@@ -221,5 +221,22 @@ TEST_F(CanopenBus, ItsThreadIsHidden)
     EXPECT_EQ(threaded.state(), BusState::closed);
 }
 
+// The rate of some adapters is not sure.
+TEST_F(CanopenBus, WhatIsToBeSaidOfItsLinkIsSaidOnce)
+{
+    link->remarked = Refusal{RefusalKind::link, CanRefusalId::rateMayBe750, {QStringLiteral("ttyACM0")}};
+    operate();
+    bus->setOperate(false);
+    bus->advance(100ms);
+    bus->setOperate(true);
+    bus->advance(100ms);
+    EXPECT_EQ(std::ranges::count_if(messages,
+                                    [](const Message &message) {
+                                        return message.refusal &&
+                                               message.refusal->id == CanRefusalId::rateMayBe750;
+                                    }),
+              1);
+}
+
 } // namespace
 } // namespace codewheel

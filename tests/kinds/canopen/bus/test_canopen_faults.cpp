@@ -318,6 +318,49 @@ TEST_F(CanopenBusFaults, AnotherMasterIsNamedAndNothingIsSentUnasked)
     EXPECT_TRUE(outcome && outcome->result);
 }
 
+// Whoever speaks only that is not spoken to, until something else is heard.
+TEST_F(CanopenBusFaults, WhereOnlyJ1939IsHeardNothingIsSentUnasked)
+{
+    connectTo({});
+    plant->bus()->add(std::make_shared<test::Talker>()); // acknowledges
+    open(EncoderBus::Start::watching);
+    CanFrame j1939 = test::canFrame(0x0CFFE0E0, {1, 2, 3, 4, 5, 6, 7, 8});
+    j1939.isExtended = true;
+    say(j1939);
+    bus->advance(100ms);
+    bus->setOperate(true);
+    bus->send(canopen::NmtRequest{canopen::NmtCommand::start, 5}.frame());
+    bus->transfer({.node = 5, .object = {0x1018, 1}});
+    bus->scan();
+    bus->advance(2s);
+    EXPECT_TRUE(link->sent.empty());
+    EXPECT_FALSE(carryOut(five, ReadParameters{{Parameter::serialNumber}}));
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->id, CanopenBusRefusalId::onlyJ1939);
+    const DataChecks checks = bus->dataChecks(five.node, {});
+    EXPECT_TRUE(std::ranges::any_of(checks, [](const DataCheck &check) {
+        return check.id == DataCheck::Id::running && check.remedy.contains(QStringLiteral("J1939"));
+    }));
+    say(test::canFrame(0x705, {0x7F}));
+    bus->advance(2s);
+    EXPECT_FALSE(link->sent.empty());
+}
+
+TEST_F(CanopenBusFaults, WhereOnlyJ1939IsHeardTheUserMaySendAllTheSame)
+{
+    connectTo({});
+    plant->bus()->add(std::make_shared<test::Talker>());
+    open(EncoderBus::Start::watching);
+    CanFrame j1939 = test::canFrame(0x0CFFE0E0, {1, 2, 3, 4, 5, 6, 7, 8});
+    j1939.isExtended = true;
+    say(j1939);
+    bus->advance(100ms);
+    bus->setOperate(true);
+    bus->sendBesideOthers();
+    bus->advance(1s);
+    EXPECT_FALSE(link->sent.empty());
+}
+
 // And of nothing that an encoder sends, however it was set.
 TEST_F(CanopenBusFaults, TimeAndTheHeartbeatOfNodeZeroAreSignsOfAnotherMaster)
 {

@@ -75,6 +75,15 @@ TEST(CanopenLinkCheck, TellsErrorsAndAnotherMaster)
     EXPECT_EQ(found[1].outcome, CheckOutcome::failed) << found[1].sentence.toStdString();
 }
 
+TEST(CanopenLinkCheck, TellsThatTheRateIsNotSure)
+{
+    CheckedBus bus;
+    bus.link.remarked = Refusal{RefusalKind::link, CanRefusalId::rateMayBe750, {QStringLiteral("ttyACM0")}};
+    const auto found = bus.check();
+    EXPECT_EQ(found[0].outcome, CheckOutcome::passed);
+    EXPECT_TRUE(found[0].sentence.contains(QStringLiteral("750"))) << found[0].sentence.toStdString();
+}
+
 TEST(CanopenLinkCheck, TellsThatOnlyJ1939IsSpoken)
 {
     const auto bus = std::make_shared<SimulatedCanBus>();
