@@ -107,46 +107,30 @@ QString stateRemedy(const EncoderSession &encoder)
 }
 
 // As the dial says it.
-DataCheck noPositionCheck(const EncoderSession &encoder, const QString &what, const QString &expected)
+DataCheck noPositionCheck(const DataStep &step, const EncoderSession &encoder)
 {
     const DeviceDescription &device = encoder.device();
     const QString came = DataCheckText::tr("no position");
     if (const EncoderState state = encoder.latest().state;
         state != EncoderState::operation && state != EncoderState::notSeen) // the state says why
-        return failedCheck(DataCheck::Id::position, what, expected, came, stateRemedy(encoder));
+        return step.failed(came, stateRemedy(encoder));
     if (device.isGeneric())
-        return failedCheck(DataCheck::Id::position, what, expected, came,
+        return step.failed(came,
                            DataCheckText::tr("The make of the encoder is not known, and so neither is the "
                                              "coding of its position. Name it in the bus structure."));
     if (device.quirks.hasModes && !encoder.latest().mode)
-        return failedCheck(
-            DataCheck::Id::position, what, expected, came,
+        return step.failed(
+            came,
             DataCheckText::tr(
                 "IN may be a position, a speed or cams: the mode of the encoder is not known, and "
                 "cannot be read. If it is in position mode, say so (Parameters, More)."),
             DataCheck::Action::positionMode);
-    return failedCheck(
-        DataCheck::Id::position, what, expected, came,
-        DataCheckText::tr("The coding of the position in IN is not known. Read the parameters, "
-                          "write the coding, or set it manually under Parameters."));
-}
-
-// By a job that was cut off: nobody chose that mode.
-DataCheck leftModeCheck(const QString &what, const QString &expected, const QString &came,
-                        const LeftMode &left)
-{
-    return failedCheck(DataCheck::Id::position, what, expected, came, messageText(leftModeMessage(left)));
+    return step.failed(
+        came, DataCheckText::tr("The coding of the position in IN is not known. Read the parameters, "
+                                "write the coding, or set it manually under Parameters."));
 }
 
 } // namespace
-
-DataCheck remarkOf(DataCheck check, const QString &remedy, DataCheck::Action action)
-{
-    check.outcome = DataCheck::Outcome::remark;
-    check.remedy = remedy;
-    check.action = action;
-    return check;
-}
 
 DataChecks asFarAsKnown(DataChecks checks)
 {
@@ -174,28 +158,37 @@ const DataCheck *findCheck(const DataChecks &checks, DataCheck::Id id)
     return found == checks.end() ? nullptr : &*found;
 }
 
-DataCheck passedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came)
+DataCheck DataStep::passed(const QString &came) const
 {
     return {.id = id, .what = what, .expected = expected, .came = came};
 }
 
-DataCheck failedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came,
-                      const QString &remedy, DataCheck::Action action)
+DataCheck DataStep::failed(const QString &came, const QString &remedy, DataCheck::Action action) const
 {
-    return {.id = id,
-            .outcome = DataCheck::Outcome::differs,
-            .what = what,
-            .expected = expected,
-            .came = came,
-            .remedy = remedy,
-            .action = action};
+    return {id, DataCheck::Outcome::differs, what, expected, came, remedy, action};
+}
+
+DataCheck DataStep::remark(const QString &came, const QString &remedy, DataCheck::Action action) const
+{
+    return {id, DataCheck::Outcome::remark, what, expected, came, remedy, action};
+}
+
+DataCheck DataStep::faulty(const Fault &fault) const
+{
+    return fault.shown.role == Role::fault ? failed(fault.shown.word, fault.text)
+                                           : remark(fault.shown.word, fault.text);
+}
+
+static DataStep linkStep(const QString &expected)
+{
+    return {DataCheck::Id::link, DataCheckText::tr("Link"),
+            expected.isEmpty() ? DataCheckText::tr("connected") : expected};
 }
 
 DataCheck notConnectedCheck(const QString &expected, const std::optional<Refusal> &refused)
 {
-    DataCheck check = failedCheck(
-        DataCheck::Id::link, DataCheckText::tr("Link"),
-        expected.isEmpty() ? DataCheckText::tr("connected") : expected, DataCheckText::tr("not connected"),
+    DataCheck check = linkStep(expected).failed(
+        DataCheckText::tr("not connected"),
         refused ? refusalText(*refused) : DataCheckText::tr("The bus is not connected. Connect it."),
         refused ? DataCheck::Action::connection : DataCheck::Action::connectBus);
     check.why = refused;
@@ -204,21 +197,17 @@ DataCheck notConnectedCheck(const QString &expected, const std::optional<Refusal
 
 DataCheck linkCheck(const EncoderBus &bus, const QString &expected)
 {
-    const QString what = DataCheckText::tr("Link");
-    const QString wanted = expected.isEmpty() ? DataCheckText::tr("connected") : expected;
+    const DataStep step = linkStep(expected);
     const QString came = bus.outline().state().word;
     if (bus.state() == BusState::closed)
         return notConnectedCheck(expected, bus.whyRefused());
     if (bus.state() == BusState::opening)
-        return failedCheck(DataCheck::Id::link, what, wanted, came,
-                           DataCheckText::tr("The program is connecting the bus. Wait for it."));
+        return step.failed(came, DataCheckText::tr("The program is connecting the bus. Wait for it."));
     if (bus.state() == BusState::lost)
-        return failedCheck(DataCheck::Id::link, what, wanted, came,
-                           freshnessText(Freshness::Reason::linkLost), DataCheck::Action::connection);
+        return step.failed(came, freshnessText(Freshness::Reason::linkLost), DataCheck::Action::connection);
     if (bus.isReplay())
-        return remarkOf(passedCheck(DataCheck::Id::link, what, wanted, came),
-                        freshnessText(Freshness::Reason::recorded));
-    return passedCheck(DataCheck::Id::link, what, wanted, DataCheckText::tr("connected"));
+        return step.remark(came, freshnessText(Freshness::Reason::recorded));
+    return step.passed(DataCheckText::tr("connected"));
 }
 
 QString kindText(const EncoderBus &bus, const Participant &device)
@@ -232,25 +221,21 @@ QString kindText(const EncoderBus &bus, const Participant &device)
 DataCheck kindCheck(const EncoderBus &bus, NodeId node, const std::vector<Participant> &planned,
                     QString (*text)(const EncoderBus &, const Participant &))
 {
-    const QString what = DataCheckText::tr("Device", "the kind of device at a place");
+    DataStep step{DataCheck::Id::kind, DataCheckText::tr("Device", "the kind of device at a place"),
+                  DataCheckText::tr("any: the project plans none here")};
     const auto found = bus.found(bus.placeOf(node));
     const QString came = found ? text(bus, *found) : DataCheckText::tr("none");
     const auto own = std::ranges::find(planned, node, &Participant::number);
     if (own == planned.end())
-        return found ? passedCheck(DataCheck::Id::kind, what,
-                                   DataCheckText::tr("any: the project plans none here"), came)
-                     : failedCheck(DataCheck::Id::kind, what,
-                                   DataCheckText::tr("any: the project plans none here"), came,
-                                   refusalText(bus.whyNotThere(bus.placeOf(node))));
-    const QString expected = text(bus, *own);
+        return found ? step.passed(came) : step.failed(came, refusalText(bus.whyNotThere(bus.placeOf(node))));
+    step.expected = text(bus, *own);
     const auto strangers = bus.strangers(planned);
     const auto stranger = strangers.find(node);
     const auto other = stranger != strangers.end() ? std::optional(stranger->second)
                                                    : bus.isOther(bus.placeOf(node), own->deviceKey, {});
     if (other)
-        return failedCheck(DataCheck::Id::kind, what, expected, came, refusalText(*other),
-                           DataCheck::Action::compare);
-    return passedCheck(DataCheck::Id::kind, what, expected, came);
+        return step.failed(came, refusalText(*other), DataCheck::Action::compare);
+    return step.passed(came);
 }
 
 QString withUnchanged(const QString &seen, const EncoderBus &bus, NodeId node)
@@ -265,104 +250,100 @@ QString withUnchanged(const QString &seen, const EncoderBus &bus, NodeId node)
 
 DataCheck upToDateCheck(const EncoderBus &bus, NodeId node)
 {
-    const QString what = DataCheckText::tr("Last word or answer");
-    const QString expected = DataCheckText::tr("up to date");
+    const DataStep step{DataCheck::Id::upToDate, DataCheckText::tr("Last word or answer"),
+                        DataCheckText::tr("up to date")};
     const Freshness *freshness = freshnessOf(bus, node);
     if (freshness == nullptr)
-        return passedCheck(DataCheck::Id::upToDate, what, expected, DataCheckText::tr("the device has none"));
+        return step.passed(DataCheckText::tr("the device has none"));
     const QString seen = freshness->state() == Freshness::State::unknown
                              ? DataCheckText::tr("none yet")
                              : agoText(bus.dateTime(freshness->seen()), bus.dateTime(bus.now()));
     if (freshness->isLive())
-        return passedCheck(DataCheck::Id::upToDate, what, expected, withUnchanged(seen, bus, node));
+        return step.passed(withUnchanged(seen, bus, node));
     if (freshness->isOfRecording())
-        return remarkOf(
-            passedCheck(DataCheck::Id::upToDate, what, expected, freshnessBrief(freshness->reason())),
-            freshnessText(freshness->reason()));
-    return failedCheck(DataCheck::Id::upToDate, what, expected, seen,
+        return step.remark(freshnessBrief(freshness->reason()), freshnessText(freshness->reason()));
+    return step.failed(seen,
                        joined(freshnessText(freshness->reason()), freshnessRemedy(freshness->reason())));
 }
 
 DataCheck stateCheck(const EncoderBus &bus, NodeId node)
 {
-    const QString what = DataCheckText::tr("State of the encoder");
-    const QString expected = DataCheckText::tr("operation");
+    const DataStep step{DataCheck::Id::state, DataCheckText::tr("State of the encoder"),
+                        DataCheckText::tr("operation")};
     const EncoderSession *encoder = bus.encoder(node);
     if (encoder == nullptr)
-        return remarkOf(
-            passedCheck(DataCheck::Id::state, what, expected, DataCheckText::tr("not described")),
+        return step.remark(
+            DataCheckText::tr("not described"),
             DataCheckText::tr("This program has no description of this device: only its words are shown."));
     const Reading &reading = encoder->latest();
     if (reading.state == EncoderState::operation)
-        return passedCheck(DataCheck::Id::state, what, expected, stateName(*encoder));
+        return step.passed(stateName(*encoder));
     const WordChannel *channel = bus.channel(node);
     QString came = stateName(*encoder);
     if (channel != nullptr && reading.state != EncoderState::notSeen)
         came = QStringLiteral("%1 (IN %2)").arg(came, hexWord(reading.in));
-    return failedCheck(DataCheck::Id::state, what, expected, came, stateRemedy(*encoder),
+    return step.failed(came, stateRemedy(*encoder),
                        channel != nullptr ? DataCheck::Action::monitor : DataCheck::Action::none);
 }
 
 DataCheck positionCheck(const EncoderBus &bus, NodeId node)
 {
-    const QString what = DataCheckText::tr("Position");
-    const QString expected = DataCheckText::tr("valid");
+    const DataStep step{DataCheck::Id::position, DataCheckText::tr("Position"), DataCheckText::tr("valid")};
     const EncoderSession *encoder = bus.encoder(node);
     if (encoder == nullptr)
-        return passedCheck(DataCheck::Id::position, what, expected, DataCheckText::tr("not described"));
+        return step.passed(DataCheckText::tr("not described"));
     const Reading &reading = encoder->latest();
     if (reading.suspect)
-        return failedCheck(DataCheck::Id::position, what, expected, DataCheckText::tr("suspect"),
+        return step.failed(DataCheckText::tr("suspect"),
                            DataCheckText::tr("The position jumped further than the encoder can turn, and is "
                                              "being asked for again. If that happens often, check shield and "
                                              "termination of the line."));
     if (reading.position)
-        return passedCheck(DataCheck::Id::position, what, expected, numberText(*reading.position));
-    const auto left = encoder->leftInMode();
+        return step.passed(numberText(*reading.position));
+    const auto left = encoder->leftInMode(); // by a job that was cut off: nobody chose that mode
     const auto other = [&](const QString &came) {
-        return left ? leftModeCheck(what, expected, came, {reading.mode, reading.camProgram})
-                    : passedCheck(DataCheck::Id::position, what, expected, came);
+        return left ? step.failed(came, messageText(leftModeMessage({reading.mode, reading.camProgram})))
+                    : step.passed(came);
     };
     if (reading.velocity)
         return other(sentence(DataCheckText::tr("a speed: %1 rpm"), {numberText(*reading.velocity)}));
     if (reading.cams)
         return other(DataCheckText::tr("cams: the encoder is in cam mode"));
-    return noPositionCheck(*encoder, what, expected);
+    return noPositionCheck(step, *encoder);
 }
 
 DataCheck writingCheck(const EncoderBus &bus)
 {
-    const QString what = DataCheckText::tr("Writing");
-    const QString expected = DataCheckText::tr("as you want it");
+    const DataStep step{DataCheck::Id::writing, DataCheckText::tr("Writing"),
+                        DataCheckText::tr("as you want it")};
     if (bus.isOperating())
-        return passedCheck(DataCheck::Id::writing, what, expected, DataCheckText::tr("Operate"));
+        return step.passed(DataCheckText::tr("Operate"));
     if (bus.isReplay())
-        return passedCheck(DataCheck::Id::writing, what, expected, DataCheckText::tr("never to a recording"));
-    return remarkOf(passedCheck(DataCheck::Id::writing, what, expected, DataCheckText::tr("Watch")),
-                    DataCheckText::tr("Watch: values are read, and nothing can be written. Switch to Operate "
-                                      "to write."),
-                    bus.isOpen() ? DataCheck::Action::operate : DataCheck::Action::none);
+        return step.passed(DataCheckText::tr("never to a recording"));
+    return step.remark(
+        DataCheckText::tr("Watch"),
+        DataCheckText::tr("Watch: values are read, and nothing can be written. Switch to Operate "
+                          "to write."),
+        bus.isOpen() ? DataCheck::Action::operate : DataCheck::Action::none);
 }
 
 DataCheck devicesCheck(const EncoderBus &bus)
 {
-    const QString what = DataCheckText::tr("Devices");
+    DataStep step{DataCheck::Id::devices, DataCheckText::tr("Devices"), DataCheckText::tr("at least one")};
     if (bus.places().empty())
-        return failedCheck(
-            DataCheck::Id::devices, what, DataCheckText::tr("at least one"), DataCheckText::tr("none"),
+        return step.failed(
+            DataCheckText::tr("none"),
             DataCheckText::tr("No device is planned on this bus, so nothing is asked. Search for "
                               "what is there, or enter it in the bus structure."),
             DataCheck::Action::search);
-    const QString expected = DataCheckText::tr("no fault");
+    step.expected = DataCheckText::tr("no fault");
     const auto faults = bus.outline().faults();
     const auto worst = std::ranges::find_if(faults, [](const Fault &fault) {
         return fault.extent == Fault::Extent::device && fault.shown.role == Role::fault;
     });
     if (worst == faults.end())
-        return passedCheck(DataCheck::Id::devices, what, expected,
-                           DataCheckText::tr("%n devices", nullptr, static_cast<int>(bus.places().size())));
-    return failedCheck(DataCheck::Id::devices, what, expected,
-                       QStringLiteral("%1: %2").arg(worst->node.toString(), worst->shown.word), worst->text);
+        return step.passed(DataCheckText::tr("%n devices", nullptr, static_cast<int>(bus.places().size())));
+    return step.failed(QStringLiteral("%1: %2").arg(worst->node.toString(), worst->shown.word), worst->text);
 }
 
 } // namespace codewheel

@@ -10,6 +10,7 @@
 namespace codewheel {
 
 class EncoderBus;
+struct Fault;
 struct Participant;
 
 // One step on the way of the data from an encoder to the screen: what is expected there, and what came.
@@ -69,17 +70,28 @@ struct DataCheck
 };
 using DataChecks = std::vector<DataCheck>; // in the order in which data travels
 
+// A step before it is known what came.
+struct DataStep
+{
+    DataCheck::Id id;
+    QString what;
+    QString expected;
+
+    DataCheck passed() const { return passed(expected); }
+    DataCheck passed(const QString &came) const;
+    DataCheck failed(const QString &came, const QString &remedy,
+                     DataCheck::Action action = DataCheck::Action::none) const;
+    DataCheck remark(const QString &came, const QString &remedy,
+                     DataCheck::Action action = DataCheck::Action::none) const;
+    // Failed, or a remark, by its role.
+    DataCheck faulty(const Fault &fault) const;
+};
+
 // Nothing is known of what is behind the first that differs, except whether writing is allowed.
 DataChecks asFarAsKnown(DataChecks checks);
 // Null: everything is as expected.
 const DataCheck *firstDifference(const DataChecks &checks);
 const DataCheck *findCheck(const DataChecks &checks, DataCheck::Id id); // null: not among them
-
-DataCheck passedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came);
-DataCheck failedCheck(DataCheck::Id id, const QString &what, const QString &expected, const QString &came,
-                      const QString &remedy, DataCheck::Action action = DataCheck::Action::none);
-DataCheck remarkOf(DataCheck check, const QString &remedy,
-                   DataCheck::Action action = DataCheck::Action::none);
 
 // The steps that every bus has.
 //

@@ -21,29 +21,25 @@ using StepAction = DataCheck::Action;
 
 DataCheck linkStep()
 {
-    return passedCheck(StepId::link, QStringLiteral("Link"), QStringLiteral("connected"),
-                       QStringLiteral("connected"));
+    return DataStep{StepId::link, QStringLiteral("Link"), QStringLiteral("connected")}.passed();
 }
 
 DataCheck positionStep(const QString &came)
 {
-    return passedCheck(StepId::position, QStringLiteral("Position"), QStringLiteral("valid"), came);
+    return DataStep{StepId::position, QStringLiteral("Position"), QStringLiteral("valid")}.passed(came);
 }
 
 DataCheck stoppedStep()
 {
-    return failedCheck(StepId::running, QStringLiteral("Ring"), QStringLiteral("runs"),
-                       QStringLiteral("READY"), QStringLiteral("Start it."), StepAction::start);
+    return DataStep{StepId::running, QStringLiteral("Ring"), QStringLiteral("runs")}.failed(
+        QStringLiteral("READY"), QStringLiteral("Start it."), StepAction::start);
 }
 
 DataCheck watchingStep()
 {
-    DataCheck check = passedCheck(StepId::writing, QStringLiteral("Writing"),
-                                  QStringLiteral("as you want it"), QStringLiteral("Watch"));
-    check.outcome = DataCheck::Outcome::remark;
-    check.remedy = QStringLiteral("Switch to Operate to write.");
-    check.action = StepAction::operate;
-    return check;
+    const DataStep step{StepId::writing, QStringLiteral("Writing"), QStringLiteral("as you want it")};
+    return step.remark(QStringLiteral("Watch"), QStringLiteral("Switch to Operate to write."),
+                       StepAction::operate);
 }
 
 class WhyPageTest : public testing::Test
@@ -135,9 +131,9 @@ TEST_F(WhyPageTest, ItsButtonAsksForTheActionAndIsThereOnlyWhileThatIsPossible)
 
 TEST_F(WhyPageTest, TellsWhatTheComputerKnowsAndLooksOnlyOnce)
 {
+    const DataStep step{StepId::link, QStringLiteral("Link"), QStringLiteral("/dev/ttyUSB0")};
     DataCheck refused =
-        failedCheck(StepId::link, QStringLiteral("Link"), QStringLiteral("/dev/ttyUSB0"),
-                    QStringLiteral("not connected"), QStringLiteral("No."), StepAction::connection);
+        step.failed(QStringLiteral("not connected"), QStringLiteral("No."), StepAction::connection);
     refused.why = Refusal{RefusalKind::link, RefusalId::portNotFound, {QStringLiteral("/dev/ttyUSB0")}};
     for (int frame = 0; frame < 3; ++frame)
         page.showChecks({}, {refused});

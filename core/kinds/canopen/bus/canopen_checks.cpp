@@ -40,17 +40,16 @@ DataCheck canLinkCheck(const CanopenSession &bus)
 // In Watch nobody may be asked, and everybody is heard.
 DataCheck askingCheck(const CanopenSession &bus)
 {
-    const QString what = CanopenCheckText::tr("Listening and asking");
-    const QString expected = CanopenCheckText::tr("runs");
+    const DataStep step{DataCheck::Id::running, CanopenCheckText::tr("Listening and asking"),
+                        CanopenCheckText::tr("runs")};
     const QString came = bus.outline().state().word;
     if (!bus.isRunning())
-        return failedCheck(DataCheck::Id::running, what, expected, came,
-                           CanopenCheckText::tr("No node is asked: that was stopped. Start it."),
+        return step.failed(came, CanopenCheckText::tr("No node is asked: that was stopped. Start it."),
                            DataCheck::Action::start);
     const CanopenSnapshot &latest = bus.latest();
     if (const auto held = whyHeldBack(latest))
-        return remarkOf(passedCheck(DataCheck::Id::running, what, expected, came), refusalText(*held));
-    return passedCheck(DataCheck::Id::running, what, expected, came);
+        return step.remark(came, refusalText(*held));
+    return step.passed(came);
 }
 
 struct NoFrames
@@ -97,38 +96,32 @@ bool isDisturbed(const CanopenSnapshot &bus)
 
 DataCheck framesCheck(const CanopenSession &bus)
 {
-    const QString what = CanopenCheckText::tr("Frames");
-    const QString expected = CanopenCheckText::tr("some");
+    const DataStep step{DataCheck::Id::bytes, CanopenCheckText::tr("Frames"), CanopenCheckText::tr("some")};
     const QString received = QLocale().toString(qulonglong{bus.latest().figures.received});
     if (const auto why = whyNoFrames(bus))
-        return failedCheck(DataCheck::Id::bytes, what, expected, why->came, why->remedy,
-                           DataCheck::Action::connection);
+        return step.failed(why->came, why->remedy, DataCheck::Action::connection);
     const double load = bus.latest().figures.load;
-    DataCheck passed = passedCheck(DataCheck::Id::bytes, what, expected, received);
     if (isDisturbed(bus.latest()))
-        return remarkOf(
-            std::move(passed),
-            sentence(CanopenCheckText::tr("Error frames: %1, others: %2. Frames are disturbed: two "
-                                          "devices may have one number, one may have another "
-                                          "rate, or a terminator or a wire is missing."),
-                     {QLocale().toString(qulonglong{bus.latest().figures.errorFrames}), received}));
+        return step.remark(
+            received, sentence(CanopenCheckText::tr("Error frames: %1, others: %2. Frames are disturbed: two "
+                                                    "devices may have one number, one may have another "
+                                                    "rate, or a terminator or a wire is missing."),
+                               {QLocale().toString(qulonglong{bus.latest().figures.errorFrames}), received}));
     if (load < muchLoad)
-        return passed;
-    return remarkOf(std::move(passed),
-                    sentence(CanopenCheckText::tr("The bus is %1 % full: what has a high "
-                                                  "identifier may come late or not at all."),
-                             {QLocale().toString(std::lround(load * 100))}));
+        return step.passed(received);
+    return step.remark(received, sentence(CanopenCheckText::tr("The bus is %1 % full: what has a high "
+                                                               "identifier may come late or not at all."),
+                                          {QLocale().toString(std::lround(load * 100))}));
 }
 
 DataCheck protocolCheck(const CanopenSession &bus)
 {
-    const QString what = CanopenCheckText::tr("Protocol");
-    const QString expected = QStringLiteral("CANopen");
+    const DataStep step{DataCheck::Id::sense, CanopenCheckText::tr("Protocol"), QStringLiteral("CANopen")};
     if (bus.latest().figures.isOnlyJ1939())
-        return failedCheck(DataCheck::Id::sense, what, expected, QStringLiteral("J1939"),
+        return step.failed(QStringLiteral("J1939"),
                            CanopenCheckText::tr("All frames have 29 bits: what is there speaks J1939, not "
                                                 "CANopen. It is another variant of the device."));
-    return passedCheck(DataCheck::Id::sense, what, expected, expected);
+    return step.passed();
 }
 
 QString heardNumbers(const CanopenSession &bus)
@@ -142,46 +135,44 @@ QString heardNumbers(const CanopenSession &bus)
 // Whether it is there at all, and alone with its number.
 DataCheck heardCheck(const CanopenSession &bus, int number)
 {
-    const QString what = CanopenCheckText::tr("Node on the bus");
-    const QString expected = CanopenCheckText::tr("heard");
+    const DataStep step{DataCheck::Id::reached, CanopenCheckText::tr("Node on the bus"),
+                        CanopenCheckText::tr("heard")};
     const CanopenSnapshot::Node *node = bus.latest().heard(number);
     if (node == nullptr)
-        return failedCheck(
-            DataCheck::Id::reached, what, expected,
+        return step.failed(
             sentence(CanopenCheckText::tr("heard: %1"), {heardNumbers(bus)}),
             sentence(CanopenCheckText::tr("Node %1 was not heard. It may have another number or another "
                                           "rate, be switched off, or be silent until it is asked."),
                      {QString::number(number)}),
             DataCheck::Action::search);
     if (node->isDoubled)
-        return failedCheck(DataCheck::Id::reached, what, expected, CanopenCheckText::tr("twice"),
+        return step.failed(CanopenCheckText::tr("twice"),
                            canopenFaultOf(bus, bus.placeOf(CanopenAddress{number}.place()))->text);
     if (node->heartbeat == canopen::Heartbeat::lost)
-        return failedCheck(DataCheck::Id::reached, what, expected,
-                           CanopenCheckText::tr("its heartbeat is lost"),
+        return step.failed(CanopenCheckText::tr("its heartbeat is lost"),
                            canopenFaultOf(bus, bus.placeOf(CanopenAddress{number}.place()))->text);
     const Freshness freshness = bus.encoder(CanopenAddress{number}.place())->freshness();
     if (freshness.reason() == Freshness::Reason::silent && isDisturbed(bus.latest()))
-        return failedCheck(
-            DataCheck::Id::reached, what, expected, CanopenCheckText::tr("heard, and silent"),
+        return step.failed(
+            CanopenCheckText::tr("heard, and silent"),
             sentence(CanopenCheckText::tr("Node %1 was heard and does not answer, and frames are disturbed: "
                                           "two devices may have its number. Connect one of them alone. If "
                                           "it is the only one, see to rate, terminators and wires."),
                      {QString::number(number)}));
-    return passedCheck(DataCheck::Id::reached, what, expected, expected);
+    return step.passed();
 }
 
 // The data may come all the same, and mean something else.
 DataCheck otherProfileCheck(std::uint32_t deviceType, int number)
 {
     const QString told = canopen::profileText(canopen::profileOf(deviceType));
-    return failedCheck(
-        DataCheck::Id::kind, CanopenCheckText::tr("Device profile"),
-        canopen::profileText(canopen::encoderProfile), told,
-        sentence(CanopenCheckText::tr("Node %1 tells the device profile %2 (object 1000h), not that of "
-                                      "encoders: what it sends means something else, and no values are "
-                                      "written to it. See whether the right device has this number."),
-                 {QString::number(number), told}));
+    const DataStep step{DataCheck::Id::kind, CanopenCheckText::tr("Device profile"),
+                        canopen::profileText(canopen::encoderProfile)};
+    return step.failed(
+        told, sentence(CanopenCheckText::tr("Node %1 tells the device profile %2 (object 1000h), not that of "
+                                            "encoders: what it sends means something else, and no values are "
+                                            "written to it. See whether the right device has this number."),
+                       {QString::number(number), told}));
 }
 
 // The data comes all the same.
@@ -190,11 +181,10 @@ void addKeptIdentifiers(DataChecks &checks, const CanopenSnapshot::Node *node)
     if (node == nullptr)
         return;
     for (const canopen::KeptIdentifier &kept : node->kept)
-        checks.push_back(
-            remarkOf(passedCheck(DataCheck::Id::answer,
-                                 sentence(CanopenCheckText::tr("Identifier of %1"), {kept.name()}),
-                                 hexNumber(kept.predefined, 3), hexNumber(kept.identifier, 3)),
-                     messageText(kept.message())));
+        checks.push_back(DataStep{DataCheck::Id::answer,
+                                  sentence(CanopenCheckText::tr("Identifier of %1"), {kept.name()}),
+                                  hexNumber(kept.predefined, 3)}
+                             .remark(hexNumber(kept.identifier, 3), messageText(kept.message())));
 }
 
 QString stateText(const CanopenSnapshot::Node *node)
@@ -206,32 +196,31 @@ QString stateText(const CanopenSnapshot::Node *node)
 DataCheck nodeStateCheck(const CanopenSession &bus, int number)
 {
     using canopen::NmtState;
-    const QString what = CanopenCheckText::tr("State of the node");
-    const QString expected = nmtStateText(NmtState::operational);
+    const DataStep step{DataCheck::Id::state, CanopenCheckText::tr("State of the node"),
+                        nmtStateText(NmtState::operational)};
     const CanopenSnapshot::Node *node = bus.latest().heard(number);
     const auto state = node != nullptr ? node->stateOrCommanded() : std::nullopt;
     if (state == NmtState::stopped)
-        return failedCheck(DataCheck::Id::state, what, expected, stateText(node),
+        return step.failed(stateText(node),
                            CanopenCheckText::tr("The node is stopped: it sends no positions and answers "
                                                 "nothing. Start it (NMT), in Operate."),
                            bus.isOperating() ? DataCheck::Action::startNode : DataCheck::Action::operate);
     if (state == NmtState::preOperational && !bus.isOperating())
-        return failedCheck(DataCheck::Id::state, what, expected, stateText(node),
+        return step.failed(stateText(node),
                            CanopenCheckText::tr("The node is pre-operational: it sends no positions by "
                                                 "itself. Start it (NMT), or switch to Operate, where it is "
                                                 "asked for them."),
                            DataCheck::Action::operate);
-    DataCheck passed = passedCheck(DataCheck::Id::state, what, expected, stateText(node));
     if (node != nullptr && node->hasBooted)
-        return remarkOf(
-            std::move(passed),
+        return step.remark(
+            stateText(node),
             CanopenCheckText::tr("The node has booted, and does not tell its state: most then wait "
                                  "to be started (NMT), some start by themselves."),
             bus.isOperating() ? DataCheck::Action::startNode : DataCheck::Action::operate);
     if (state != NmtState::preOperational)
-        return passed;
-    return remarkOf(
-        std::move(passed),
+        return step.passed(stateText(node));
+    return step.remark(
+        stateText(node),
         CanopenCheckText::tr("The node is pre-operational: it is asked for its position. Its PDOs "
                              "come once it is started (NMT)."),
         DataCheck::Action::startNode);
@@ -239,15 +228,10 @@ DataCheck nodeStateCheck(const CanopenSession &bus, int number)
 
 DataCheck nodeAlarmCheck(const CanopenSession &bus, Place place)
 {
-    const QString what = CanopenCheckText::tr("Alarms and warnings");
-    const QString expected = CanopenCheckText::tr("none");
+    const DataStep step{DataCheck::Id::alarms, CanopenCheckText::tr("Alarms and warnings"),
+                        CanopenCheckText::tr("none")};
     const auto fault = canopenFaultOf(bus, place);
-    if (!fault)
-        return passedCheck(DataCheck::Id::alarms, what, expected, expected);
-    DataCheck check = failedCheck(DataCheck::Id::alarms, what, expected, fault->shown.word, fault->text);
-    if (fault->shown.role != Role::fault)
-        check.outcome = DataCheck::Outcome::remark;
-    return check;
+    return fault ? step.faulty(*fault) : step.passed();
 }
 
 void addOfNode(DataChecks &checks, const CanopenSession &bus, NodeId node,

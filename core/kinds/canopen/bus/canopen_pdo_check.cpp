@@ -33,44 +33,20 @@ NoPdo notMapped()
                                "while the node is pre-operational.")};
 }
 
-NoPdo switchedOff(const canopen::PdoTerms &pdo)
+// `sub`: of the settings of the PDO, what to change. %1 is the number of the PDO, %2 the object.
+NoPdo byTerms(const canopen::PdoTerms &pdo, int sub, const QString &came, const QString &remedy)
 {
     const QString number = QString::number(pdo.number);
-    const QString object = canopen::SdoObject{static_cast<std::uint16_t>(0x17FF + pdo.number), 1}.text();
-    return {sentence(CanopenPdoText::tr("TPDO%1 is switched off"), {number}),
-            sentence(CanopenPdoText::tr("The node sends no TPDO%1: bit 31 of %2 is set. Clear it, and "
-                                        "store the parameters."),
-                     {number, object})};
-}
-
-NoPdo waitsForSync(const canopen::PdoTerms &pdo)
-{
-    const QString number = QString::number(pdo.number);
-    const QString object = canopen::SdoObject{static_cast<std::uint16_t>(0x17FF + pdo.number), 2}.text();
-    return {sentence(CanopenPdoText::tr("TPDO%1 waits for SYNC"), {number}),
-            sentence(CanopenPdoText::tr("TPDO%1 is sent with SYNC, and none is heard. Let the master send "
-                                        "SYNC, or set %2 to 254, and the event timer."),
-                     {number, object})};
-}
-
-NoPdo waitsToBeAskedFor(const canopen::PdoTerms &pdo)
-{
-    const QString number = QString::number(pdo.number);
-    const QString object = canopen::SdoObject{static_cast<std::uint16_t>(0x17FF + pdo.number), 2}.text();
-    return {sentence(CanopenPdoText::tr("TPDO%1 waits to be asked for"), {number}),
-            sentence(CanopenPdoText::tr("TPDO%1 is sent only when a remote frame asks for it. Set %2 to "
-                                        "254, and the event timer."),
-                     {number, object})};
+    const canopen::SdoObject object{static_cast<std::uint16_t>(0x17FF + pdo.number),
+                                    static_cast<std::uint8_t>(sub)};
+    return {sentence(came, {number}), sentence(remedy, {number, object.text()})};
 }
 
 NoPdo onlyOnChange(const canopen::PdoTerms &pdo)
 {
-    const QString number = QString::number(pdo.number);
-    const QString object = canopen::SdoObject{static_cast<std::uint16_t>(0x17FF + pdo.number), 5}.text();
-    return {CanopenPdoText::tr("none: the shaft is at rest"),
-            sentence(CanopenPdoText::tr("TPDO%1 is sent only when the position changes. Turn the shaft, or "
-                                        "set the event timer %2, in milliseconds."),
-                     {number, object})};
+    return byTerms(pdo, 5, CanopenPdoText::tr("none: the shaft is at rest"),
+                   CanopenPdoText::tr("TPDO%1 is sent only when the position changes. Turn the shaft, or "
+                                      "set the event timer %2, in milliseconds."));
 }
 
 NoPdo notStarted()
@@ -110,11 +86,17 @@ std::optional<NoPdo> whyNever(const canopen::PdoTerms &pdo, bool isSyncHeard)
     if (!pdo.holdsIt)
         return notMapped();
     if (pdo.isOff)
-        return switchedOff(pdo);
+        return byTerms(pdo, 1, CanopenPdoText::tr("TPDO%1 is switched off"),
+                       CanopenPdoText::tr("The node sends no TPDO%1: bit 31 of %2 is set. Clear it, and "
+                                          "store the parameters."));
     if (pdo.isSynchronous() && !isSyncHeard)
-        return waitsForSync(pdo);
+        return byTerms(pdo, 2, CanopenPdoText::tr("TPDO%1 waits for SYNC"),
+                       CanopenPdoText::tr("TPDO%1 is sent with SYNC, and none is heard. Let the master send "
+                                          "SYNC, or set %2 to 254, and the event timer."));
     if (pdo.isAskedFor())
-        return waitsToBeAskedFor(pdo);
+        return byTerms(pdo, 2, CanopenPdoText::tr("TPDO%1 waits to be asked for"),
+                       CanopenPdoText::tr("TPDO%1 is sent only when a remote frame asks for it. Set %2 to "
+                                          "254, and the event timer."));
     return std::nullopt;
 }
 
@@ -131,29 +113,30 @@ NoPdo notReadYet(bool isSyncHeard)
 }
 
 // PDOs come: under which terms is worth knowing where they are not the usual ones.
-DataCheck termsCheck(DataCheck passed, const canopen::PdoTerms &pdo, int number)
+DataCheck termsCheck(const DataStep &step, const canopen::PdoTerms &pdo, int number)
 {
     constexpr std::chrono::milliseconds longInhibit(100);
     if (pdo.identifier != canopen::CobId{canopen::CobId::Service::tpdo, number, pdo.number}.identifier())
-        return remarkOf(std::move(passed),
-                        sentence(CanopenPdoText::tr("A PDO of the node has the identifier %1, which is not "
-                                                    "the predefined one."),
-                                 {hexNumber(pdo.identifier, 3)}));
+        return step.remark(
+            step.expected,
+            sentence(CanopenPdoText::tr("A PDO of the node has the identifier %1, which is not "
+                                        "the predefined one."),
+                     {hexNumber(pdo.identifier, 3)}));
     if (pdo.inhibitTime.value_or(Instant()) < longInhibit)
-        return passed;
+        return step.passed();
     const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(*pdo.inhibitTime);
-    return remarkOf(std::move(passed),
-                    sentence(CanopenPdoText::tr("Positions come each %1 ms at the most: the inhibit time "
-                                                "(1800h:3) holds them back."),
-                             {QLocale().toString(qlonglong{milliseconds.count()})}));
+    return step.remark(step.expected,
+                       sentence(CanopenPdoText::tr("Positions come each %1 ms at the most: the inhibit time "
+                                                   "(1800h:3) holds them back."),
+                                {QLocale().toString(qlonglong{milliseconds.count()})}));
 }
 
 } // namespace
 
 DataCheck canopenPdoCheck(const CanopenSession &bus, int number)
 {
-    const QString what = CanopenPdoText::tr("Positions by PDO");
-    const QString expected = CanopenPdoText::tr("they come");
+    const DataStep step{DataCheck::Id::answer, CanopenPdoText::tr("Positions by PDO"),
+                        CanopenPdoText::tr("they come")};
     const CanopenSnapshot &latest = bus.latest();
     const CanopenSnapshot::Node *node = latest.heard(number);
     const auto terms = node != nullptr ? node->position : std::nullopt;
@@ -161,10 +144,8 @@ DataCheck canopenPdoCheck(const CanopenSession &bus, int number)
         node != nullptr && node->stateOrCommanded() == canopen::NmtState::preOperational;
     const bool hasBooted = node != nullptr && node->hasBooted;
     const auto stopped = node != nullptr ? noMore(*node, latest.at) : std::nullopt;
-    if (node != nullptr && node->sendsPdos && !stopped) {
-        DataCheck passed = passedCheck(DataCheck::Id::answer, what, expected, expected);
-        return terms ? termsCheck(std::move(passed), *terms, number) : passed;
-    }
+    if (node != nullptr && node->sendsPdos && !stopped)
+        return terms ? termsCheck(step, *terms, number) : step.passed();
     const bool isSyncHeard = latest.sync.goesOn(latest.at);
     const auto bySettings = terms ? whyNever(*terms, isSyncHeard) : std::nullopt;
     const NoPdo why = stopped                        ? *stopped
@@ -174,13 +155,11 @@ DataCheck canopenPdoCheck(const CanopenSession &bus, int number)
                       : terms && terms->isOnChange() ? onlyOnChange(*terms)
                                                      : notReadYet(isSyncHeard);
     if (bus.isOperating()) // they are asked for
-        return remarkOf(
-            passedCheck(DataCheck::Id::answer, what, expected, why.came),
-            terms || isPreOperational || hasBooted
-                ? sentence(CanopenPdoText::tr("The position is asked for (SDO). %1"), {why.remedy})
-                : CanopenPdoText::tr("The position is asked for (SDO)."));
-    return failedCheck(DataCheck::Id::answer, what, expected, why.came, why.remedy,
-                       DataCheck::Action::operate);
+        return step.remark(
+            why.came, terms || isPreOperational || hasBooted
+                          ? sentence(CanopenPdoText::tr("The position is asked for (SDO). %1"), {why.remedy})
+                          : CanopenPdoText::tr("The position is asked for (SDO)."));
+    return step.failed(why.came, why.remedy, DataCheck::Action::operate);
 }
 
 } // namespace codewheel

@@ -45,11 +45,11 @@ DataCheck lineLinkCheck(const EscLineSession &line)
 
 DataCheck pollingCheck(const EscLineSession &line)
 {
-    const QString what = EscLineCheckText::tr("Asking for positions");
-    const QString expected = EscLineCheckText::tr("runs");
+    const DataStep step{DataCheck::Id::running, EscLineCheckText::tr("Asking for positions"),
+                        EscLineCheckText::tr("runs")};
     if (line.isRunning())
-        return passedCheck(DataCheck::Id::running, what, expected, line.outline().state().word);
-    return failedCheck(DataCheck::Id::running, what, expected, line.outline().state().word,
+        return step.passed(line.outline().state().word);
+    return step.failed(line.outline().state().word,
                        EscLineCheckText::tr("Nobody asks for positions: that was stopped. Start it."),
                        DataCheck::Action::start);
 }
@@ -94,49 +94,44 @@ void addBytes(DataChecks &checks, const EscLineSession &line, const std::vector<
     const bool isDead = isMissing && !someAnswer;
     const QString requests =
         EscLineCheckText::tr("none for %n requests", nullptr, static_cast<int>(missing.requests));
-    const QString bytes = EscLineCheckText::tr("Bytes");
-    const QString some = EscLineCheckText::tr("some after each request");
+    const DataStep bytes{DataCheck::Id::bytes, EscLineCheckText::tr("Bytes"),
+                         EscLineCheckText::tr("some after each request")};
     if (isDead && missing.strayBytes == 0 && !missing.isEchoed)
-        checks.push_back(failedCheck(DataCheck::Id::bytes, bytes, some, requests, nothingText(line),
-                                     DataCheck::Action::connection));
+        checks.push_back(bytes.failed(requests, nothingText(line), DataCheck::Action::connection));
     else
-        checks.push_back(passedCheck(DataCheck::Id::bytes, bytes, some, EscLineCheckText::tr("they come")));
+        checks.push_back(bytes.passed(EscLineCheckText::tr("they come")));
 
     const auto stray = static_cast<int>(missing.strayBytes);
-    const QString sense = EscLineCheckText::tr("Rate and format");
-    const QString set = lineText({}, line.settings());
+    const DataStep sense{DataCheck::Id::sense, EscLineCheckText::tr("Rate and format"),
+                         lineText({}, line.settings())};
     const QString strayText = EscLineCheckText::tr("%n bytes that are no answer", nullptr, stray);
-    checks.push_back(
-        isMissing && stray > 0
-            ? failedCheck(DataCheck::Id::sense, sense, set, strayText,
-                          EscLineCheck::silenceText(stray, missing.isEchoed), DataCheck::Action::connection)
-            : passedCheck(DataCheck::Id::sense, sense, set, EscLineCheckText::tr("the bytes make sense")));
+    checks.push_back(isMissing && stray > 0
+                         ? sense.failed(strayText, EscLineCheck::silenceText(stray, missing.isEchoed),
+                                        DataCheck::Action::connection)
+                         : sense.passed(EscLineCheckText::tr("the bytes make sense")));
 
-    const QString echo = EscLineCheckText::tr("More than the echo");
-    const QString answer = EscLineCheckText::tr("answers");
+    const DataStep echo{DataCheck::Id::echo, EscLineCheckText::tr("More than the echo"),
+                        EscLineCheckText::tr("answers")};
     checks.push_back(isDead && missing.isEchoed
-                         ? failedCheck(DataCheck::Id::echo, echo, answer,
-                                       EscLineCheckText::tr("only the request came back"),
+                         ? echo.failed(EscLineCheckText::tr("only the request came back"),
                                        EscLineCheck::silenceText(0, true), DataCheck::Action::connection)
-                         : passedCheck(DataCheck::Id::echo, echo, answer, answer));
+                         : echo.passed());
 }
 
 DataCheck answerCheck(const EscLineSession &line, Place place)
 {
-    const QString what = EscLineCheckText::tr("Answer of the encoder");
-    const QString expected = EscLineCheckText::tr("to each request");
+    const DataStep step{DataCheck::Id::answer, EscLineCheckText::tr("Answer of the encoder"),
+                        EscLineCheckText::tr("to each request")};
     const EscLineSnapshot::Device *device = line.shown(place);
     const SinceAnswer missing = device != nullptr ? device->figures.sinceAnswer : SinceAnswer{};
     if (isSilent(line, place))
-        return failedCheck(
-            DataCheck::Id::answer, what, expected,
+        return step.failed(
             EscLineCheckText::tr("none for %n requests", nullptr, static_cast<int>(missing.requests)),
             refusalText({RefusalKind::device, RefusalId::encoderSilent, {place.shown()}}),
             DataCheck::Action::connection);
     if (device == nullptr || !device->figures.answerTime)
-        return passedCheck(DataCheck::Id::answer, what, expected, EscLineCheckText::tr("none yet"));
-    return passedCheck(
-        DataCheck::Id::answer, what, expected,
+        return step.passed(EscLineCheckText::tr("none yet"));
+    return step.passed(
         sentence(EscLineCheckText::tr("after %1 ms"),
                  {QLocale().toString(millisecondsOf(device->figures.answerTime->median), 'f', 1)}));
 }
@@ -144,16 +139,13 @@ DataCheck answerCheck(const EscLineSession &line, Place place)
 // What the encoder says about itself.
 DataCheck alarmCheck(const EscLineSession &line, Place place)
 {
-    const QString what = EscLineCheckText::tr("Alarms and warnings");
-    const QString expected = EscLineCheckText::tr("none");
+    const DataStep step{DataCheck::Id::alarms, EscLineCheckText::tr("Alarms and warnings"),
+                        EscLineCheckText::tr("none")};
     const std::vector<Fault> faults = lineFaults(line);
     const auto fault = std::ranges::find(faults, place.node, &Fault::node);
     if (fault == faults.end() || isSilent(line, place))
-        return passedCheck(DataCheck::Id::alarms, what, expected, expected);
-    DataCheck check = failedCheck(DataCheck::Id::alarms, what, expected, fault->shown.word, fault->text);
-    if (fault->shown.role != Role::fault)
-        check.outcome = DataCheck::Outcome::remark;
-    return check;
+        return step.passed();
+    return step.faulty(*fault);
 }
 
 void addOfEncoder(DataChecks &checks, const EscLineSession &line, Place place,

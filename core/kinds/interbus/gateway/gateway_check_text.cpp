@@ -256,14 +256,13 @@ QString mapText(const MapReadings &readings, const GatewaySettings &settings)
 
 DataCheck wordCheck(const DeviceRegisters &shown, const GatewaySettings &settings)
 {
-    const QString what = GatewayTexts::tr("Word order");
-    const QString expected = orderText(settings.highWordFirst);
+    const DataStep step{DataCheck::Id::order, GatewayTexts::tr("Word order"),
+                        orderText(settings.highWordFirst)};
     const WordReading *set = readingSet(shown, settings);
     const QString came = set != nullptr ? hexWord(set->word) : GatewayTexts::tr("no IN word");
     if (wordOutcome(shown, settings) != CheckOutcome::failed)
-        return passedCheck(DataCheck::Id::order, what, expected, came);
-    return failedCheck(DataCheck::Id::order, what, expected, came, wordText(shown, settings),
-                       DataCheck::Action::registers);
+        return step.passed(came);
+    return step.failed(came, wordText(shown, settings), DataCheck::Action::registers);
 }
 
 QString plausibilityKey(Plausibility plausibility)

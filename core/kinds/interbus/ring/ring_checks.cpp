@@ -69,14 +69,12 @@ DataCheck gatewayCheck(const RingSession &bus, const LinkFigures &figures)
     for (const auto &[code, count] : figures.exceptions)
         came << sentence(RingCheckText::tr("exception %1: %2 times"),
                          {numberText(code), numberText(static_cast<std::int64_t>(count))});
-    const QString what = RingCheckText::tr("Gateway");
-    const QString expected = RingCheckText::tr("answers");
+    const DataStep step{DataCheck::Id::gateway, RingCheckText::tr("Gateway"), RingCheckText::tr("answers")};
     const auto blocked = faultWhere(
         bus, [](const Fault &fault) { return fault.actions == std::vector{FaultAction::acknowledge}; });
     if (blocked)
-        return failedCheck(DataCheck::Id::gateway, what, expected, blocked->shown.word, blocked->text,
-                           DataCheck::Action::registers);
-    return passedCheck(DataCheck::Id::gateway, what, expected, came.join(QStringLiteral("; ")));
+        return step.failed(blocked->shown.word, blocked->text, DataCheck::Action::registers);
+    return step.passed(came.join(QStringLiteral("; ")));
 }
 
 QString stoppedText(StoppedBy stopped)
@@ -120,33 +118,26 @@ QString untoldText(const Snapshot &ring)
 
 DataCheck runningCheck(const RingSession &bus, StoppedBy stopped)
 {
-    const QString what = RingCheckText::tr("Ring");
-    const QString expected = RingCheckText::tr("runs");
+    const DataStep step{DataCheck::Id::running, RingCheckText::tr("Ring"), RingCheckText::tr("runs")};
     if (bus.isReadingIn())
-        return failedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word,
+        return step.failed(bus.outline().state().word,
                            RingCheckText::tr("The ring is being read in. Wait for it."));
     if (const auto fault = standstillOf(bus))
-        return failedCheck(DataCheck::Id::running, what, expected, standstillPlace(*fault), fault->text,
+        return step.failed(standstillPlace(*fault), fault->text,
                            fault->actions.empty() ? DataCheck::Action::none : DataCheck::Action::start);
     if (isUntold(bus.latest()))
-        return {.id = DataCheck::Id::running,
-                .outcome = DataCheck::Outcome::notKnown,
-                .what = what,
-                .expected = expected,
-                .came = untoldText(bus.latest())};
+        return {step.id, DataCheck::Outcome::notKnown, step.what, step.expected, untoldText(bus.latest())};
     if (bus.isRunning())
-        return passedCheck(DataCheck::Id::running, what, expected,
-                           bus.latest().told ? expected : bus.outline().state().word);
-    return failedCheck(DataCheck::Id::running, what, expected, bus.outline().state().word,
-                       stoppedText(stopped), DataCheck::Action::start);
+        return step.passed(bus.latest().told ? step.expected : bus.outline().state().word);
+    return step.failed(bus.outline().state().word, stoppedText(stopped), DataCheck::Action::start);
 }
 
 // Behind a gateway a device counts as gone while its words are not believed (WordGate).
-DataCheck goneCheck(const RingSession &bus, NodeId node, const QString &what, const QString &state)
+DataCheck goneCheck(const DataStep &step, const RingSession &bus, NodeId node, const QString &state)
 {
     if (bus.latest().figures != nullptr)
-        return failedCheck(
-            DataCheck::Id::reached, what, node.toString(), RingCheckText::tr("words that do not agree"),
+        return step.failed(
+            RingCheckText::tr("words that do not agree"),
             sentence(RingCheckText::tr(
                          "The reads of %1 do not agree, so its word is not believed. Check the word order, "
                          "and where its registers begin. If they are right, stop the shaft or make the poll "
@@ -154,22 +145,20 @@ DataCheck goneCheck(const RingSession &bus, NodeId node, const QString &what, co
                          "closely."),
                      {node.toString()}),
             DataCheck::Action::registers);
-    return failedCheck(DataCheck::Id::reached, what, node.toString(), state,
-                       refusalText(bus.whyNotThere(bus.placeOf(node))));
+    return step.failed(state, refusalText(bus.whyNotThere(bus.placeOf(node))));
 }
 
 DataCheck reachedCheck(const RingSession &bus, NodeId node)
 {
-    const QString what = RingCheckText::tr("Place in the ring");
+    const DataStep step{DataCheck::Id::reached, RingCheckText::tr("Place in the ring"), node.toString()};
     const std::size_t index = indexIn(bus, node);
     if (index >= bus.structure().size())
-        return failedCheck(DataCheck::Id::reached, what, node.toString(), RingCheckText::tr("no such device"),
+        return step.failed(RingCheckText::tr("no such device"),
                            refusalText(bus.whyNotThere(bus.placeOf(node))), DataCheck::Action::compare);
     const auto &devices = bus.latest().devices;
     if (index < devices.size() && !devices[index].inRing)
-        return goneCheck(bus, node, what, bus.outline().state(index).shown.word);
-    return passedCheck(DataCheck::Id::reached, what, node.toString(),
-                       isTold(bus) ? RingCheckText::tr("there")
+        return goneCheck(step, bus, node, bus.outline().state(index).shown.word);
+    return step.passed(isTold(bus) ? RingCheckText::tr("there")
                                    : RingCheckText::tr("its registers are read"));
 }
 
@@ -193,19 +182,15 @@ DataCheck ringKindCheck(const RingSession &bus, NodeId node, const std::vector<P
 // Of a device, or, without a node, of the bus.
 DataCheck masterCheck(const RingSession &bus, NodeId node)
 {
-    const QString what = RingCheckText::tr("Reports of the master");
-    const QString expected = RingCheckText::tr("no fault");
+    const DataStep step{DataCheck::Id::master, RingCheckText::tr("Reports of the master"),
+                        RingCheckText::tr("no fault")};
     const auto fault = faultWhere(bus, [node](const Fault &its) {
         return its.extent == Fault::Extent::bus && (node.isEmpty() || its.node == node);
     });
     if (!fault)
-        return passedCheck(DataCheck::Id::master, what, expected, expected);
-    DataCheck check =
-        failedCheck(DataCheck::Id::master, what, expected,
-                    QStringLiteral("%1: %2").arg(fault->node.toString(), fault->shown.word), fault->text);
-    check.outcome = DataCheck::Outcome::remark; // the ring runs on
-    check.action = DataCheck::Action::confirm;
-    return check;
+        return step.passed();
+    return step.remark(QStringLiteral("%1: %2").arg(fault->node.toString(), fault->shown.word), fault->text,
+                       DataCheck::Action::confirm); // the ring runs on
 }
 
 DataCheck ringStateCheck(const RingSession &bus, NodeId node)
