@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kinds/interbus/ring/ring_session_private.h"
+#include "bus/word_channel.h"
+#include "catalog/catalog.h"
+#include "kinds/interbus/ring/ring_encoder_session.h"
+#include "kinds/interbus/ring/ring_session.h"
 #include "kinds/interbus/words/k3_word.h"
 
 #include <algorithm>
@@ -20,35 +23,35 @@ bool isSameDevice(const RingDevice &before, const RingDevice &found)
 } // namespace
 
 // What is unchanged keeps its driver, session and channel; only its index may differ.
-command::UseRing RingSession::Private::takeOver(RingSession &bus, const RingFound &found)
+command::UseRing RingSession::takeOver(const RingFound &found)
 {
-    const RingStructure before = std::exchange(structure, found.structure);
-    auto sessionsBefore = std::exchange(sessions, {});
-    auto channelsBefore = std::exchange(channels, {});
-    sessions.resize(structure.size());
-    renamings.assign(structure.size(), 0);
+    const RingStructure before = std::exchange(m_structure, found.structure);
+    auto sessionsBefore = std::exchange(m_sessions, {});
+    auto channelsBefore = std::exchange(m_channels, {});
+    m_sessions.resize(m_structure.size());
+    m_renamings.assign(m_structure.size(), 0);
     command::UseRing use{{}, found.out, {}};
-    for (std::size_t i = 0; i < structure.size(); ++i) {
-        RingDevice &participant = structure[i];
+    for (std::size_t i = 0; i < m_structure.size(); ++i) {
+        RingDevice &participant = m_structure[i];
         const auto same = std::ranges::find_if(
             before, [&](const RingDevice &other) { return isSameDevice(other, participant); });
         if (same == before.end()) {
-            channels.push_back(makeChannel(bus, participant));
+            m_channels.push_back(makeChannel(participant));
             use.drivers.push_back(
-                {makeSession(bus, i, catalog.find(participant.deviceKey, participant.deviceCode)), {}});
+                {makeSession(i, m_catalog.find(participant.deviceKey, participant.deviceCode)), {}});
             continue;
         }
         const auto j = static_cast<std::size_t>(same - before.begin());
         participant.deviceKey = same->deviceKey;
         use.drivers.push_back({nullptr, j});
-        channels.push_back(std::move(channelsBefore[j]));
-        sessions[i] = std::move(sessionsBefore[j]);
-        if (sessions[i])
-            sessions[i]->moveIndexTo(i);
+        m_channels.push_back(std::move(channelsBefore[j]));
+        m_sessions[i] = std::move(sessionsBefore[j]);
+        if (m_sessions[i])
+            m_sessions[i]->moveIndexTo(i);
     }
-    std::ranges::move(sessionsBefore, std::back_inserter(retired));
-    std::ranges::move(channelsBefore, std::back_inserter(retiredChannels));
-    use.structure = structure;
+    std::ranges::move(sessionsBefore, std::back_inserter(m_retired));
+    std::ranges::move(channelsBefore, std::back_inserter(m_retiredChannels));
+    use.structure = m_structure;
     return use;
 }
 
@@ -59,7 +62,7 @@ void RingSession::takeOfMaster(const MasterEvent &event)
     } else if (const auto *kept = std::get_if<KeptConfigurationTold>(&event)) {
         Q_EMIT keptConfigurationTold(kept->configuration);
     } else {
-        d->readingIn = false;
+        m_readingIn = false;
         if (const auto &result = std::get<ReadInEnded>(event).result; result)
             Q_EMIT readInEnded();
         else
@@ -70,13 +73,13 @@ void RingSession::takeOfMaster(const MasterEvent &event)
 // As it will be once the first cycle has carried this out.
 void RingSession::useFirstRing(const RingFound &found)
 {
-    const bool operates = d->start == Start::operating;
-    post(d->makeDevices(*this, found));
+    const bool operates = m_start == Start::operating;
+    post(makeDevices(found));
     post(command::AskKeptConfiguration{.onConnecting = true});
     post(command::StartBus{});
     if (operates)
         post(command::SetOperate{true});
-    showNewRing(found, {.at = d->latest().at, .state = MasterState::run, .operate = operates});
+    showNewRing(found, {.at = latest().at, .state = MasterState::run, .operate = operates});
     Q_EMIT nodesChanged();
 }
 
@@ -85,12 +88,12 @@ void RingSession::useOtherRing(const RingFound &found)
     endJobsOfBefore();
     if (!isOpen()) // closed by a handler
         return;
-    post(d->takeOver(*this, found));
-    const Snapshot &before = d->latest();
+    post(takeOver(found));
+    const Snapshot &before = latest();
     showNewRing(
         found,
         {.at = before.at, .state = MasterState::active, .operate = before.operate, .period = before.period});
-    d->crcHistory.clear();
+    m_crcHistory.clear();
     Q_EMIT structureChanged();
     Q_EMIT nodesChanged();
 }
@@ -99,36 +102,31 @@ void RingSession::useOtherRing(const RingFound &found)
 // them any more.
 void RingSession::endJobsOfBefore()
 {
-    for (std::size_t i = 0; i < d->sessions.size(); ++i)
-        if (RingEncoderSession *session = d->sessions[i].get(); session && session->runningJob())
+    for (std::size_t i = 0; i < m_sessions.size(); ++i)
+        if (RingEncoderSession *session = m_sessions[i].get(); session && session->runningJob())
             session->take(
                 Event(notTaken(*session->runningJob(), {RefusalKind::stopped, RefusalId::busStopped, {}},
                                session->latest().state)),
-                d->latest().at);
+                latest().at);
 }
 
 void RingSession::showNewRing(const RingFound &found, const RingState &state)
 {
     auto shown = std::make_shared<Snapshot>();
     static_cast<RingState &>(*shown) = state;
-    shown->generation = ++d->generation;
+    shown->generation = ++m_generation;
     shown->connected = true;
     shown->master = found.master;
     shown->figures = found.figures;
     for (const Word word : found.out)
         shown->devices.push_back({.out = word, .reading = {}, .outIsKnown = found.outIsKnown});
-    d->engine.setLatest(std::move(shown));
+    m_engine.setLatest(std::move(shown));
     showLatest();
-}
-
-void RingSession::acknowledgeWatchdog()
-{
-    post(command::AcknowledgeWatchdog{});
 }
 
 void RingSession::bringBack(Place place)
 {
-    d->toBringBack = place;
+    m_toBringBack = place;
     setOperate(true);
     goOnBringingBack();
 }
@@ -136,9 +134,9 @@ void RingSession::bringBack(Place place)
 // A read clears OUT first. Where nothing can be read, the word is all there is.
 void RingSession::goOnBringingBack()
 {
-    if (!d->toBringBack || !isOperating())
+    if (!m_toBringBack || !isOperating())
         return;
-    const auto encoder = encoderAt(std::exchange(d->toBringBack, std::nullopt)->node);
+    const auto encoder = encoderAt(std::exchange(m_toBringBack, std::nullopt)->node);
     if (encoder == nullptr)
         return;
     const auto *driven = static_cast<RingEncoderSession *>(encoder);
@@ -159,25 +157,10 @@ void RingSession::startReported(EncoderSession &encoder, const Job &job)
         Q_EMIT refused(started.error());
 }
 
-const MasterStatus *RingSession::master() const
-{
-    return d->latest().master.get();
-}
-
-const CrcHistory &RingSession::crcHistory() const
-{
-    return d->crcHistory;
-}
-
-const WordDoubts &RingSession::doubts() const
-{
-    return d->doubts;
-}
-
 std::optional<DataCheck> RingSession::checkWord(std::size_t device) const
 {
     const EncoderSession *encoder = showing(device);
-    return encoder != nullptr ? d->link->checkWord(device, latest().devices[device].in, *encoder)
+    return encoder != nullptr ? m_link->checkWord(device, latest().devices[device].in, *encoder)
                               : std::nullopt;
 }
 
@@ -185,34 +168,9 @@ void RingSession::readIn()
 {
     if (!isOpen())
         return;
-    d->readingIn = true;
-    d->stoppedBy = StoppedBy::other;
+    m_readingIn = true;
+    m_stoppedBy = StoppedBy::other;
     post(command::ReadIn{});
-}
-
-bool RingSession::isReadingIn() const
-{
-    return d->readingIn;
-}
-
-void RingSession::switchSegment(int segment, bool on)
-{
-    post(command::SwitchSegment{segment, on});
-}
-
-void RingSession::confirmDiagnostics()
-{
-    post(command::ConfirmDiagnostics{});
-}
-
-void RingSession::keepConfiguration(const KeptConfiguration &configuration)
-{
-    post(command::KeepConfiguration{configuration});
-}
-
-void RingSession::askKeptConfiguration()
-{
-    post(command::AskKeptConfiguration{.onConnecting = false});
 }
 
 } // namespace codewheel
