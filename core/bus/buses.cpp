@@ -25,11 +25,6 @@ void Buses::remove(const EncoderBus *bus)
     Q_EMIT changed();
 }
 
-bool Buses::has(const EncoderBus *bus) const
-{
-    return std::ranges::find(m_buses, bus) != m_buses.end();
-}
-
 std::vector<EncoderBus *> Buses::open() const
 {
     std::vector<EncoderBus *> open;

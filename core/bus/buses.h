@@ -44,7 +44,7 @@ Q_SIGNALS:
     void updated(codewheel::BusId bus); // a new snapshot of this one
 
 private:
-    bool has(const EncoderBus *bus) const;
+    bool has(const EncoderBus *bus) const { return std::ranges::find(m_buses, bus) != m_buses.end(); }
     template <typename Call>
     void callEach(Call call);
 

@@ -36,16 +36,6 @@ void WordChannel::unstage()
     Q_EMIT stagedChanged();
 }
 
-Result<void> WordChannel::write()
-{
-    return send(shownOut());
-}
-
-Result<void> WordChannel::zero()
-{
-    return send(0);
-}
-
 Result<void> WordChannel::send(Word word)
 {
     Result<void> sent = m_send(*this, word);

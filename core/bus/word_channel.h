@@ -63,8 +63,8 @@ public:
     // Sends the staged word, or repeats the OUT word if none is staged. Refused (signal and return value) in
     // Watch, while the bus is stopped, while a job holds the word, and for a device without OUT; the staged
     // word stays. It is unstaged once it is on the bus; until then the bus may still refuse it (signal).
-    Result<void> write();
-    Result<void> zero(); // sends 00000000, whatever is staged; refused in the same cases
+    Result<void> write() { return send(shownOut()); }
+    Result<void> zero() { return send(0); } // sends 00000000, whatever is staged; refused in the same cases
 
     // Called by its bus: the newest frame, and that a word will be seen in the next one.
     void show(const WordsOnBus &words, const Freshness &freshness, Instant now);

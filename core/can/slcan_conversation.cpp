@@ -310,11 +310,6 @@ bool SlcanConversation::send(const CanFrame &frame, Instant now)
     return true;
 }
 
-CanNews SlcanConversation::takeNews()
-{
-    return std::exchange(m_news, {});
-}
-
 CanStatus SlcanConversation::status() const
 {
     const bool isOpen = m_state == State::open;

@@ -43,7 +43,7 @@ public:
 
     State state() const { return m_state; }
     const Refusal &failure() const { return m_failure; }
-    CanNews takeNews();
+    CanNews takeNews() { return std::exchange(m_news, {}); }
     CanStatus status() const;
     const SlcanFirmware &firmware() const { return m_firmware; }
     // Whether the rate may be another than the one asked for: silent firmware has 750 kBd in place of 800.

@@ -57,11 +57,6 @@ void JsonObject::allowOnly(std::initializer_list<const char *> allowed) const
     }
 }
 
-QString JsonObject::pathOf(const QString &key) const
-{
-    return m_path.isEmpty() ? key : m_path + u'.' + key;
-}
-
 void JsonObject::report(const char *key, const QString &reason) const
 {
     const Json::Value &where = has(key) ? (*m_value)[key] : *m_value;
@@ -71,11 +66,6 @@ void JsonObject::report(const char *key, const QString &reason) const
 void JsonObject::reportUnknownName(const char *key, const QString &name, const QStringList &known) const
 {
     report(key, tr("\"%1\" is not known here. Known are: %2.").arg(name, known.join(QStringLiteral(", "))));
-}
-
-bool JsonObject::has(const char *key) const
-{
-    return m_value->isObject() && m_value->isMember(key);
 }
 
 bool JsonObject::hasObject(const char *key) const
@@ -178,11 +168,6 @@ bool JsonObject::flag(const char *key) const
     if (!value.isBool())
         report(key, tr("true or false is expected here."));
     return value.isBool() && value.asBool();
-}
-
-bool JsonObject::flagOr(const char *key, bool otherwise) const
-{
-    return has(key) ? flag(key) : otherwise;
 }
 
 std::int64_t JsonObject::number(const char *key, std::int64_t minimum, std::int64_t maximum) const

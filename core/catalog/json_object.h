@@ -53,7 +53,7 @@ public:
     JsonObject(const Json::Value &value, QString path, FaultKeeper &faults);
     void allowOnly(std::initializer_list<const char *> allowed) const;
 
-    bool has(const char *key) const;
+    bool has(const char *key) const { return m_value->isObject() && m_value->isMember(key); }
     bool hasObject(const char *key) const; // where other types are accepted too
     QString text(const char *key) const;   // not empty
     QString textOr(const char *key, const QString &otherwise) const;
@@ -63,7 +63,7 @@ public:
     LocalText localText(const char *key) const;
     LocalText localTextOr(const char *key, const LocalText &otherwise) const;
     bool flag(const char *key) const;
-    bool flagOr(const char *key, bool otherwise) const;
+    bool flagOr(const char *key, bool otherwise) const { return has(key) ? flag(key) : otherwise; }
     std::int64_t number(const char *key, std::int64_t minimum = std::numeric_limits<std::int64_t>::min(),
                         std::int64_t maximum = std::numeric_limits<std::int64_t>::max()) const;
     Value value(const char *key) const; // a whole number or a text
@@ -111,7 +111,7 @@ public:
 private:
     const Json::Value &member(const char *key) const; // reports it if missing
     bool isListOfAtMost(const char *key, std::size_t most) const;
-    QString pathOf(const QString &key) const;
+    QString pathOf(const QString &key) const { return m_path.isEmpty() ? key : m_path + u'.' + key; }
 
     const Json::Value *m_value;
     QString m_path;

@@ -62,11 +62,6 @@ void JsonWriter::value(const char *key, const Value &value)
     raw(key, value.isText() ? quoted(value.toString()) : QByteArray::number(qlonglong{value.number()}));
 }
 
-void JsonWriter::flag(const char *key, bool on)
-{
-    raw(key, on ? "true" : "false");
-}
-
 void JsonWriter::texts(const char *key, const QStringList &texts)
 {
     begin(key, '[', Form::lines);

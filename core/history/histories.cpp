@@ -103,11 +103,6 @@ void Histories::addMessage(const Message &message)
         insert({bus->sinceEpoch(message.at), message.place, message});
 }
 
-void Histories::addDropped(std::uint64_t count)
-{
-    m_dropped += count;
-}
-
 void Histories::note(Instant at, const QString &text)
 {
     std::erase_if(m_ownMarks, [at](const Mark &mark) { return mark.isNote() && mark.at == at; });

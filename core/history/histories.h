@@ -78,7 +78,7 @@ private:
     void takeScale(const EncoderSession &encoder);
     void watch(EncoderBus &bus);
     void addMessage(const codewheel::Message &message);
-    void addDropped(std::uint64_t count);
+    void addDropped(std::uint64_t count) { m_dropped += count; }
     void remove(const QObject *archive);
     void insert(const Mark &mark);
     void tellMarks();

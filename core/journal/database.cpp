@@ -123,11 +123,6 @@ DatabaseError Database::errorOf(const QSqlError &error)
     }
 }
 
-bool Database::isAvailable()
-{
-    return QSqlDatabase::isDriverAvailable(QStringLiteral("QSQLITE"));
-}
-
 Stored<Database> Database::open(const DatabasePlace &place, const DatabaseSchema &schema)
 {
     if (!place.inMemory && !QDir().mkpath(QFileInfo(place.name).absolutePath()))

@@ -63,7 +63,7 @@ public:
     static DatabaseError damaged();
     static DatabaseError locked();
     // Whether Qt's driver is there.
-    static bool isAvailable();
+    static bool isAvailable() { return QSqlDatabase::isDriverAvailable(QStringLiteral("QSQLITE")); }
 
 private:
     Database(const QSqlDatabase &connection, QString file)

@@ -288,11 +288,6 @@ EepromCount Ledger::writes(const EncoderIdentity &identity, const std::vector<qi
     return count;
 }
 
-QDateTime Ledger::since(const EncoderIdentity &identity) const
-{
-    return writes(identity).since;
-}
-
 std::vector<Ledger::Entry> Ledger::valuesBefore(const EncoderIdentity &identity) const
 {
     QSqlQuery query = m_database.query(

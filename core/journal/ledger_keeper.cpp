@@ -284,11 +284,6 @@ void LedgerKeeper::watch(Place place)
     showCount(place);
 }
 
-EncoderIdentity LedgerKeeper::ofPlace(Place place) const
-{
-    return {.by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place};
-}
-
 EncoderIdentity LedgerKeeper::identity(Place place) const
 {
     EncoderIdentity identity = ofPlace(place);

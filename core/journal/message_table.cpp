@@ -110,21 +110,6 @@ Stored<MessageTable::Span> MessageTable::span() const
     return Span{std::max<qint64>(*first, 0), std::max<qint64>(*last, 0)};
 }
 
-qint64 MessageTable::changes() const
-{
-    return m_database.number(QStringLiteral("PRAGMA data_version")).value_or(0);
-}
-
-Stored<void> MessageTable::append(const std::vector<StoredMessage> &messages)
-{
-    return insert(messages, false);
-}
-
-Stored<void> MessageTable::copy(const std::vector<StoredMessage> &messages)
-{
-    return insert(messages, true);
-}
-
 Stored<void> MessageTable::insert(const std::vector<StoredMessage> &messages, bool withIds)
 {
     return m_database.inTransaction([&]() -> Stored<void> {

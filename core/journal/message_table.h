@@ -25,12 +25,12 @@ public:
     };
     Stored<Span> span() const;
     // Rises when another connection, of whatever program, has changed the database.
-    qint64 changes() const;
+    qint64 changes() const { return m_database.number(QStringLiteral("PRAGMA data_version")).value_or(0); }
 
     // All or, with an error, none. They get their ids here.
-    Stored<void> append(const std::vector<StoredMessage> &messages);
+    Stored<void> append(const std::vector<StoredMessage> &messages) { return insert(messages, false); }
     // As they are, ids included.
-    Stored<void> copy(const std::vector<StoredMessage> &messages);
+    Stored<void> copy(const std::vector<StoredMessage> &messages) { return insert(messages, true); }
 
     // The messages with these ids, in this order; one that no longer exists has the id 0.
     Stored<std::vector<StoredMessage>> read(const std::vector<qint64> &ids) const;

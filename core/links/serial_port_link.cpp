@@ -228,11 +228,6 @@ Result<QByteArray> SerialPortLink::read(Instant until)
     return QByteArray();
 }
 
-void SerialPortLink::wait(Instant until)
-{
-    waitUntil(until);
-}
-
 // For bytes or the end of the port.
 bool SerialPortLink::waitUntil(Instant until)
 {

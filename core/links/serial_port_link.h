@@ -39,7 +39,7 @@ public:
     Result<void> setBaudRate(int baudRate) override;
     void takeOtherAdapter() override;
     Instant now() const override;
-    void wait(Instant until) override;
+    void wait(Instant until) override { waitUntil(until); }
     // These refuse portLost once when the adapter is gone, and lineClosed from then on.
     Result<void> write(const QByteArray &bytes) override;
     Result<QByteArray> read(Instant until) override;

@@ -58,11 +58,6 @@ void BusRecorder::note(Instant at, const QString &text)
     m_target->add(RecordedNote{at, text});
 }
 
-void BusRecorder::flush()
-{
-    m_target->flush();
-}
-
 void BusRecorder::end()
 {
     if (m_state == State::ended)

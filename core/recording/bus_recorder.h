@@ -42,8 +42,8 @@ public:
 
     void fire(); // by hand, without waiting any longer
     void note(Instant at, const QString &text);
-    void flush(); // waits until what came is written, or could not be
-    void end();   // what came is written, if it can be: status() says so
+    void flush() { m_target->flush(); } // waits until what came is written, or could not be
+    void end();                         // what came is written, if it can be: status() says so
 
 Q_SIGNALS:
     void stateChanged();

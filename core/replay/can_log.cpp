@@ -65,11 +65,6 @@ void CanLog::count(const CanFrame &frame, CanLogSummary &summary) const
         summary.identifiers.insert(frame.id);
 }
 
-Result<void> CanLog::begin()
-{
-    return open();
-}
-
 const CanFrame *CanLog::next()
 {
     for (;;) {

@@ -40,7 +40,7 @@ public:
     Result<CanLogSummary> look();
 
     // From its beginning on, frame by frame. Times never go back: one that does is taken for that before.
-    Result<void> begin();
+    Result<void> begin() { return open(); }
     const CanFrame *next(); // until drop(); null: there is no more
     void drop() { m_frames.pop_front(); }
 

@@ -78,11 +78,6 @@ const ReplayBus::Device *ReplayBus::find(NodeId node) const
     return found == m_devices.end() ? nullptr : &*found;
 }
 
-RecordedEncoder &ReplayBus::recordedOf(const Device &device) const
-{
-    return m_playback->encoders()[device.index];
-}
-
 EncoderSession *ReplayBus::encoderAt(NodeId node) const
 {
     const Device *device = find(node);

@@ -69,7 +69,7 @@ private:
     EncoderSession *encoderAt(NodeId node) const override;
     WordChannel *channelAt(NodeId node) const override;
     const Device *find(NodeId node) const;
-    RecordedEncoder &recordedOf(const Device &device) const;
+    RecordedEncoder &recordedOf(const Device &device) const { return m_playback->encoders()[device.index]; }
     bool describe(Device &device); // whether it is another one now
     void describeAll();
     void show(const Device &device, Instant from);

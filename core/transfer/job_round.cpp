@@ -43,16 +43,6 @@ void JobRound::start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusa
     beginEncoder();
 }
 
-void JobRound::beginNothingElse()
-{
-    m_beginsNoOther = m_beginsNoJob = true;
-}
-
-void JobRound::finishThisEncoder()
-{
-    m_beginsNoJob = false;
-}
-
 void JobRound::cancel(OnCancel how)
 {
     if (!m_isRunning)

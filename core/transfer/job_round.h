@@ -60,9 +60,9 @@ public:
     void start(std::vector<EncoderJobs> encoders, AfterRefusal afterRefusal);
     // Nothing more is started: neither another job of this encoder nor another encoder. What is running goes
     // on.
-    void beginNothingElse();
+    void beginNothingElse() { m_beginsNoOther = m_beginsNoJob = true; }
     // The current encoder gets all its jobs after all; no other is started.
-    void finishThisEncoder();
+    void finishThisEncoder() { m_beginsNoJob = false; }
     // Cancels the running job, and starts nothing more.
     void cancel(OnCancel how);
 

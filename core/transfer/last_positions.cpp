@@ -131,11 +131,6 @@ LastPositions::LastPositions(const Buses &buses, QObject *parent)
         look(*bus);
 }
 
-void LastPositions::beginReplacement(Place number)
-{
-    m_watched[number].isReplaced = false;
-}
-
 // A new one may have shown itself since the first time.
 void LastPositions::takeReplaced(Place number)
 {

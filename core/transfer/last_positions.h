@@ -69,7 +69,7 @@ public:
     explicit LastPositions(const Buses &buses, QObject *parent = nullptr);
 
     // The encoder there is to be replaced: whatever was begun before.
-    void beginReplacement(Place number);
+    void beginReplacement(Place number) { m_watched[number].isReplaced = false; }
     // From now on another encoder may show itself there. at() stays that of the one before until something
     // was written to the new one.
     void takeReplaced(Place number);

@@ -42,11 +42,6 @@ std::optional<Refusal> ProjectPlaces::hindranceToReplace(Place place) const
     return found == m_places.end() ? std::nullopt : found->second.asStranger;
 }
 
-bool ProjectPlaces::isAtItsPlace(Place place) const
-{
-    return m_places.contains(place) && !hindrance(place);
-}
-
 bool ProjectPlaces::isTheProjects(Place place) const
 {
     return isAtItsPlace(place) && !m_simulated.contains(place.bus);

@@ -32,7 +32,7 @@ public:
     // number.
     std::optional<Refusal> hindranceToReplace(Place place) const;
     // Whether the project has a device there, and it is the connected one.
-    bool isAtItsPlace(Place place) const;
+    bool isAtItsPlace(Place place) const { return m_places.contains(place) && !hindrance(place); }
     // False for a simulated one in place of the project's, whose link is a real one: nothing of that is kept
     // or reported.
     bool isTheProjects(Place place) const;

@@ -60,21 +60,6 @@ CsvStyle CsvStyle::withDates(const QTimeZone &zone)
     return style;
 }
 
-std::string CsvStyle::begin() const
-{
-    return isForSpreadsheets() ? "\xEF\xBB\xBF" : "";
-}
-
-std::string CsvStyle::timeTitle() const
-{
-    return isForSpreadsheets() ? "time" : "time [s]";
-}
-
-std::string CsvStyle::dateTitle() const
-{
-    return hasSeconds && zone ? "date and time" : "";
-}
-
 std::string CsvStyle::field(const QString &text) const
 {
     const QString quoted = csvText(text); // which also disarms what a spreadsheet would take for a formula

@@ -24,9 +24,12 @@ struct CsvStyle
     CsvStyle(const QLocale &locale, const QTimeZone &zone);
 
     bool isForSpreadsheets() const { return !hasSeconds; }
-    std::string begin() const; // of the file
-    std::string timeTitle() const;
-    std::string dateTitle() const; // of the second column; empty: there is none
+    std::string begin() const { return isForSpreadsheets() ? "\xEF\xBB\xBF" : ""; } // of the file
+    std::string timeTitle() const { return isForSpreadsheets() ? "time" : "time [s]"; }
+    std::string dateTitle() const
+    {
+        return hasSeconds && zone ? "date and time" : "";
+    } // of the second column; empty: there is none
     // A title or another text, in quotation marks if need be.
     std::string field(const QString &text) const;
 

@@ -65,11 +65,6 @@ void SimulatedCanAdapter::sent(const CanFrame & /*frame*/, Instant /*now*/)
     look();
 }
 
-void SimulatedCanAdapter::take(const CanFrame &frame, Instant now)
-{
-    tell(frame, now);
-}
-
 void SimulatedCanAdapter::disturbed(CanDisturbance how, Instant now)
 {
     tell(errorFrameOf(busError |

@@ -46,7 +46,7 @@ public:
     bool comesBack() const override { return false; }
     const CanFrame *toSend() const override { return m_queue.empty() ? nullptr : &m_queue.front(); }
     void sent(const CanFrame &frame, Instant now) override;
-    void take(const CanFrame &frame, Instant now) override;
+    void take(const CanFrame &frame, Instant now) override { tell(frame, now); }
     void disturbed(CanDisturbance how, Instant now) override;
     void stateChanged(CanState state, Instant now) override;
 

@@ -52,16 +52,6 @@ QString SimulatedCanLink::name() const
     return SimulatedCan::tr("simulated bus");
 }
 
-Instant SimulatedCanLink::now() const
-{
-    return m_clock ? m_clock() - m_begin : m_bus->now() - m_busBegin;
-}
-
-void SimulatedCanLink::wait(Instant until)
-{
-    passTime(until, false);
-}
-
 Result<CanNews> SimulatedCanLink::receive(Instant until)
 {
     if (const auto checked = usable(); !checked)

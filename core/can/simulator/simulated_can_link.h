@@ -21,8 +21,8 @@ public:
 
     Result<void> open(CanUse use) override;
     void close() override;
-    Instant now() const override;
-    void wait(Instant until) override;
+    Instant now() const override { return m_clock ? m_clock() - m_begin : m_bus->now() - m_busBegin; }
+    void wait(Instant until) override { passTime(until, false); }
     Result<CanNews> receive(Instant until) override;
     // In bus off it takes what it is given, and refuses it.
     Result<bool> send(const CanFrame &frame) override;

@@ -88,9 +88,4 @@ void EdsNotes::add(EdsNote note)
         m_kept.push_back(std::move(note));
 }
 
-void EdsNotes::sort()
-{
-    std::ranges::stable_sort(m_kept, {}, &EdsNote::line);
-}
-
 } // namespace codewheel::canopen

@@ -72,7 +72,7 @@ public:
     void add(EdsNote note);
     const std::vector<EdsNote> &kept() const { return m_kept; }
     std::size_t left() const { return m_count - m_kept.size(); }
-    void sort(); // by line
+    void sort() { std::ranges::stable_sort(m_kept, {}, &EdsNote::line); } // by line
 
 private:
     std::vector<EdsNote> m_kept;

@@ -12,16 +12,6 @@ QString CanopenAddress::shown() const
     return QStringLiteral("%1 (%2)").arg(node).arg(hexNumber(static_cast<std::uint32_t>(node), 2));
 }
 
-NodeId CanopenAddress::place() const
-{
-    return NodeId(std::string(prefix) + std::to_string(node));
-}
-
-CanopenAddress CanopenAddress::of(NodeId place)
-{
-    return read(place.toString()).value_or(CanopenAddress());
-}
-
 std::optional<CanopenAddress> CanopenAddress::read(QStringView text)
 {
     constexpr QLatin1String ofPlace(prefix.data(), qsizetype{prefix.size()});

@@ -28,9 +28,12 @@ struct CanopenAddress
     bool isNode() const { return node >= 1 && node <= canopen::lastNode; }
     // In decimal, as on switches, and as in identifiers: "5 (05h)".
     QString shown() const;
-    NodeId place() const; // "can:5"
+    NodeId place() const { return NodeId(std::string(prefix) + std::to_string(node)); } // "can:5"
 
-    static CanopenAddress of(NodeId place); // 0: it is no place on CANopen
+    static CanopenAddress of(NodeId place)
+    {
+        return read(place.toString()).value_or(CanopenAddress());
+    } // 0: it is no place on CANopen
     // "can:5"; empty for anything else.
     static std::optional<CanopenAddress> read(QStringView text);
 };

@@ -265,14 +265,4 @@ void LssClient::end(LssOutcome::Kind kind)
     m_isWaiting = false;
 }
 
-std::optional<LssOutcome> LssClient::takeOutcome()
-{
-    return std::exchange(m_outcome, std::nullopt);
-}
-
-std::optional<Instant> LssClient::wakesAt() const
-{
-    return m_isBusy ? std::optional(m_dueAt) : std::nullopt;
-}
-
 } // namespace codewheel::canopen

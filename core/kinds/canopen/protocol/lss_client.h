@@ -77,8 +77,8 @@ public:
     void fate(std::uint64_t number, CanFate fate, Instant now);
     // Whether it is an LSS answer. Those that nobody waits for are counted.
     bool take(const CanFrame &frame, Instant now);
-    std::optional<LssOutcome> takeOutcome();
-    std::optional<Instant> wakesAt() const;
+    std::optional<LssOutcome> takeOutcome() { return std::exchange(m_outcome, std::nullopt); }
+    std::optional<Instant> wakesAt() const { return m_isBusy ? std::optional(m_dueAt) : std::nullopt; }
     void cancel() { m_isBusy = false; }
 
     // In one fast scan, of at most mostSteps.

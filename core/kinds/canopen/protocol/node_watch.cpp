@@ -99,11 +99,6 @@ void NodeWatch::forget()
     *this = std::move(anew);
 }
 
-void NodeWatch::setTpdos(std::vector<std::uint32_t> identifiers)
-{
-    m_tpdos = std::move(identifiers);
-}
-
 void NodeWatch::setProducerTime(std::optional<Instant> time, Instant now)
 {
     if (m_producerTime == time)
@@ -368,11 +363,6 @@ bool NodeWatch::isDoubled() const
 {
     return m_secondInARow >= secondAnswersOfTwo || m_hasOtherAnswer || m_hasTooManyBeats || m_hasTwoStates ||
            m_hasTwoBootUps;
-}
-
-bool NodeWatch::isSupervised() const
-{
-    return m_producerTime.value_or(Instant()) > Instant() && !m_isGuarded;
 }
 
 Heartbeat NodeWatch::heartbeat(Instant now) const

@@ -31,7 +31,7 @@ public:
 
     int node() const { return m_node; }
     // As read from the node. Predefined until then.
-    void setTpdos(std::vector<std::uint32_t> identifiers);
+    void setTpdos(std::vector<std::uint32_t> identifiers) { m_tpdos = std::move(identifiers); }
     // Object 1017h; 0: it has no heartbeat, empty: not known.
     void setProducerTime(std::optional<Instant> time, Instant now);
     const std::optional<Instant> &producerTime() const { return m_producerTime; }
@@ -85,7 +85,7 @@ private:
     void takeSdoAnswer(const CanFrame &frame, Instant at);
     void forgetUnanswered(Instant now);
     void hasAnswered(Instant askedAt);
-    bool isSupervised() const;
+    bool isSupervised() const { return m_producerTime.value_or(Instant()) > Instant() && !m_isGuarded; }
 
     struct Asked
     {

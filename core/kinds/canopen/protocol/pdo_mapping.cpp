@@ -126,11 +126,6 @@ bool PdoMapping::holds(const SdoObject &object) const
     return std::ranges::find(m_entries, object, &PdoEntry::object) != m_entries.end();
 }
 
-bool PdoMapping::isThere() const
-{
-    return m_identifier && number(mappingObject(0));
-}
-
 bool PdoMapping::isOff() const
 {
     return (m_identifier.value_or(offBit) & offBit) != 0;

@@ -55,7 +55,7 @@ public:
     bool isRead() const { return m_missing.empty(); }
 
     // Without identifier and count there is no such PDO.
-    bool isThere() const;
+    bool isThere() const { return m_identifier && number(mappingObject(0)); }
     bool isOff() const;
     bool hasIdentifier() const { return m_identifier.has_value(); } // it was told
     bool hasAllEntries() const { return m_hasAllEntries; }

@@ -190,11 +190,6 @@ void SdoClient::count(const std::optional<SdoFrame> &answer)
         m_owed.erase(owed);
 }
 
-std::optional<SdoOutcome> SdoClient::takeOutcome()
-{
-    return std::exchange(m_outcome, std::nullopt);
-}
-
 std::optional<Instant> SdoClient::wakesAt() const
 {
     if (m_abort)

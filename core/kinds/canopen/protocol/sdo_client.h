@@ -48,7 +48,7 @@ public:
     // Whether it is an SDO answer of this node. Late and foreign ones are, too; they are counted, never
     // believed.
     bool take(const CanFrame &frame, Instant now);
-    std::optional<SdoOutcome> takeOutcome();
+    std::optional<SdoOutcome> takeOutcome() { return std::exchange(m_outcome, std::nullopt); }
     // When next() has something to do, if nothing comes in before.
     std::optional<Instant> wakesAt() const;
     // No outcome follows. Segments under way are aborted, by next().

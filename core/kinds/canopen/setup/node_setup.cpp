@@ -127,11 +127,6 @@ NodeTask::Request NodeSetup::writeOf(Step step) const
     return request;
 }
 
-NodeSetup::Fate &NodeSetup::fateOf(Step step)
-{
-    return step == Step::node ? m_node : step == Step::rate ? m_rate : m_store;
-}
-
 void NodeSetup::done()
 {
     if (isWritingStep(step()))

@@ -97,7 +97,7 @@ private:
     Step step() const { return m_steps[m_at]; }
     std::optional<Request> requestOf(Step step, const CanopenSnapshot &bus);
     Request writeOf(Step step) const;
-    Fate &fateOf(Step step);
+    Fate &fateOf(Step step) { return step == Step::node ? m_node : step == Step::rate ? m_rate : m_store; }
     void done();
     void fail(Trouble trouble);
     void takeSelection(const LssOutcome &outcome);

@@ -58,11 +58,6 @@ bool isAutomatic(esc::Command command)
     }
 }
 
-bool PassedRow::isPoll() const
-{
-    return isAutomatic() && request->command == esc::Command::position;
-}
-
 bool PassedRow::isAutomatic() const
 {
     const bool isWrong = row.kind == RowKind::garbage || row.kind == RowKind::late;

@@ -29,7 +29,7 @@ struct PassedRow
     std::optional<esc::Request> request; // that was sent, or was the last one sent before this came in
 
     // Part of a position request, and nothing is wrong with it: the polling.
-    bool isPoll() const;
+    bool isPoll() const { return isAutomatic() && request->command == esc::Command::position; }
     // Part of anything the program may have asked automatically, and nothing is wrong with it.
     bool isAutomatic() const;
 };

@@ -4,16 +4,6 @@
 #include "vocabulary/hex.h"
 
 namespace codewheel {
-QString EscLineAddress::onWire() const
-{
-    return QStringLiteral("%1").arg(value, 2, 16, QLatin1Char('0')).toUpper();
-}
-
-QString EscLineAddress::shown() const
-{
-    return QStringLiteral("%1h (%2)").arg(onWire()).arg(value);
-}
-
 std::optional<EscLineAddress> EscLineAddress::fromWire(QStringView digits)
 {
     constexpr qsizetype digitsOnWire = 2;

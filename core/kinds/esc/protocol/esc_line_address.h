@@ -32,9 +32,9 @@ struct EscLineAddress
     static constexpr std::string_view prefix = "esc:"; // of a place and of a link
 
     // The two digits on the wire: "12".
-    QString onWire() const;
+    QString onWire() const { return QStringLiteral("%1").arg(value, 2, 16, QLatin1Char('0')).toUpper(); }
     // Both notations, as the window shows it: "12h (18)".
-    QString shown() const;
+    QString shown() const { return QStringLiteral("%1h (%2)").arg(onWire()).arg(value); }
     // One or two hexadecimal digits, 0..1Fh; empty for anything else.
     static std::optional<EscLineAddress> fromWire(QStringView digits);
 

@@ -49,11 +49,6 @@ bool Reception::hasMoreThanEcho() const
     return m_bytes.size() > static_cast<qsizetype>(echoes().size()) * m_echo.size();
 }
 
-Instant Reception::endOf(const Frame &frame) const
-{
-    return m_times.at(static_cast<std::size_t>(frame.end - 1));
-}
-
 Instant Reception::earliestEnd(const Frame &frame) const
 {
     return m_clock.requestEnd + m_clock.character * frame.size();

@@ -49,7 +49,7 @@ public:
 private:
     std::vector<qsizetype> echoes() const; // where each begins
     qsizetype echoEnd() const;             // just past the last one
-    Instant endOf(const Frame &frame) const;
+    Instant endOf(const Frame &frame) const { return m_times.at(static_cast<std::size_t>(frame.end - 1)); }
     // When an answer of this size ends that begins as soon as the request is out.
     Instant earliestEnd(const Frame &frame) const;
     Instant settlesAt(const Frame &frame) const;

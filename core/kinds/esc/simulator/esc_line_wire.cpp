@@ -69,9 +69,4 @@ void EscLineWire::clear()
     m_freeFrom.clear();
 }
 
-char EscLineWire::junk()
-{
-    return static_cast<char>(0x80 | m_random() % 0x80);
-}
-
 } // namespace codewheel

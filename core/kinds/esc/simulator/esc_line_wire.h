@@ -48,7 +48,7 @@ public:
     void clear();
 
     // What a receiver makes of a character it cannot read. Never ASCII.
-    char junk();
+    char junk() { return static_cast<char>(0x80 | m_random() % 0x80); }
 
 private:
     bool strikes(int ofThousand) { return static_cast<int>(m_random() % 1'000) < ofThousand; }

@@ -50,16 +50,6 @@ std::optional<SimulatedEscEncoder::Reply> SimulatedEscEncoder::hear(char byte)
     return Reply{answer, baudRate};
 }
 
-bool SimulatedEscEncoder::falls() const
-{
-    return m_registers.countsCcw || m_condition.vrHigh;
-}
-
-std::uint32_t SimulatedEscEncoder::positionNow() const
-{
-    return m_registers.position(m_shaft.raw(), falls());
-}
-
 EscMotion SimulatedEscEncoder::motion() const
 {
     const std::uint32_t position = positionNow();
@@ -78,11 +68,6 @@ std::uint32_t SimulatedEscEncoder::operatingParameters() const
     return bit(0, m_registers.countsCcw) | bit(2, m_registers.isScaled) |
            bit(12, m_registers.hasCalculatedFactor) | bit(13, m_registers.isPerTurn) |
            bit(14, m_registers.hasLimits());
-}
-
-std::uint32_t SimulatedEscEncoder::alarms() const
-{
-    return escAlarms(m_condition, motion());
 }
 
 std::uint32_t SimulatedEscEncoder::warnings() const

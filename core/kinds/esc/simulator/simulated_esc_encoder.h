@@ -72,12 +72,12 @@ private:
     QByteArray answerTo(QByteArrayView command);
     QByteArray write(const WriteCommand &row, QByteArrayView data);
 
-    bool falls() const;
-    std::uint32_t positionNow() const;
+    bool falls() const { return m_registers.countsCcw || m_condition.vrHigh; }
+    std::uint32_t positionNow() const { return m_registers.position(m_shaft.raw(), falls()); }
     EscMotion motion() const;
 
     std::uint32_t operatingParameters() const;
-    std::uint32_t alarms() const;
+    std::uint32_t alarms() const { return escAlarms(m_condition, motion()); }
     std::uint32_t warnings() const;
     std::uint32_t serialNumber() const { return m_plan.serialNumber; }
     std::uint32_t deviceCode() const { return 0x8000; } // the lowest of 8000..A000

@@ -33,11 +33,6 @@ QString SimulatedEscLineLink::name() const
     return QCoreApplication::translate("SimulatedEscLine", "training line");
 }
 
-Instant SimulatedEscLineLink::now() const
-{
-    return m_clock ? m_clock() - m_begin : m_now;
-}
-
 void SimulatedEscLineLink::wait(Instant until)
 {
     if (!m_clock)

@@ -23,7 +23,7 @@ public:
     Result<void> open(const SerialSettings &settings) override;
     void close() override { m_open = false; }
     Result<void> setBaudRate(int baudRate) override;
-    Instant now() const override;
+    Instant now() const override { return m_clock ? m_clock() - m_begin : m_now; }
     void wait(Instant until) override;
     Result<void> write(const QByteArray &bytes) override;
     Result<QByteArray> read(Instant until) override;

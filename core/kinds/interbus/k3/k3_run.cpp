@@ -404,11 +404,6 @@ Result<void> K3Run::resultAt(Word in)
     return m_cams.dropLost() ? refuse(RefusalKind::device, WordRefusalId::restarted, {in}) : Result<void>();
 }
 
-LeftMode K3Run::modeNow() const
-{
-    return {m_encoder.knowledge.mode(), m_encoder.knowledge.camProgram()};
-}
-
 std::optional<LeftMode> K3Run::modeLeft() const
 {
     const LeftMode now = modeNow();

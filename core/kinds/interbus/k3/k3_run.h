@@ -47,7 +47,7 @@ private:
     Result<void> resultAt(Word in) override;
     bool endsInError(std::size_t step) const override;
     void complete(Outcome &outcome) override;
-    LeftMode modeNow() const;
+    LeftMode modeNow() const { return {m_encoder.knowledge.mode(), m_encoder.knowledge.camProgram()}; }
     std::optional<LeftMode> modeLeft() const; // empty: as before, or as it was to be
     bool follows(StepKind kind) const;
     void lastOneCycle();

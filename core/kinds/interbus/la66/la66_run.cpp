@@ -201,11 +201,6 @@ bool La66Run::isWriting(bool nextMayBeSent) const
            la66::isWrite(m_steps.current().out) && (nextMayBeSent || m_steps.current().out == m_sent);
 }
 
-bool La66Run::mayStillAct(bool hasGoneOut) const
-{
-    return isWriting(hasGoneOut);
-}
-
 void La66Run::doubt(InDoubt &doubt, bool nextMayBeSent)
 {
     const Word out = nextMayBeSent ? m_out : m_sent;

@@ -21,7 +21,7 @@ private:
     std::optional<Refusal> whyNotNow(Word in) const override;
     void begin(Word in, Instant now) override;
     void doubt(InDoubt &doubt, bool nextMayBeSent) override;
-    bool mayStillAct(bool hasGoneOut) const override;
+    bool mayStillAct(bool hasGoneOut) const override { return isWriting(hasGoneOut); }
     bool isWriting(bool nextMayBeSent) const;
     WordAnswer answerTo(Word in, Word out, Instant now) override { return m_handshake.cycle(in, out, now); }
     void stepDone(Word in) override;

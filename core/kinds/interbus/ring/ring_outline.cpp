@@ -110,11 +110,6 @@ QString RingOutline::toolTip() const
     return masterToolTip(state());
 }
 
-QString RingOutline::alarmStop() const
-{
-    return tr("all OUT words become 0, and jobs end");
-}
-
 StateWord RingOutline::state() const
 {
     if (m_bus.state() == BusState::opening)

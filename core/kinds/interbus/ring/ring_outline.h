@@ -22,7 +22,7 @@ public:
     QString title() const override;
     std::optional<QString> behindName() const override;
     QString toolTip() const override;
-    QString alarmStop() const override;
+    QString alarmStop() const override { return tr("all OUT words become 0, and jobs end"); }
     StateWord state() const override;
     std::vector<BusNode> nodes() const override;
     NodeState state(std::size_t node) const override;

@@ -44,11 +44,6 @@ bool BaumerK3::confirm(unsigned number, Word data)
     return true;
 }
 
-Word BaumerK3::operationWord() const
-{
-    return arithmetic().codedValue(shaft().raw());
-}
-
 std::optional<unsigned> BaumerK3::startUpError() const
 {
     return m_batteryLow ? std::optional(error_number::batteryLow) : std::nullopt;

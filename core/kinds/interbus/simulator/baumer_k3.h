@@ -26,7 +26,7 @@ public:
 private:
     bool take(Word out) override;
     bool confirm(unsigned number, Word data) override;
-    Word operationWord() const override;
+    Word operationWord() const override { return arithmetic().codedValue(shaft().raw()); }
     std::optional<unsigned> startUpError() const override;
     std::optional<Word> fault() const override;
 

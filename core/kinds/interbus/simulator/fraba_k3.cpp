@@ -35,11 +35,6 @@ FrabaK3::FrabaK3(PhysicalResolution resolution, std::int64_t raw, FrabaPlate pla
     begin();
 }
 
-bool FrabaK3::isFrabaPreset(Word out) const
-{
-    return out == k3::frabaPreset && m_mode != Mode::cam;
-}
-
 bool FrabaK3::isCamReadOut(Word out) const
 {
     return (out & camReadOutMask) == k3::camReadOut && m_mode == Mode::cam;
@@ -228,11 +223,6 @@ Word FrabaK3::velocity() const
 {
     const long rpm = std::lround(arithmetic().isClockwise() ? shaft().speed() : -shaft().speed());
     return static_cast<Word>(rpm) & k3::dataMask;
-}
-
-void FrabaK3::poweredUp()
-{
-    m_cams.powerUp();
 }
 
 void FrabaK3::wentToDefault()

@@ -44,10 +44,10 @@ private:
     Word answerTo(Word processed) override;
     Word operationWord() const override;
     std::optional<Word> fault() const override;
-    void poweredUp() override;
+    void poweredUp() override { m_cams.powerUp(); }
     void wentToDefault() override;
 
-    bool isFrabaPreset(Word out) const;
+    bool isFrabaPreset(Word out) const { return out == k3::frabaPreset && m_mode != Mode::cam; }
     bool isCamReadOut(Word out) const;
     bool holdsReadOut(Word out) const;
 

@@ -51,11 +51,6 @@ bool SimulatedK3::showsOperation() const
     return m_phase == Phase::operation || (m_phase == Phase::processing && m_shown == 0);
 }
 
-void SimulatedK3::refresh()
-{
-    m_in = m_readOut != 0 ? m_readOut : showsOperation() ? operationWord() : m_shown;
-}
-
 void SimulatedK3::enter(Phase phase, Word shown)
 {
     m_phase = phase;

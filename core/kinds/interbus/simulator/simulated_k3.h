@@ -100,7 +100,7 @@ private:
 
     void enter(Phase phase, Word shown);
     bool showsOperation() const;
-    void refresh();
+    void refresh() { m_in = m_readOut != 0 ? m_readOut : showsOperation() ? operationWord() : m_shown; }
     void see(Word out);
     void passOffTime();
     void switchOn();

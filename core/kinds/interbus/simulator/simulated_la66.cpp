@@ -193,16 +193,6 @@ void SimulatedLa66::moveMagnetTo(double millimetres)
     refresh();
 }
 
-void SimulatedLa66::setMagnetSpeed(double millimetresPerSecond)
-{
-    m_magnet.setSpeed(millimetresPerSecond);
-}
-
-void SimulatedLa66::setMagnetInRange(bool inRange)
-{
-    m_magnetInRange = inRange;
-}
-
 void SimulatedLa66::setPower(bool on)
 {
     if (on && m_phase == Phase::off) {

@@ -33,8 +33,8 @@ public:
     int eepromWrites() const { return m_eepromWrites; }
 
     void moveMagnetTo(double millimetres) override;
-    void setMagnetSpeed(double millimetresPerSecond) override;
-    void setMagnetInRange(bool inRange) override;
+    void setMagnetSpeed(double millimetresPerSecond) override { m_magnet.setSpeed(millimetresPerSecond); }
+    void setMagnetInRange(bool inRange) override { m_magnetInRange = inRange; }
     void setPower(bool on) override;
     void powerCycle() override;
     void setSlow(bool slow) override { m_slow = slow; }

@@ -21,11 +21,6 @@ void SimulatedRing::add(RingDevice participant, std::unique_ptr<SimulatedDevice>
     m_master.powerUp();
 }
 
-void SimulatedRing::keepConfiguration(const QString &fileName)
-{
-    m_master.keep(fileName);
-}
-
 RingStructure SimulatedRing::structure() const
 {
     const std::scoped_lock lock(m_mutex);
@@ -139,16 +134,6 @@ std::vector<State> SimulatedRing::states(std::optional<State> (SimulatedDevice::
     return states;
 }
 
-std::vector<TrainingControls::Shaft> SimulatedRing::shafts() const
-{
-    return states(&SimulatedDevice::shaftState);
-}
-
-std::vector<TrainingControls::Rod> SimulatedRing::rods() const
-{
-    return states(&SimulatedDevice::rodState);
-}
-
 template <typename Act, typename... Arguments>
 void SimulatedRing::with(NodeId number, Act act, Arguments... arguments)
 {
@@ -156,11 +141,6 @@ void SimulatedRing::with(NodeId number, Act act, Arguments... arguments)
     for (std::size_t i = 0; i < m_devices.size(); ++i)
         if (m_wiring.planned()[i].number == number)
             std::invoke(act, *m_devices[i], arguments...);
-}
-
-void SimulatedRing::turnTo(NodeId number, std::int64_t raw)
-{
-    with(number, &SimulatedDevice::turnTo, raw);
 }
 
 void SimulatedRing::turnBy(NodeId number, std::int64_t rawSteps)
@@ -181,11 +161,6 @@ void SimulatedRing::moveMagnetTo(NodeId number, double millimetres)
 void SimulatedRing::setMagnetSpeed(NodeId number, double millimetresPerSecond)
 {
     with(number, &SimulatedDevice::setMagnetSpeed, millimetresPerSecond);
-}
-
-void SimulatedRing::powerCycle(NodeId number)
-{
-    with(number, &SimulatedDevice::powerCycle);
 }
 
 } // namespace codewheel

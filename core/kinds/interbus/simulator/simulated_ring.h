@@ -24,7 +24,7 @@ public:
     void add(RingDevice participant, std::unique_ptr<SimulatedDevice> device);
 
     // The file name of the configuration its master stores from the beginning. Without a call: none.
-    void keepConfiguration(const QString &fileName);
+    void keepConfiguration(const QString &fileName) { m_master.keep(fileName); }
 
     // The configuration of the master, and its OUT words.
     RingStructure structure() const;
@@ -44,14 +44,14 @@ public:
     }
     const SimulatedMaster &master() const { return m_master; }
 
-    std::vector<Shaft> shafts() const override;
-    std::vector<Rod> rods() const override;
-    void turnTo(NodeId number, std::int64_t raw) override;
+    std::vector<Shaft> shafts() const override { return states(&SimulatedDevice::shaftState); }
+    std::vector<Rod> rods() const override { return states(&SimulatedDevice::rodState); }
+    void turnTo(NodeId number, std::int64_t raw) override { with(number, &SimulatedDevice::turnTo, raw); }
     void turnBy(NodeId number, std::int64_t rawSteps) override;
     void setSpeed(NodeId number, double revolutionsPerMinute) override;
     void moveMagnetTo(NodeId number, double millimetres) override;
     void setMagnetSpeed(NodeId number, double millimetresPerSecond) override;
-    void powerCycle(NodeId number) override;
+    void powerCycle(NodeId number) override { with(number, &SimulatedDevice::powerCycle); }
 
     std::vector<TrainingPlace> places() const override;
     void setFault(TrainingFault fault, NodeId number, int value) override;

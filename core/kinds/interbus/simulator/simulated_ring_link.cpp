@@ -25,11 +25,6 @@ Result<RingStructure> SimulatedRingLink::open()
     return m_ring->structure();
 }
 
-void SimulatedRingLink::close()
-{
-    m_open = false;
-}
-
 Result<std::vector<Word>> SimulatedRingLink::readBackOut()
 {
     if (!m_open)

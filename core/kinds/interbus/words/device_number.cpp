@@ -19,11 +19,6 @@ std::optional<int> wholeNumber(QStringView text)
 
 } // namespace
 
-QString DeviceNumber::toString() const
-{
-    return QStringLiteral("%1.%2").arg(segment).arg(position);
-}
-
 NodeId DeviceNumber::node() const
 {
     return *this == DeviceNumber() ? NodeId() : NodeId(toString().toStdString());

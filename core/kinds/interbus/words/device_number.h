@@ -16,8 +16,8 @@ struct DeviceNumber
     // NOLINTNEXTLINE(modernize-use-nullptr)
     friend constexpr auto operator<=>(const DeviceNumber &, const DeviceNumber &) = default;
 
-    QString toString() const; // "6.1"
-    NodeId node() const;      // "6.1"; none for 0.0
+    QString toString() const { return QStringLiteral("%1.%2").arg(segment).arg(position); } // "6.1"
+    NodeId node() const; // "6.1"; none for 0.0
     // 0.0: there is none, or it is no place on INTERBUS.
     static DeviceNumber of(NodeId node);
     // "1.0", "6.1"; empty for anything else.
