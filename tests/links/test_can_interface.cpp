@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "links/can_adapters.h"
+#include "links/can_interface.h"
 #include "tests/doctor/made_computer.h"
 
 namespace codewheel {
@@ -21,27 +21,23 @@ const CanStatusOf atHalfARate = [](const QString &name) {
     return name == QStringLiteral("can0") ? std::optional(CanStatus{.rate = 500'000}) : std::nullopt;
 };
 
-TEST(CanAdapters, AreTheInterfacesForCanAndAdaptersOnUsb)
+TEST(CanInterfaces, AreThoseForCan)
 {
     MadeComputer made;
     makeInterface(made, QStringLiteral("can0"), "280", "0x40080");
     makeInterface(made, QStringLiteral("can1"), "280", "0x400c1");
     makeInterface(made, QStringLiteral("eth0"), "1", "0x1003");
     makeInterface(made, QStringLiteral("vcan0"), "280", "0xc1", true);
-    const PortInfo usb{.path = QStringLiteral("/dev/ttyACM0"), .vendor = 0x16D0};
-    const PortInfo builtIn{.path = QStringLiteral("/dev/ttyS0")};
-    const CanAdapters found = canAdapters({usb, builtIn}, made.computer(), atHalfARate);
     const std::vector<CanInterface> interfaces{
         {.name = QStringLiteral("can0"), .isConfirming = true, .status = {.rate = 500'000}},
         {.name = QStringLiteral("can1"), .isUp = true, .isConfirming = true},
         {.name = QStringLiteral("vcan0"), .isUp = true, .isVirtual = true}};
-    EXPECT_EQ(found.interfaces, interfaces);
-    EXPECT_EQ(found.ports, std::vector{usb});
+    EXPECT_EQ(canInterfaces(made.computer(), atHalfARate), interfaces);
     EXPECT_FALSE(canInterface(QStringLiteral("eth0"), made.computer(), atHalfARate));
     EXPECT_FALSE(canInterface(QStringLiteral("../net/can0"), made.computer(), atHalfARate));
 }
 
-TEST(CanAdapters, CommandsAreForTheUser)
+TEST(CanInterfaces, CommandsAreForTheUser)
 {
     const CanInterface real{.name = QStringLiteral("can0")};
     const CanInterface virtualOne{.name = QStringLiteral("vcan0"), .isVirtual = true};
