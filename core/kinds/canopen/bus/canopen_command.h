@@ -6,22 +6,13 @@
 #include "kinds/canopen/protocol/lss_client.h"
 
 #include <memory>
-#include <variant>
 
 namespace codewheel {
 
 // What the window asks of the thread of a bus. A device is given by its index in the order in which they were
 // added.
 namespace canopen_command {
-using command::AlarmStop;
-using command::Cancel;
-using command::CancelScan;
-using command::Proceed;
-using command::RemoveDevice;
-using command::SetKnown;
-using command::SetOperate;
-using command::SetRunning;
-using command::StartJob;
+using namespace command;
 struct AddNode
 {
     std::unique_ptr<canopen::NodeDriver> driver;
@@ -55,12 +46,9 @@ struct Scan
 {};
 } // namespace canopen_command
 using CanopenCommand =
-    std::variant<canopen_command::StartJob, canopen_command::Proceed, canopen_command::Cancel,
-                 canopen_command::SetKnown, canopen_command::AddNode, canopen_command::RemoveDevice,
-                 canopen_command::SetRunning, canopen_command::SetOperate, canopen_command::AlarmStop,
-                 canopen_command::SendBesideOthers, canopen_command::TakeUnsureWatch,
-                 canopen_command::MayStopNode, canopen_command::Send, canopen_command::Transfer,
-                 canopen_command::Configure, canopen_command::CancelConfigure, canopen_command::Scan,
-                 canopen_command::CancelScan>;
+    AskedCommand<canopen_command::AddNode, canopen_command::SendBesideOthers,
+                 canopen_command::TakeUnsureWatch, canopen_command::MayStopNode, canopen_command::Send,
+                 canopen_command::Transfer, canopen_command::Configure, canopen_command::CancelConfigure,
+                 canopen_command::Scan>;
 
 } // namespace codewheel

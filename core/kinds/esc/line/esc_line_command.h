@@ -6,7 +6,6 @@
 #include "kinds/esc/line/esc_line_scan.h"
 
 #include <memory>
-#include <variant>
 #include <vector>
 
 namespace codewheel {
@@ -14,15 +13,7 @@ namespace codewheel {
 // What the window asks of the line thread. A device is given by its index in the order in which they were
 // added.
 namespace line_command {
-using command::AlarmStop;
-using command::Cancel;
-using command::CancelScan;
-using command::Proceed;
-using command::RemoveDevice;
-using command::SetKnown;
-using command::SetOperate;
-using command::SetRunning;
-using command::StartJob;
+using namespace command;
 struct AddDevice
 {
     std::unique_ptr<RequestDriver> driver;
@@ -50,11 +41,8 @@ struct Scan
     ScanWish wish;
 };
 } // namespace line_command
-using EscLineCommand =
-    std::variant<line_command::StartJob, line_command::Proceed, line_command::Cancel, line_command::SetKnown,
-                 line_command::AddDevice, line_command::RemoveDevice, line_command::SetRunning,
-                 line_command::SetOperate, line_command::AlarmStop, line_command::Send, line_command::Scan,
-                 line_command::CancelScan, line_command::TakeOtherAdapter, line_command::SetFractionBits,
-                 line_command::SetSwapsWarningBytes>;
+using EscLineCommand = AskedCommand<line_command::AddDevice, line_command::Send, line_command::Scan,
+                                    line_command::TakeOtherAdapter, line_command::SetFractionBits,
+                                    line_command::SetSwapsWarningBytes>;
 
 } // namespace codewheel
