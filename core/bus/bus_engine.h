@@ -4,7 +4,7 @@
 #include "bus/bus_state.h"
 #include "bus/bus_thread.h"
 #include "bus/bus_work.h"
-#include "bus/value_round.h"
+#include "bus/value_tap.h"
 #include "vocabulary/encoder_session.h"
 
 #include <QScopedValueRollback>

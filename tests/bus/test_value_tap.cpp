@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/bus_mail.h"
-#include "bus/value_round.h"
+#include "bus/value_tap.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

@@ -3,14 +3,28 @@
 
 #include "jobs/known_values.h"
 #include "kinds/canopen/driver/node_plan.h"
-#include "kinds/canopen/driver/node_times.h"
 #include "kinds/canopen/protocol/node_watch.h"
 #include "kinds/canopen/protocol/pdo_mapping.h"
+#include "vocabulary/instant.h"
 #include "vocabulary/position_speed.h"
 
 #include <map>
 
 namespace codewheel::canopen {
+
+// How a node is asked.
+struct NodeTimes
+{
+    Instant timeOut = std::chrono::milliseconds(500);
+    // Assumed: of storing, restoring and setting the position, and until a node is back after its reset.
+    Instant longTimeOut = std::chrono::seconds(5);
+    Instant startTimeOut = std::chrono::seconds(3);            // assumed: until a started node shows it
+    Instant positionInterval = std::chrono::milliseconds(100); // where no PDO brings the position
+    Instant pdoPatience = std::chrono::seconds(1);             // after the last PDO that brought one
+    Instant bitsInterval = std::chrono::seconds(1);            // of alarms and warnings
+    Instant silenceInterval = std::chrono::seconds(1);         // of a node that does not answer
+    int silentAfter = 2; // reads in a row without an answer, each sent three times
+};
 
 // One encoder as currently known: what it shows, what it has, in which state its node is. Shared by the
 // driver, which listens and polls, and by the job in progress.

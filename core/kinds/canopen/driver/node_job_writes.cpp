@@ -3,6 +3,7 @@
 #include "kinds/canopen/driver/node_job.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
+#include "kinds/canopen/protocol/sdo_abort.h"
 
 #include <algorithm>
 #include <cmath>

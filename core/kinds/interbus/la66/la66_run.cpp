@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/la66/la66_run.h"
 
-#include "kinds/interbus/la66/la66_reading.h"
 #include "kinds/interbus/words/la66_word.h"
 #include "kinds/interbus/words/word_refusals.h"
 
@@ -9,41 +8,6 @@
 #include <utility>
 
 namespace codewheel {
-
-void La66Encoder::forget(Parameter parameter)
-{
-    knowledge.values().forget(parameter);
-    reportChanges();
-}
-
-void La66Encoder::loseSightByHand(Word out)
-{
-    if (!la66::isServiceMode(out) || !la66::isService(out) || !la66::isWrite(out) ||
-        la66::answers(reading.in, out))
-        return;
-    InDoubt doubt{.position = la66::service(out) == la66::presetAdjustment};
-    if (const auto *parameter = knowledge.find(la66::service(out))) {
-        doubt.values = {{parameter->parameter, la66::data(out)}};
-        forget(parameter->parameter);
-    }
-    if (doubt.hasSomething())
-        events.emplace_back(std::move(doubt));
-}
-
-void La66Encoder::reportChanges()
-{
-    if (auto changes = knowledge.values().takeChanges())
-        events.emplace_back(std::move(*changes));
-}
-
-void La66Encoder::observe(Word in, Word /*out*/, Instant now)
-{
-    knowledge.observe(in, now);
-    reportChanges();
-    reading = decodeLa66(in, now);
-    const bool isOfNow = reading.state == EncoderState::operation;
-    reading.stepsPerSecond = speed.after(isOfNow ? reading.position : std::nullopt, now);
-}
 
 La66Run::La66Run(JobId id, const Job &job, Pace pace, La66Encoder &encoder)
     : WordRun(id, job, pace, encoder.knowledge.values(), encoder.reading, encoder.events)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kinds/interbus/simulator/fault_plan_run.h"
 #include "kinds/interbus/simulator/simulated_device.h"
 #include "kinds/interbus/simulator/simulated_master.h"
+#include "kinds/interbus/simulator/training_controls.h"
 #include "vocabulary/refusal.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -13,6 +14,43 @@
 #include <vector>
 
 namespace codewheel {
+
+// A running fault plan: knows which step is due in which cycle of 1 ms. Used by SimulatedRing.
+class FaultPlanRun
+{
+public:
+    void start(const FaultPlan &plan)
+    {
+        m_plan = std::make_shared<const FaultPlan>(plan);
+        m_next = 0;
+        m_elapsed = -1; // the next cycle is at 0
+        m_isRunning = true;
+    }
+    void stop() { m_isRunning = false; }
+    bool isRunning() const { return m_isRunning; }
+
+    // To be called once per cycle, then due() until it returns null.
+    void passCycle() { ++m_elapsed; }
+    const FaultStep *due()
+    {
+        if (m_plan->steps[m_next].at.count() > m_elapsed)
+            return nullptr;
+        const FaultStep *step = &m_plan->steps[m_next++];
+        m_isRunning = m_next < m_plan->steps.size();
+        return step;
+    }
+
+    TrainingControls::PlanProgress progress() const
+    {
+        return {m_plan, m_next, std::chrono::milliseconds(std::max<std::int64_t>(m_elapsed, 0)), m_isRunning};
+    }
+
+private:
+    std::shared_ptr<const FaultPlan> m_plan;
+    std::size_t m_next = 0;
+    std::int64_t m_elapsed = 0; // ms
+    bool m_isRunning = false;
+};
 
 // A ring of simulated devices with its master, and the trainer's controls. Its clock is the bus cycle: one is
 // 1 ms, whether the ring runs or not. What moves goes by the clock, even if cycles are missed. Shared by the
