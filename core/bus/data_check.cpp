@@ -8,6 +8,7 @@
 #include "catalog/hex_code.h"
 #include "jobs/job_report.h"
 #include "vocabulary/enumeration_rows.h"
+#include "vocabulary/find_by.h"
 #include "vocabulary/freshness_text.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/refusal_text.h"
@@ -148,14 +149,12 @@ DataChecks asFarAsKnown(DataChecks checks)
 
 const DataCheck *firstDifference(const DataChecks &checks)
 {
-    const auto first = std::ranges::find(checks, DataCheck::Outcome::differs, &DataCheck::outcome);
-    return first == checks.end() ? nullptr : &*first;
+    return findBy(checks, DataCheck::Outcome::differs, &DataCheck::outcome);
 }
 
 const DataCheck *findCheck(const DataChecks &checks, DataCheck::Id id)
 {
-    const auto found = std::ranges::find(checks, id, &DataCheck::id);
-    return found == checks.end() ? nullptr : &*found;
+    return findBy(checks, id, &DataCheck::id);
 }
 
 DataCheck DataStep::passed(const QString &came) const

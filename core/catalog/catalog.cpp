@@ -68,12 +68,6 @@ tl::expected<void, Catalog::Fault> Catalog::add(const QByteArray &json, const QS
     return {};
 }
 
-const DeviceDescription *Catalog::find(QStringView key) const
-{
-    const auto found = std::ranges::find(m_devices, key, &DeviceDescription::key);
-    return found == m_devices.end() ? nullptr : &*found;
-}
-
 const DeviceDescription *Catalog::find(QStringView key, unsigned deviceCode) const
 {
     const DeviceDescription *named = find(key);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalog/device_description.h"
+#include "vocabulary/find_by.h"
 
 #include <QStringList>
 
@@ -35,7 +36,10 @@ public:
     tl::expected<void, Fault> add(const QByteArray &json, const QString &file);
 
     std::span<const DeviceDescription> devices() const { return m_devices; }
-    const DeviceDescription *find(QStringView key) const;
+    const DeviceDescription *find(QStringView key) const
+    {
+        return findBy(m_devices, key, &DeviceDescription::key);
+    }
     // For a participant of unknown make: the generic description for its ID code and width, if there is one.
     const DeviceDescription *generic(unsigned deviceCode) const;
     // By its name; without one, or with one that no description has, the make is unknown.

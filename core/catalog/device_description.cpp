@@ -5,19 +5,7 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-
 namespace codewheel {
-namespace {
-
-template <typename Row, typename Key, typename Member>
-const Row *findBy(const std::vector<Row> &rows, const Key &value, Member member)
-{
-    const auto found = std::ranges::find(rows, value, member);
-    return found == rows.end() ? nullptr : &*found;
-}
-
-} // namespace
 
 bool ParameterDescription::takes(const Value &value) const
 {
@@ -28,21 +16,6 @@ bool ParameterDescription::takes(const Value &value) const
                            : findChoice(value) != nullptr;
 }
 
-const Choice *ParameterDescription::findChoice(const Value &value) const
-{
-    return findBy(choices, value, &Choice::value);
-}
-
-const Choice *ParameterDescription::findChoice(QStringView key) const
-{
-    return findBy(choices, key, &Choice::key);
-}
-
-const ParameterDescription *DeviceDescription::find(Parameter parameter) const
-{
-    return findBy(parameters, parameter, &ParameterDescription::parameter);
-}
-
 std::vector<Parameter> DeviceDescription::readableValues() const
 {
     std::vector<Parameter> readable;
@@ -50,11 +23,6 @@ std::vector<Parameter> DeviceDescription::readableValues() const
         if (parameter.canBeRead && !parameter.isDetail)
             readable.push_back(parameter.parameter);
     return readable;
-}
-
-const DeviceError *DeviceDescription::findError(unsigned number) const
-{
-    return findBy(errors, number, &DeviceError::number);
 }
 
 DeviceDescription DeviceDescription::labelled(int turns, int stepsPerTurn) const

@@ -5,6 +5,7 @@
 #include "catalog/ordering_key.h"
 #include "catalog/profile.h"
 #include "vocabulary/capabilities.h"
+#include "vocabulary/find_by.h"
 #include "vocabulary/kind_data.h"
 #include "vocabulary/own_kind.h"
 #include "vocabulary/parameter.h"
@@ -79,8 +80,8 @@ struct ParameterDescription
     bool isText() const { return textLength > 0; }
     // A text that is short enough, one of the choices if there are any, otherwise any value within the range.
     bool takes(const Value &value) const;
-    const Choice *findChoice(const Value &value) const;
-    const Choice *findChoice(QStringView key) const;
+    const Choice *findChoice(const Value &value) const { return findBy(choices, value, &Choice::value); }
+    const Choice *findChoice(QStringView key) const { return findBy(choices, key, &Choice::key); }
 
     friend bool operator==(const ParameterDescription &, const ParameterDescription &) = default;
 };
@@ -137,10 +138,16 @@ struct DeviceDescription
     std::vector<LimitTable> limits;
     std::optional<OrderingKey> orderingKey;
 
-    const ParameterDescription *find(Parameter parameter) const;
+    const ParameterDescription *find(Parameter parameter) const
+    {
+        return findBy(parameters, parameter, &ParameterDescription::parameter);
+    }
     // All that can be read except details, which have to be asked for by name.
     std::vector<Parameter> readableValues() const;
-    const DeviceError *findError(unsigned number) const;
+    const DeviceError *findError(unsigned number) const
+    {
+        return findBy(errors, number, &DeviceError::number);
+    }
     bool isGeneric() const { return vendor.isEmpty(); }
     // It is in the process image of its bus; an encoder without words is asked by requests.
     bool hasWords() const { return inWords > 0; }

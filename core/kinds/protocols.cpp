@@ -31,6 +31,7 @@
 #include "kinds/interbus/words/k3_cam_effect.h"
 #include "kinds/interbus/words/profiles.h"
 #include "kinds/interbus/words/word_refusals.h"
+#include "vocabulary/find_by.h"
 #include "vocabulary/place.h"
 #include "vocabulary/texts_of_kinds.h"
 
@@ -78,8 +79,7 @@ std::vector<ProtocolKind> &protocolKinds()
 
 const ProtocolKind *kindOf(Profile profile)
 {
-    const auto found = std::ranges::find(protocolKinds(), profile, &ProtocolKind::profile);
-    return found == protocolKinds().end() ? nullptr : &*found;
+    return findBy(protocolKinds(), profile, &ProtocolKind::profile);
 }
 
 } // namespace

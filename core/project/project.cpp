@@ -2,6 +2,7 @@
 #include "project/project.h"
 
 #include "catalog/catalog.h"
+#include "vocabulary/find_by.h"
 
 #include <algorithm>
 #include <iterator>
@@ -21,24 +22,22 @@ std::pair<std::size_t, std::size_t> rangeOf(const Project &project, BusId bus)
 
 const PlannedBus *findBus(const Project &project, BusId bus)
 {
-    const auto found = std::ranges::find(project.buses, bus, &PlannedBus::id);
-    return found == project.buses.end() ? nullptr : &*found;
+    return findBy(project.buses, bus, &PlannedBus::id);
 }
 
 PlannedBus *findBus(Project &project, BusId bus)
 {
-    return const_cast<PlannedBus *>(findBus(std::as_const(project), bus));
+    return findBy(project.buses, bus, &PlannedBus::id);
 }
 
 const ProjectDevice *findDevice(const Project &project, Place place)
 {
-    const auto found = std::ranges::find(project.devices, place, &ProjectDevice::place);
-    return found == project.devices.end() ? nullptr : &*found;
+    return findBy(project.devices, place, &ProjectDevice::place);
 }
 
 ProjectDevice *findDevice(Project &project, Place place)
 {
-    return const_cast<ProjectDevice *>(findDevice(std::as_const(project), place));
+    return findBy(project.devices, place, &ProjectDevice::place);
 }
 
 std::span<const ProjectDevice> devicesOn(const Project &project, BusId bus)

@@ -3,6 +3,7 @@
 
 #include "catalog/catalog.h"
 #include "journal/stored_message.h"
+#include "vocabulary/find_by.h"
 
 #include <algorithm>
 
@@ -73,9 +74,7 @@ std::vector<Place> ReplayBus::places() const
 
 const ReplayBus::Device *ReplayBus::find(NodeId node) const
 {
-    const auto found =
-        std::ranges::find(m_devices, node, [](const Device &device) { return device.place.node; });
-    return found == m_devices.end() ? nullptr : &*found;
+    return findBy(m_devices, node, [](const Device &device) { return device.place.node; });
 }
 
 EncoderSession *ReplayBus::encoderAt(NodeId node) const

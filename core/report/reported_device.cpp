@@ -2,6 +2,7 @@
 #include "report/reported_device.h"
 
 #include "vocabulary/bus_names.h"
+#include "vocabulary/find_by.h"
 #include "vocabulary/known_words.h"
 
 #include <algorithm>
@@ -31,8 +32,7 @@ std::vector<NamedBus> busesWithDevices(const Project &project)
 
 const StoredValue *ReportedDevice::known(Parameter parameter) const
 {
-    const auto found = std::ranges::find(values, parameter, &StoredValue::parameter);
-    return found == values.end() ? nullptr : &*found;
+    return findBy(values, parameter, &StoredValue::parameter);
 }
 
 QString ReportedDevice::evidence(Parameter parameter) const
@@ -46,15 +46,12 @@ QString ReportedDevice::evidence(Parameter parameter) const
 
 const StoredCams *ReportedDevice::knownCams(unsigned program) const
 {
-    const auto found =
-        std::ranges::find(cams, program, [](const StoredCams &each) { return each.program.number; });
-    return found == cams.end() ? nullptr : &*found;
+    return findBy(cams, program, [](const StoredCams &each) { return each.program.number; });
 }
 
 const CamProgram *ReportedDevice::wantedCams(unsigned program) const
 {
-    const auto found = std::ranges::find(planned->wantedCams, program, &CamProgram::number);
-    return found == planned->wantedCams.end() ? nullptr : &*found;
+    return findBy(planned->wantedCams, program, &CamProgram::number);
 }
 
 ParameterValues ReportedDevice::knownValues() const

@@ -38,12 +38,6 @@ Result<void> mayStart(const CanopenState &bus, const QString &place)
     return maySend(bus, place);
 }
 
-const CanopenSnapshot::Node *CanopenSnapshot::heard(int node) const
-{
-    const auto found = std::ranges::find(nodes, node, &Node::node);
-    return found == nodes.end() ? nullptr : &*found;
-}
-
 bool CanopenSnapshot::isStopped(int node) const
 {
     return std::ranges::count(stopped, node) != 0;

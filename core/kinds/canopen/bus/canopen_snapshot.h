@@ -8,6 +8,7 @@
 #include "kinds/canopen/protocol/kept_identifier.h"
 #include "kinds/canopen/protocol/node_watch.h"
 #include "kinds/canopen/protocol/pdo_mapping.h"
+#include "vocabulary/find_by.h"
 
 #include <cstdint>
 #include <vector>
@@ -90,7 +91,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
     std::vector<Node> nodes;  // by number
     std::vector<int> stopped; // last known as such, whether they were heard or not
 
-    const Node *heard(int node) const; // null: it was not
+    const Node *heard(int node) const { return findBy(nodes, node, &Node::node); } // null: it was not
     // It answers nothing, and is there all the same.
     bool isStopped(int node) const;
     void giveWayTo(const CanopenSnapshot &newer) { *this = newer; }

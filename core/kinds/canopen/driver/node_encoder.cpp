@@ -8,6 +8,7 @@
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
+#include "vocabulary/find_by.h"
 
 #include <algorithm>
 #include <array>
@@ -66,10 +67,9 @@ NodeEncoder::NodeEncoder(const DeviceDescription &description, int its, const No
 
 ObjectType NodeEncoder::typeOf(SdoObject object) const
 {
-    const auto described = std::ranges::find(m_described, object, &std::pair<SdoObject, ObjectType>::first);
-    if (described != m_described.end())
+    if (const auto *described = findBy(m_described, object, &std::pair<SdoObject, ObjectType>::first))
         return described->second;
-    if (const auto row = std::ranges::find(typeRows, object, &TypeRow::object); row != typeRows.end())
+    if (const auto *row = findBy(typeRows, object, &TypeRow::object))
         return row->type;
     if (isCamHysteresis(object))
         return ObjectType::u16;

@@ -4,6 +4,7 @@
 #include "catalog/device_description.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
+#include "vocabulary/find_by.h"
 #include "vocabulary/hex.h"
 #include "vocabulary/sentence.h"
 
@@ -148,23 +149,17 @@ QString operatingTimeText(std::int64_t value, const KindData & /*options*/)
 constexpr ValueForm versionsForm{.text = versionsText};
 constexpr ValueForm operatingTimeForm{.text = operatingTimeText};
 
-const BitObject *bitObjectOf(std::uint16_t index)
-{
-    const auto found = std::ranges::find(bitObjects, index, &BitObject::index);
-    return found == bitObjects.end() ? nullptr : &*found;
-}
-
 } // namespace
 
 QStringList encoderBitTexts(std::uint16_t index, std::uint32_t bits)
 {
-    const BitObject *its = bitObjectOf(index);
+    const BitObject *its = findBy(bitObjects, index, &BitObject::index);
     return its != nullptr ? textsOf(its->object, bits) : QStringList();
 }
 
 QStringList encoderBitTexts(const DeviceDescription &device, std::uint16_t index, std::uint32_t bits)
 {
-    const BitObject *its = bitObjectOf(index);
+    const BitObject *its = findBy(bitObjects, index, &BitObject::index);
     if (its == nullptr)
         return {};
     return textsOf(its->object, bits,
@@ -177,7 +172,7 @@ const ValueForm *encoderValueForm(std::uint16_t index)
         return &versionsForm;
     if (index == object::operatingTime.index)
         return &operatingTimeForm;
-    const BitObject *its = bitObjectOf(index);
+    const BitObject *its = findBy(bitObjects, index, &BitObject::index);
     return its != nullptr ? bitForms.at(static_cast<std::size_t>(its->object)) : nullptr;
 }
 

@@ -87,12 +87,6 @@ bool PdoMapping::take(const SdoObject &object, Octets value)
     return true;
 }
 
-const PdoMapping::Told *PdoMapping::told(const SdoObject &object) const
-{
-    const auto found = std::ranges::find(m_told, object, &Told::object);
-    return found == m_told.end() ? nullptr : &*found;
-}
-
 std::optional<std::uint32_t> PdoMapping::number(const SdoObject &object) const
 {
     const Told *found = told(object);

@@ -3,6 +3,7 @@
 
 #include "can/can_frame.h"
 #include "kinds/canopen/protocol/sdo.h"
+#include "vocabulary/find_by.h"
 
 #include <functional>
 #include <span>
@@ -81,7 +82,7 @@ private:
 
     SdoObject settingsObject(int sub) const;
     SdoObject mappingObject(int sub) const;
-    const Told *told(const SdoObject &object) const;
+    const Told *told(const SdoObject &object) const { return findBy(m_told, object, &Told::object); }
     std::optional<std::uint32_t> number(const SdoObject &object) const;
     int count() const;
     void place();

@@ -2,6 +2,7 @@
 #include "kinds/esc/protocol/esc_bits.h"
 
 #include "vocabulary/enumeration_rows.h"
+#include "vocabulary/find_by.h"
 
 #include <QCoreApplication>
 
@@ -108,8 +109,7 @@ QStringList bitTexts(Command command, std::uint16_t value)
     QStringList said;
     for (int bit = highestBit; bit >= 0 && !rows.empty(); --bit) {
         const bool isSet = (static_cast<unsigned>(value) >> bit & 1U) != 0;
-        const auto row = std::ranges::find(rows, bit, &BitRow::bit);
-        if (row != rows.end())
+        if (const auto *row = findBy(rows, bit, &BitRow::bit))
             said << bitText(row->id, isSet);
         else if (isSet)
             said << QCoreApplication::translate("EscBit", "bit %1 (not described)").arg(bit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two tables of the manual, and how a request is looked up in them.
 #include "kinds/esc/simulator/simulated_esc_encoder.h"
+#include "vocabulary/find_by.h"
 
 #include <algorithm>
 #include <array>
@@ -136,11 +137,9 @@ QByteArray SimulatedEscEncoder::answerTo(QByteArrayView command)
         return refused();
     if (letters == "V")
         return data.isEmpty() ? inLineEnds(version()) : refused();
-    if (const auto row = std::ranges::find(ReadCommand::all, letters, &ReadCommand::letters);
-        row != ReadCommand::all.end())
+    if (const auto *row = findBy(ReadCommand::all, letters, &ReadCommand::letters))
         return data.isEmpty() ? inLineEnds(digits(row->value(*this), row->digits)) : refused();
-    if (const auto row = std::ranges::find(WriteCommand::all, letters, &WriteCommand::letters);
-        row != WriteCommand::all.end())
+    if (const auto *row = findBy(WriteCommand::all, letters, &WriteCommand::letters))
         return write(*row, data);
     return unknownCommand();
 }

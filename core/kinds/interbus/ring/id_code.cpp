@@ -3,6 +3,7 @@
 
 #include "bus/participant.h"
 #include "catalog/device_description.h"
+#include "vocabulary/find_by.h"
 
 #include <QCoreApplication>
 
@@ -43,12 +44,6 @@ constexpr std::array idCodes{
     IdCodeRow{0xE3, QT_TRANSLATE_NOOP("IdCode", "drive with PCP")},
     IdCodeRow{0xF7, QT_TRANSLATE_NOOP("IdCode", "encoder K4")},
 };
-
-const IdCodeRow *idCodeRow(unsigned idCode)
-{
-    const auto *found = std::ranges::find(idCodes, idCode, &IdCodeRow::idCode);
-    return found == idCodes.end() ? nullptr : found;
-}
 
 int wordsFor(int bits)
 {
@@ -103,7 +98,7 @@ RingDevice deviceOf(unsigned deviceCode)
 
 QString idCodeName(unsigned idCode)
 {
-    const IdCodeRow *kind = idCodeRow(idCode);
+    const IdCodeRow *kind = findBy(idCodes, idCode, &IdCodeRow::idCode);
     return kind ? QCoreApplication::translate("IdCode", kind->name) : QString();
 }
 
@@ -122,7 +117,7 @@ QString ringDeviceName(const RingDevice &device, const DeviceDescription *descri
 
 bool standsOnLocalBus(unsigned idCode)
 {
-    const IdCodeRow *kind = idCodeRow(idCode);
+    const IdCodeRow *kind = findBy(idCodes, idCode, &IdCodeRow::idCode);
     return kind && kind->isLocal;
 }
 

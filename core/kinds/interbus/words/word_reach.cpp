@@ -6,8 +6,8 @@
 namespace codewheel {
 namespace {
 
-const ParameterDescription *findBy(const DeviceDescription &device, std::optional<unsigned> code,
-                                   std::optional<unsigned> WordReach::*member)
+const ParameterDescription *parameterBy(const DeviceDescription &device, std::optional<unsigned> code,
+                                        std::optional<unsigned> WordReach::*member)
 {
     const auto found = std::ranges::find(device.parameters, code, [member](const ParameterDescription &its) {
         return wordReach(its).*member;
@@ -25,12 +25,12 @@ WordReach wordReach(const ParameterDescription &parameter)
 
 const ParameterDescription *findNumber(const DeviceDescription &device, unsigned number)
 {
-    return findBy(device, number, &WordReach::number);
+    return parameterBy(device, number, &WordReach::number);
 }
 
 const ParameterDescription *findReadOut(const DeviceDescription &device, unsigned code)
 {
-    return findBy(device, code, &WordReach::readOut);
+    return parameterBy(device, code, &WordReach::readOut);
 }
 
 } // namespace codewheel
