@@ -103,11 +103,6 @@ DataChecks EncoderBus::dataChecks(NodeId node, const std::vector<Participant> &p
     return asFarAsKnown(std::move(checks));
 }
 
-WordChannel *EncoderBus::channelAt(NodeId) const
-{
-    return nullptr;
-}
-
 Refusal notConnected(Place place)
 {
     return {RefusalKind::link, RefusalId::notConnected, {place.shown()}};

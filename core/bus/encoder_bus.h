@@ -175,7 +175,7 @@ protected:
 private:
     friend class EncoderOnBus;
     virtual EncoderSession *encoderAt(NodeId node) const = 0;
-    virtual WordChannel *channelAt(NodeId node) const;
+    virtual WordChannel *channelAt(NodeId /*node*/) const { return nullptr; }
 
     struct State
     {

@@ -68,11 +68,6 @@ void JsonObject::reportUnknownName(const char *key, const QString &name, const Q
     report(key, tr("\"%1\" is not known here. Known are: %2.").arg(name, known.join(QStringLiteral(", "))));
 }
 
-bool JsonObject::hasObject(const char *key) const
-{
-    return has(key) && (*m_value)[key].isObject();
-}
-
 const Json::Value &JsonObject::member(const char *key) const
 {
     if (!has(key)) {

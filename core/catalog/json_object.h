@@ -54,8 +54,11 @@ public:
     void allowOnly(std::initializer_list<const char *> allowed) const;
 
     bool has(const char *key) const { return m_value->isObject() && m_value->isMember(key); }
-    bool hasObject(const char *key) const; // where other types are accepted too
-    QString text(const char *key) const;   // not empty
+    bool hasObject(const char *key) const
+    {
+        return has(key) && (*m_value)[key].isObject();
+    }                                    // where other types are accepted too
+    QString text(const char *key) const; // not empty
     QString textOr(const char *key, const QString &otherwise) const;
     QString freeText(const char *key) const;  // any text; empty if the key is missing
     QStringList texts(const char *key) const; // a list of texts

@@ -86,11 +86,6 @@ Result<void> FileReplacement::replace()
     return {};
 }
 
-qint64 FileReplacement::readData(char * /*bytes*/, qint64 /*largest*/)
-{
-    return -1;
-}
-
 // QSaveFile would not report a full disk.
 qint64 FileReplacement::writeData(const char *bytes, qint64 count)
 {

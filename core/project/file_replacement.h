@@ -30,7 +30,7 @@ public:
     Result<void> replace();
 
 protected:
-    qint64 readData(char *bytes, qint64 largest) override;
+    qint64 readData(char * /*bytes*/, qint64 /*largest*/) override { return -1; }
     qint64 writeData(const char *bytes, qint64 count) override;
 
 private:

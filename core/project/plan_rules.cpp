@@ -230,11 +230,6 @@ EditedPlan PlanRules::unchanged(const Project &project, BusId bus)
     return plan;
 }
 
-QString PlanRules::placeTitle() const
-{
-    return tr("Address");
-}
-
 std::optional<NodeId> PlanRules::typedPlace(const QString &text) const
 {
     const std::vector<NodeId> all = places();

@@ -178,7 +178,7 @@ protected:
     virtual QString whyNotAt(NodeId place, Devices others) const;
 
 private:
-    virtual QString placeTitle() const;
+    virtual QString placeTitle() const { return tr("Address"); }
     virtual std::vector<PlanColumn> ownColumns(const Project &, BusId) const { return {}; }
     // Adds the kind's own to the rows. Returns the same as check().
     virtual std::vector<Finding> complete(std::vector<PlanRow> &, const Project &project, BusId bus,

@@ -53,11 +53,6 @@ void BusRecorder::fire()
     setState(State::recording);
 }
 
-void BusRecorder::note(Instant at, const QString &text)
-{
-    m_target->add(RecordedNote{at, text});
-}
-
 void BusRecorder::end()
 {
     if (m_state == State::ended)

@@ -41,7 +41,7 @@ public:
     RecordingStatus status() const { return m_target->status(); }
 
     void fire(); // by hand, without waiting any longer
-    void note(Instant at, const QString &text);
+    void note(Instant at, const QString &text) { m_target->add(RecordedNote{at, text}); }
     void flush() { m_target->flush(); } // waits until what came is written, or could not be
     void end();                         // what came is written, if it can be: status() says so
 

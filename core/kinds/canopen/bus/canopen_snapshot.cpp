@@ -38,9 +38,4 @@ Result<void> mayStart(const CanopenState &bus, const QString &place)
     return maySend(bus, place);
 }
 
-bool CanopenSnapshot::isStopped(int node) const
-{
-    return std::ranges::count(stopped, node) != 0;
-}
-
 } // namespace codewheel

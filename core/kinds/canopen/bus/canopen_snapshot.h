@@ -10,6 +10,7 @@
 #include "kinds/canopen/protocol/pdo_mapping.h"
 #include "vocabulary/find_by.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -93,7 +94,7 @@ struct CanopenSnapshot : AskedSnapshot<CanopenState, AskedDevice>
 
     const Node *heard(int node) const { return findBy(nodes, node, &Node::node); } // null: it was not
     // It answers nothing, and is there all the same.
-    bool isStopped(int node) const;
+    bool isStopped(int node) const { return std::ranges::count(stopped, node) != 0; }
     void giveWayTo(const CanopenSnapshot &newer) { *this = newer; }
 };
 

@@ -488,14 +488,4 @@ void Cia406Driver::lost(Instant /*now*/)
     getToKnow();
 }
 
-std::vector<Event> Cia406Driver::takeEvents()
-{
-    return std::exchange(m_encoder.events, {});
-}
-
-std::vector<Message> Cia406Driver::takeMessages()
-{
-    return std::exchange(m_encoder.messages, {});
-}
-
 } // namespace codewheel::canopen

@@ -6,6 +6,7 @@
 #include "kinds/canopen/protocol/pdo_mappings_heard.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace codewheel::canopen {
@@ -41,8 +42,8 @@ public:
     std::optional<std::uint32_t> deviceType() const override { return m_deviceType; }
     std::span<const PdoMapping> transmitPdos() const override { return m_pdos; }
     std::span<const KeptIdentifier> keptIdentifiers() const override { return m_kept; }
-    std::vector<Event> takeEvents() override;
-    std::vector<Message> takeMessages() override;
+    std::vector<Event> takeEvents() override { return std::exchange(m_encoder.events, {}); }
+    std::vector<Message> takeMessages() override { return std::exchange(m_encoder.messages, {}); }
 
 private:
     enum class Asks : std::uint8_t { nobody, poll, job };

@@ -61,11 +61,6 @@ void SimulatedNode::send(std::uint32_t identifier, Octets data, Instant delay)
     m_out.push_back({frame, m_now + delay});
 }
 
-std::uint32_t SimulatedNode::syncIdentifier() const
-{
-    return m_objects.word(0x1005) & largestStandardId;
-}
-
 // Most frames on a bus are those of others.
 bool SimulatedNode::concerns(const CanFrame &frame) const
 {

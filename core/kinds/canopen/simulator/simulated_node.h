@@ -94,7 +94,7 @@ private:
     void raise(const Error &error);
     void clear(const Error &error);
     void tellError(std::uint16_t code);
-    std::uint32_t syncIdentifier() const;
+    std::uint32_t syncIdentifier() const { return m_objects.word(0x1005) & largestStandardId; }
     bool concerns(const CanFrame &frame) const;
     void pass(Instant now);
     void heed(const CanFrame &frame);

@@ -270,14 +270,4 @@ void EscDriver::observe(const esc::Request &request, const esc::ExchangeResult &
     m_encoder.flushKnowledge();
 }
 
-std::vector<Event> EscDriver::takeEvents()
-{
-    return std::exchange(m_encoder.events, {});
-}
-
-std::vector<Message> EscDriver::takeMessages()
-{
-    return std::exchange(m_encoder.messages, {});
-}
-
 } // namespace codewheel

@@ -8,6 +8,7 @@
 #include "kinds/esc/driver/esc_request_driver.h"
 
 #include <optional>
+#include <utility>
 
 namespace codewheel {
 
@@ -35,8 +36,8 @@ public:
     void answered(const esc::Request &request, const esc::ExchangeResult &result, Instant now) override;
     EscLineAddress address() const override { return m_encoder.address; }
     std::optional<int> wantedBaudRate() const override { return m_encoder.wantedBaudRate; }
-    std::vector<Event> takeEvents() override;
-    std::vector<Message> takeMessages() override;
+    std::vector<Event> takeEvents() override { return std::exchange(m_encoder.events, {}); }
+    std::vector<Message> takeMessages() override { return std::exchange(m_encoder.messages, {}); }
 
     void setSettings(const EscSettings &settings);
     const EscSettings &settings() const { return m_encoder.settings; }

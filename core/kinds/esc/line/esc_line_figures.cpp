@@ -30,9 +30,4 @@ void LineCounter::noteMissing(const esc::ExchangeResult &result)
     since.isEchoed = result.isEchoed;
 }
 
-Instant LineCounter::longestAnswer() const
-{
-    return m_figures.answerTime ? m_figures.answerTime->longest : Instant{};
-}
-
 } // namespace codewheel

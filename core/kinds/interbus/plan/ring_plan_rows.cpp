@@ -58,11 +58,6 @@ PlanCell addressCell(const std::optional<AddressRange> &range, AddressRules::Uni
 
 } // namespace
 
-QString RingPlanRules::placeTitle() const
-{
-    return tr("Number");
-}
-
 QString RingPlanRules::nameOf(const Participant &device, const Catalog &catalog) const
 {
     const RingDevice its = ringDevice(device);

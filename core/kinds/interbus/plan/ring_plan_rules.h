@@ -50,7 +50,7 @@ public:
                          const Comparison &comparison, std::span<const std::size_t> lines) const override;
 
 private:
-    QString placeTitle() const override;
+    QString placeTitle() const override { return tr("Number"); }
     std::vector<PlanColumn> ownColumns(const Project &project, BusId ring) const override;
     std::vector<Finding> complete(std::vector<PlanRow> &rows, const Project &project, BusId ring,
                                   const Catalog &catalog) const override;
