@@ -11,7 +11,7 @@
 namespace codewheel {
 namespace {
 
-// One part: a check box with a toggle action.
+// One part: a check box, with a toggle action if it can be edited.
 class PartAccessible final : public QAccessibleInterface, public QAccessibleActionInterface
 {
 public:
@@ -36,7 +36,7 @@ public:
     QRect rect() const override;
     QAccessible::State state() const override;
     void *interface_cast(QAccessible::InterfaceType type) override;
-    QStringList actionNames() const override { return {toggleAction(), setFocusAction()}; }
+    QStringList actionNames() const override;
     void doAction(const QString &name) override;
     QStringList keyBindingsForAction(const QString &) const override { return {}; }
 
@@ -78,6 +78,7 @@ QAccessible::State PartAccessible::state() const
     }
     state.checkable = true;
     state.checked = parts().isPartChecked(m_part);
+    state.readOnly = !parts().isPartEditable(m_part);
     state.disabled = !m_widget->isEnabled();
     state.invisible = !m_widget->isVisible();
     state.focusable = true;
@@ -90,6 +91,13 @@ void *PartAccessible::interface_cast(QAccessible::InterfaceType type)
     return type == QAccessible::ActionInterface ? static_cast<QAccessibleActionInterface *>(this) : nullptr;
 }
 
+QStringList PartAccessible::actionNames() const
+{
+    if (m_widget && m_widget->isEnabled() && parts().isPartEditable(m_part))
+        return {toggleAction(), setFocusAction()};
+    return {setFocusAction()};
+}
+
 void PartAccessible::doAction(const QString &name)
 {
     if (!m_widget || !m_widget->isEnabled())
@@ -97,8 +105,8 @@ void PartAccessible::doAction(const QString &name)
     if (name == toggleAction()) {
         parts().togglePart(m_part);
     } else if (name == setFocusAction()) {
-        m_widget->setFocus(Qt::OtherFocusReason);
         parts().focusPart(m_part);
+        m_widget->setFocus(Qt::OtherFocusReason);
     }
 }
 
@@ -144,10 +152,10 @@ QAccessibleInterface *PartsAccessible::child(int index) const
 
 QAccessibleInterface *PartsAccessible::childAt(int x, int y) const
 {
-    for (int part = 0; part < childCount(); ++part)
-        if (parts().partRect(part).contains(widget()->mapFromGlobal(QPoint(x, y))))
-            return child(part);
-    return nullptr;
+    if (!isValid())
+        return nullptr;
+    const auto part = parts().partAt(widget()->mapFromGlobal(QPoint(x, y)));
+    return part ? child(*part) : nullptr;
 }
 
 int PartsAccessible::indexOfChild(const QAccessibleInterface *child) const
@@ -163,6 +171,14 @@ QAccessibleInterface *makePartsInterface(const QString &, QObject *object)
 }
 
 } // namespace
+
+std::optional<int> PaintedParts::partAt(QPoint point) const
+{
+    for (int part = 0; part < partCount(); ++part)
+        if (partRect(part).contains(point))
+            return part;
+    return std::nullopt;
+}
 
 void installPaintedPartsAccessibility()
 {

@@ -6,6 +6,8 @@
 #include <QRect>
 #include <QString>
 
+#include <optional>
+
 class QWidget;
 
 namespace codewheel {
@@ -21,7 +23,9 @@ public:
     virtual QString partName(int part) const = 0;
     virtual QString partDescription(int part) const = 0;
     virtual QRect partRect(int part) const = 0; // in the widget
+    virtual std::optional<int> partAt(QPoint point) const;
     virtual bool isPartChecked(int part) const = 0;
+    virtual bool isPartEditable(int) const { return true; }
     virtual int focusedPart() const = 0;
     virtual void focusPart(int part) = 0;
     virtual void togglePart(int part) = 0;

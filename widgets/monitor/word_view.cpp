@@ -5,7 +5,6 @@
 #include "widgets/look/fonts.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/on_event.h"
-#include "widgets/monitor/word_view_accessible.h"
 
 #include <QApplication>
 #include <QHelpEvent>
@@ -36,7 +35,7 @@ WordView::WordView(const WordForm &form, std::vector<Line> lines, QWidget *paren
     , m_layout(form, static_cast<int>(lines.size()), 1, {})
     , m_focused{0, form.bits - 1}
 {
-    installWordViewAccessibility(); // before assistive technology hears of it
+    installPaintedPartsAccessibility(); // before assistive technology hears of it
     QStringList places;
     for (Line &line : lines) {
         places << line.place;
@@ -81,7 +80,7 @@ void WordView::setWord(int word, Word shown, Word onBus, Word edges, Instant now
     updateCells(word,
                 (shownBefore ^ its.shown) | (stagedBefore ^ its.staged) | (markedBefore ^ its.marks.bits()));
     if (hasFocus() && m_focused.word == word && ((shownBefore ^ its.shown) & maskOf(m_focused.bit)) != 0)
-        announceBitState(*this, m_focused);
+        announcePartState(*this, focusedPart());
 }
 
 bool WordView::isSet(WordBit bit) const
@@ -120,6 +119,12 @@ bool WordView::has(WordBit bit) const
     return bit.bit >= 0 && bit.bit < bits() && bit.word >= 0 && bit.word < words();
 }
 
+std::optional<int> WordView::partAt(QPoint point) const
+{
+    const auto bit = bitAt(point);
+    return bit ? std::optional(partOf(*bit)) : std::nullopt;
+}
+
 void WordView::setFocusedBit(WordBit bit)
 {
     if (!has(bit) || bit == m_focused)
@@ -127,7 +132,7 @@ void WordView::setFocusedBit(WordBit bit)
     updateCell(std::exchange(m_focused, bit));
     updateCell(bit);
     if (hasFocus()) {
-        announceBitFocus(*this, bit);
+        announcePartFocus(*this, focusedPart());
         showStatusTip(bit);
     }
 }
@@ -365,7 +370,7 @@ void WordView::focusInEvent(QFocusEvent *event)
 {
     QWidget::focusInEvent(event);
     updateCell(m_focused);
-    announceBitFocus(*this, m_focused);
+    announcePartFocus(*this, focusedPart());
     showStatusTip(m_focused);
 }
 

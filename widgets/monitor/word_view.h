@@ -3,6 +3,7 @@
 
 #include "vocabulary/word.h"
 #include "widgets/help/key_help.h"
+#include "widgets/look/painted_parts.h"
 #include "widgets/monitor/bit_cell.h"
 #include "widgets/monitor/change_marks.h"
 #include "widgets/monitor/word_layout.h"
@@ -19,7 +20,7 @@ namespace codewheel {
 //
 // Keys: Left to the higher bit, Right to the lower, Up and Down to the bit above and below, Home to the
 // highest, End to bit 0, Space toggles.
-class WordView : public QWidget
+class WordView : public QWidget, public PaintedParts
 {
     Q_OBJECT
 
@@ -66,6 +67,18 @@ public:
     // As if the bit were clicked: does nothing if it cannot be.
     void toggleBit(WordBit bit);
 
+    // Its bits, word by word, the highest first.
+    int partCount() const override { return words() * bits(); }
+    QString partName(int part) const override { return bitName(bitOf(part)); }
+    QString partDescription(int part) const override { return bitDescription(bitOf(part)); }
+    QRect partRect(int part) const override { return bitRect(bitOf(part)); }
+    std::optional<int> partAt(QPoint point) const override;
+    bool isPartChecked(int part) const override { return isSet(bitOf(part)); }
+    bool isPartEditable(int part) const override { return isEditable(bitOf(part).word); }
+    int focusedPart() const override { return partOf(m_focused); }
+    void focusPart(int part) override { setFocusedBit(bitOf(part)); }
+    void togglePart(int part) override { toggleBit(bitOf(part)); }
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
     bool hasHeightForWidth() const override { return true; }
@@ -100,6 +113,8 @@ private:
     const Shown &at(int word) const { return m_words[static_cast<std::size_t>(word)]; }
     Shown &at(int word) { return m_words[static_cast<std::size_t>(word)]; }
     bool has(WordBit bit) const;
+    int partOf(WordBit bit) const { return bit.word * bits() + bits() - 1 - bit.bit; }
+    WordBit bitOf(int part) const { return {part / bits(), bits() - 1 - part % bits()}; }
     QStringList captions() const;
     WordLayout layoutWith(int rows, bool isTight = false) const;
     WordLayout layoutFor(int width) const;
