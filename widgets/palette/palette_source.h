@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace codewheel {
@@ -43,6 +44,25 @@ public:
 
     virtual void begin() = 0;                     // the palette opens: as everything is now
     virtual std::vector<PaletteEntry> next() = 0; // the next part; empty: that was all
+};
+
+// Gives all its entries as one part, as they are at that moment.
+class PaletteOfOnePart final : public PaletteSource
+{
+public:
+    explicit PaletteOfOnePart(std::function<std::vector<PaletteEntry>()> entries)
+        : m_entries(std::move(entries))
+    {}
+
+    void begin() override { m_isGiven = false; }
+    std::vector<PaletteEntry> next() override
+    {
+        return std::exchange(m_isGiven, true) ? std::vector<PaletteEntry>() : m_entries();
+    }
+
+private:
+    const std::function<std::vector<PaletteEntry>()> m_entries;
+    bool m_isGiven = false;
 };
 
 } // namespace codewheel

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/palette/palette_actions.h"
-
 #include "app/window/help/menu_list.h"
 #include "app/window/palette/palette_action.h"
+#include "app/window/palette/palette_entries.h"
 #include "widgets/look/label_text.h"
 
 #include <QAction>
-
-#include <utility>
 
 namespace codewheel {
 namespace {
@@ -31,36 +28,21 @@ QString placeOf(const QAction &action, const QString &menu)
 
 } // namespace
 
-PaletteActions::PaletteActions(const QMainWindow &window, QList<QAction *> usual,
-                               OtherLanguage &otherLanguage)
-    : m_window(window)
-    , m_usual(std::move(usual))
-    , m_otherLanguage(otherLanguage)
-{}
-
-void PaletteActions::begin()
-{
-    m_isGiven = false;
-}
-
-std::vector<PaletteEntry> PaletteActions::next()
+std::vector<PaletteEntry> actionEntries(const QMainWindow &window, const QList<QAction *> &usual,
+                                        OtherLanguage &otherLanguage)
 {
     std::vector<PaletteEntry> entries;
-    if (std::exchange(m_isGiven, true))
-        return entries;
-    for (const ListedMenu &menu : menusOf(m_window))
-        for (QAction *action : menu.actions)
-            if (action->isVisible() && !action->text().isEmpty())
-                entries.push_back(entryOf(*action, menu.path));
+    for (const ListedMenu &menu : menusOf(window)) {
+        for (QAction *action : menu.actions) {
+            if (!action->isVisible() || action->text().isEmpty())
+                continue;
+            PaletteEntry entry = paletteEntry(*action, placeOf(*action, menu.path), otherLanguage);
+            entry.id = idOf(*action);
+            entry.isUsual = usual.contains(action);
+            entries.push_back(entry);
+        }
+    }
     return entries;
-}
-
-PaletteEntry PaletteActions::entryOf(QAction &action, const QString &menu) const
-{
-    PaletteEntry entry = paletteEntry(action, placeOf(action, menu), m_otherLanguage);
-    entry.id = idOf(action);
-    entry.isUsual = m_usual.contains(&action);
-    return entry;
 }
 
 } // namespace codewheel

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/palette/palette_buttons.h"
-
 #include "app/window/help/menu_list.h"
 #include "app/window/look/page_place.h"
 #include "app/window/palette/palette_action.h"
+#include "app/window/palette/palette_entries.h"
 #include "other_language.h"
 #include "widgets/look/label_text.h"
 #include "widgets/look/page.h"
 
 #include <QAction>
 #include <QDockWidget>
+#include <QMainWindow>
 #include <QMenu>
 #include <QPointer>
 #include <QPushButton>
@@ -17,7 +17,6 @@
 #include <QToolButton>
 
 #include <algorithm>
-#include <utility>
 
 namespace codewheel {
 namespace {
@@ -56,49 +55,16 @@ bool isIn(const std::vector<ListedMenu> &menus, QAction &action)
     });
 }
 
-} // namespace
+using ShowPanel = std::function<void(const QDockWidget &)>;
 
-PaletteButtons::PaletteButtons(const QMainWindow &window, const QStackedWidget &pages, ShowPanel show,
-                               OtherLanguage &otherLanguage)
-    : m_window(window)
-    , m_pages(pages)
-    , m_show(std::move(show))
-    , m_otherLanguage(otherLanguage)
-{}
-
-void PaletteButtons::begin()
+struct Where
 {
-    m_isGiven = false;
-}
+    QString title;
+    const QDockWidget *panel; // null: a page
+};
 
-std::vector<PaletteEntry> PaletteButtons::next()
-{
-    std::vector<PaletteEntry> entries;
-    if (std::exchange(m_isGiven, true))
-        return entries;
-    const std::vector<ListedMenu> menus = menusOf(m_window);
-    PagePlace::wantAll(m_window);
-    if (const auto *page = qobject_cast<Page *>(m_pages.currentWidget()))
-        add(*page, {page->title(), nullptr}, menus, entries);
-    for (const auto *panel : m_window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))
-        add(*panel->widget(), {panel->windowTitle(), panel}, menus, entries);
-    return entries;
-}
-
-// What is in the menus of the window, too, is found there.
-void PaletteButtons::add(const QWidget &part, const Where &where, const std::vector<ListedMenu> &menus,
-                         std::vector<PaletteEntry> &entries) const
-{
-    for (QAbstractButton *button : commandsOf(part)) {
-        entries.push_back(entryOf(*button, where));
-        const QMenu *menu = menuOf(*button);
-        for (QAction *action : menu != nullptr ? menu->actions() : QList<QAction *>())
-            if (isCommand(*action) && !isIn(menus, *action))
-                entries.push_back(entryOf(*action, where));
-    }
-}
-
-PaletteEntry PaletteButtons::entryOf(QAbstractButton &button, const Where &where) const
+PaletteEntry entryOf(QAbstractButton &button, const Where &where, const ShowPanel &show,
+                     OtherLanguage &otherLanguage)
 {
     const QPointer<QAbstractButton> its(&button); // it may go while the palette is open
     const QKeySequence letter = QKeySequence::mnemonic(button.text());
@@ -107,10 +73,10 @@ PaletteEntry PaletteButtons::entryOf(QAbstractButton &button, const Where &where
             .context = where.title,
             .key = key.toString(QKeySequence::NativeText),
             .does = button.toolTip(),
-            .words = m_otherLanguage.of(plainLabel(button.text())),
+            .words = otherLanguage.of(plainLabel(button.text())),
             .icon = button.icon(),
             .run =
-                [its, panel = QPointer<const QDockWidget>(where.panel), show = m_show] {
+                [its, panel = QPointer<const QDockWidget>(where.panel), show] {
                     if (panel)
                         show(*panel);
                     if (!its)
@@ -124,15 +90,40 @@ PaletteEntry PaletteButtons::entryOf(QAbstractButton &button, const Where &where
                 }};
 }
 
-PaletteEntry PaletteButtons::entryOf(QAction &action, const Where &where) const
+PaletteEntry entryOf(QAction &action, const Where &where, const ShowPanel &show, OtherLanguage &otherLanguage)
 {
-    PaletteEntry entry = paletteEntry(action, where.title, m_otherLanguage);
-    entry.run = [run = entry.run, panel = QPointer<const QDockWidget>(where.panel), show = m_show] {
+    PaletteEntry entry = paletteEntry(action, where.title, otherLanguage);
+    entry.run = [run = entry.run, panel = QPointer<const QDockWidget>(where.panel), show] {
         if (panel)
             show(*panel);
         run();
     };
     return entry;
+}
+
+} // namespace
+
+std::vector<PaletteEntry> buttonEntries(const QMainWindow &window, const QStackedWidget &pages,
+                                        const ShowPanel &show, OtherLanguage &otherLanguage)
+{
+    std::vector<PaletteEntry> entries;
+    const std::vector<ListedMenu> menus = menusOf(window);
+    // What is in the menus of the window, too, is found there.
+    const auto add = [&](const QWidget &part, const Where &where) {
+        for (QAbstractButton *button : commandsOf(part)) {
+            entries.push_back(entryOf(*button, where, show, otherLanguage));
+            const QMenu *menu = menuOf(*button);
+            for (QAction *action : menu != nullptr ? menu->actions() : QList<QAction *>())
+                if (isCommand(*action) && !isIn(menus, *action))
+                    entries.push_back(entryOf(*action, where, show, otherLanguage));
+        }
+    };
+    PagePlace::wantAll(window);
+    if (const auto *page = qobject_cast<Page *>(pages.currentWidget()))
+        add(*page, {page->title(), nullptr});
+    for (const auto *panel : window.findChildren<QDockWidget *>(QString(), Qt::FindDirectChildrenOnly))
+        add(*panel->widget(), {panel->windowTitle(), panel});
+    return entries;
 }
 
 } // namespace codewheel

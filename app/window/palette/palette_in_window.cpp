@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/palette/palette_in_window.h"
 
+#include "app/window/buses/device_choice.h"
 #include "app/window/buses/plant.h"
 #include "app/window/help/context_help.h"
 #include "app/window/look/panels.h"
-#include "app/window/palette/palette_actions.h"
-#include "app/window/palette/palette_buttons.h"
-#include "app/window/palette/palette_devices.h"
+#include "app/window/palette/palette_entries.h"
 #include "app/window/palette/palette_manual.h"
 #include "app/window/palette/palette_messages.h"
-#include "app/window/palette/palette_parameters.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_settings.h"
 #include "widgets/help/help_topic.h"
@@ -42,16 +40,22 @@ PaletteInWindow::PaletteInWindow(const Parts &parts)
 {
     auto *palette = new CommandPalette(parts.window);
     setHelpTopic(*palette, "palette.md");
-    palette->addSource(
-        std::make_unique<PaletteActions>(parts.window, usualActions(parts.actions), m_otherLanguage));
-    palette->addSource(std::make_unique<PaletteButtons>(
-        parts.window, parts.pages, [this](const QDockWidget &panel) { m_parts.panels.show(panel); },
-        m_otherLanguage));
-    palette->addSource(
-        std::make_unique<PaletteParameters>(parts.choice, [this](Parameter each) { showParameter(each); }));
-    palette->addSource(std::make_unique<PaletteDevices>(parts.structure, parts.plant.buses(), parts.project,
-                                                        parts.plant.catalog(),
-                                                        [this](Place place) { showDevice(place); }));
+    const auto add = [palette](std::function<std::vector<PaletteEntry>()> entries) {
+        palette->addSource(std::make_unique<PaletteOfOnePart>(std::move(entries)));
+    };
+    add([this] { return actionEntries(m_parts.window, usualActions(m_parts.actions), m_otherLanguage); });
+    add([this] {
+        return buttonEntries(
+            m_parts.window, m_parts.pages, [this](const QDockWidget &panel) { m_parts.panels.show(panel); },
+            m_otherLanguage);
+    });
+    add([this] {
+        return parameterEntries(m_parts.choice.encoder(), [this](Parameter each) { showParameter(each); });
+    });
+    add([this] {
+        return deviceEntries(m_parts.structure, m_parts.plant.buses(), m_parts.project,
+                             m_parts.plant.catalog(), [this](Place place) { showDevice(place); });
+    });
     palette->addSource(std::make_unique<PaletteManual>(
         [help = &parts.help](const QString &topic) { help->showTopic(topic); }));
     palette->addSource(

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/palette/palette_parameters.h"
-
-#include "app/window/buses/device_choice.h"
+#include "app/window/palette/palette_entries.h"
 #include "catalog/value_text.h"
-
-#include <utility>
+#include "widgets/models/shown_encoder.h"
 
 namespace codewheel {
 namespace {
@@ -23,21 +20,11 @@ QString whoseAndValue(const ShownEncoder &encoder, const ParameterDescription &p
 
 } // namespace
 
-PaletteParameters::PaletteParameters(const DeviceChoice &choice, std::function<void(Parameter)> show)
-    : m_choice(choice)
-    , m_show(std::move(show))
-{}
-
-void PaletteParameters::begin()
-{
-    m_isGiven = false;
-}
-
-std::vector<PaletteEntry> PaletteParameters::next()
+std::vector<PaletteEntry> parameterEntries(const ShownEncoder &encoder,
+                                           const std::function<void(Parameter)> &show)
 {
     std::vector<PaletteEntry> entries;
-    const ShownEncoder &encoder = m_choice.encoder();
-    if (std::exchange(m_isGiven, true) || !encoder.isThere())
+    if (!encoder.isThere())
         return entries;
     for (const ParameterDescription &each : encoder.device().parameters)
         entries.push_back({.kind = PaletteEntry::Kind::parameter,
@@ -45,7 +32,7 @@ std::vector<PaletteEntry> PaletteParameters::next()
                            .title = parameterName(each),
                            .context = whoseAndValue(encoder, each),
                            .words = parameterKey(each.parameter),
-                           .run = [show = m_show, parameter = each.parameter] { show(parameter); }});
+                           .run = [show, parameter = each.parameter] { show(parameter); }});
     return entries;
 }
 
