@@ -2,17 +2,105 @@
 #include "cli/call/texts.h"
 #include "cli/commands.h"
 #include "cli/encoder/consent.h"
-#include "cli/watch/finder_places.h"
+#include "cli/kinds/link_kind.h"
 #include "cli/watch/finder_search.h"
 #include "finder/port_finder.h"
+#include "links/port_access.h"
+#include "links/serial_ports.h"
 #include "vocabulary/sentence.h"
 #include "vocabulary/shown_text.h"
+
+#include <QFileInfo>
+#include <QStringList>
 
 #include <algorithm>
 #include <array>
 
 namespace codewheel {
 namespace {
+
+// Where to look for encoders.
+struct FinderPlaces
+{
+    QStringList ports{}; // paths
+    std::vector<HostSearch> hosts{};
+    std::vector<std::unique_ptr<PlaceFinder>> listeners{}; // they only listen
+};
+
+bool isPort(const QString &typed)
+{
+    return typed.contains(u'/') || typed.startsWith(QStringLiteral("tty")) ||
+           QFileInfo::exists(portPath(typed));
+}
+
+const QStringList &linksWithoutPlace()
+{
+    static const QStringList links{QStringLiteral("training"), QStringLiteral("project")};
+    return links;
+}
+
+// Whether there are any.
+bool addListeners(FinderPlaces &places, const QString &typed)
+{
+    const std::size_t before = places.listeners.size();
+    for (const LinkKind *kind : linkKinds())
+        std::ranges::move(kind->listenersAt(typed), std::back_inserter(places.listeners));
+    return places.listeners.size() != before;
+}
+
+tl::unexpected<Complaint> isLinkWithoutPlace(const QString &typed)
+{
+    return badInput(QStringLiteral("findTakesNoLink"),
+                    CommandLine::tr("\"%1\" is a link. The search takes serial ports and hosts, such as "
+                                    "ttyUSB0 or 192.168.0.5, and says which links lead there."),
+                    {typed});
+}
+
+Checked<void> checkIsNoLink(const QString &typed)
+{
+    if (linksWithoutPlace().contains(typed))
+        return isLinkWithoutPlace(typed);
+    const auto link = LinkText::parse(typed);
+    const auto has = [&](const LinkKind *kind) { return kind->schemes().contains(link->scheme); };
+    if (!link || std::ranges::none_of(linkKinds(), has))
+        return {};
+    if (link->where.isEmpty() || linksWithoutPlace().contains(link->where))
+        return isLinkWithoutPlace(typed);
+    return badInput(
+        QStringLiteral("findTakesNoLink"),
+        CommandLine::tr("\"%1\" is a link. The search says which links lead to a place: type only %2."),
+        {typed, link->where});
+}
+
+// As typed: a port is a path, or a name below /dev; everything else is a host, for every kind of bus that may
+// be at one. Nothing typed: every serial port there is. A link is refused: its kind is what is looked for.
+Checked<FinderPlaces> finderPlaces(const QStringList &typed)
+{
+    FinderPlaces places;
+    if (typed.isEmpty()) {
+        for (const PortInfo &port : serialPorts())
+            places.ports << port.path;
+        addListeners(places, {});
+    }
+    for (const QString &one : typed) {
+        if (const auto checked = checkIsNoLink(one); !checked)
+            return tl::unexpected(checked.error());
+        if (addListeners(places, one))
+            continue;
+        if (isPort(one)) {
+            places.ports << portPath(one);
+            continue;
+        }
+        for (const LinkKind *kind : linkKinds()) {
+            auto host = kind->hostSearch(one);
+            if (!host)
+                return tl::unexpected(host.error());
+            if (*host)
+                places.hosts.push_back(*std::move(*host));
+        }
+    }
+    return places;
+}
 
 constexpr const char *findExamples[] = {"find", "find --listen", "find ttyUSB0 192.168.0.5 --yes"};
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "can/can_bridge.h"
+#include "can/simulator/simulated_slcan_adapter.h"
+#include "cli/bus/pseudo_terminal.h"
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/canopen/canopen_link_kind.h"
 #include "cli/kinds/canopen/serve_can_plan.h"
-#include "cli/kinds/canopen/served_can_bus.h"
 #include "links/can_link_to.h"
 
 #include <algorithm>
@@ -12,6 +13,53 @@
 
 namespace codewheel {
 namespace {
+
+// A simulated CAN bus behind a pseudo terminal, on which an SLCAN adapter answers. Whoever has it open is the
+// only one: when the last program closes it, the adapter begins anew. Used by the command serve; time is an
+// argument.
+class ServedCanBus
+{
+public:
+    ServedCanBus(SimulatedCanBus &bus, SimulatedSlcanAdapter &adapter, PseudoTerminal &port)
+        : m_bus(bus)
+        , m_adapter(adapter)
+        , m_port(port)
+    {}
+
+    // Does what is due at `now`; returns when there will be more, if nobody writes.
+    std::optional<Instant> serve(Instant now);
+
+private:
+    SimulatedCanBus &m_bus;
+    SimulatedSlcanAdapter &m_adapter;
+    PseudoTerminal &m_port;
+};
+
+using namespace std::chrono_literals;
+
+constexpr Instant untilPortHasRoom = 10ms;
+constexpr int mostPiecesOfCommands = 16; // others want their turn, too
+
+std::optional<Instant> ServedCanBus::serve(Instant now)
+{
+    if (m_port.clientLeft()) {
+        m_port.dropUnfetched();
+        m_adapter.restart();
+    }
+    m_adapter.advance(now);
+    for (int piece = 0; piece < mostPiecesOfCommands; ++piece) {
+        const QByteArray bytes = m_port.read();
+        if (bytes.isEmpty())
+            break;
+        m_adapter.take(bytes, now);
+    }
+    if (!m_adapter.unfetched().isEmpty())
+        m_adapter.fetched(m_port.write(m_adapter.unfetched()));
+    const std::optional<Instant> next = m_bus.nextEvent();
+    if (m_adapter.unfetched().isEmpty())
+        return next;
+    return std::min(next.value_or(Instant::max()), now + untilPortHasRoom);
+}
 
 constexpr Instant longestPause{500'000};   // at the port
 constexpr Instant longestListenTo{20'000}; // at an interface, which no signal wakes

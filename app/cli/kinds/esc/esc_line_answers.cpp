@@ -1,26 +1,74 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only a serial line tells of its encoders, and how what was found on it is kept.
+#include "catalog/device_description.h"
+#include "cli/call/subcommand.h"
 #include "cli/call/texts.h"
+#include "cli/encoder/jobs.h"
 #include "cli/kinds/esc/device_on_line.h"
 #include "cli/kinds/esc/esc_line_access.h"
 #include "cli/kinds/esc/esc_line_account.h"
 #include "cli/kinds/esc/esc_line_figures_text.h"
 #include "cli/kinds/esc/esc_line_trace.h"
-#include "cli/kinds/esc/esc_line_write.h"
 #include "cli/kinds/esc/scan_line.h"
+#include "kinds/esc/driver/esc_values.h"
 #include "kinds/esc/links/project_adapter.h"
 #include "kinds/esc/protocol/esc_bits.h"
 #include "kinds/esc/protocol/esc_messages.h"
 #include "links/serial_port_link.h"
 #include "vocabulary/hex.h"
+#include "vocabulary/parameter.h"
 #include "vocabulary/refusal_text.h"
 #include "vocabulary/sentence.h"
+#include "vocabulary/serial_number_text.h"
 
 #include <algorithm>
 #include <array>
 
 namespace codewheel {
 namespace {
+
+// What is done before values are written to an encoder on a serial line.
+
+// Reads what is about to be written.
+Checked<void> readWhatIsWritten(const Call &call, EncoderSession &encoder, const ParameterValues &wanted)
+{
+    ReadParameters read;
+    for (const ParameterValue &value : wanted)
+        if (const ParameterDescription *its = encoder.device().find(value.parameter); its && its->canBeRead)
+            read.parameters.push_back(value.parameter);
+    for (const Parameter scale : {Parameter::revolutions, Parameter::measuringRange, Parameter::scaling})
+        if (std::ranges::count(read.parameters, scale) == 0)
+            read.parameters.push_back(scale);
+    const FinishedJob job = runToEnd(call, {encoder, std::move(read)});
+    if (job.wasCancelled)
+        return tl::unexpected(aboutCancelling());
+    if (!job.outcome.result)
+        return tl::unexpected(complaintAboutJob(call, encoder.place(), job.outcome.result.error()));
+    return {};
+}
+
+// Whether nobody answers at the address the encoder is to be given, in either reading of its digits: whoever
+// is there would answer along with it.
+Checked<void> checkAddressIsFree(const Call &call, EscLineAccess &line, const EncoderSession &encoder,
+                                 const ParameterValues &wanted)
+{
+    const auto address = valueOf(wanted, Parameter::lineAddress);
+    if (!address || *address < 1 || *address > EscLineAddress::last)
+        return {};
+    for (const EscLineAddress reading : escReadingsOf({static_cast<std::uint8_t>(*address)})) {
+        if (reading == EscLineAddress::of(encoder.place().node))
+            continue;
+        const auto there = whoIsAt(call, line, reading);
+        if (!there)
+            return tl::unexpected(there.error());
+        if (*there)
+            return tl::unexpected(complaintAbout(
+                {RefusalKind::badInput,
+                 RefusalId::lineAddressTaken,
+                 {reading.shown(), sentence(CommandLine::tr("an encoder with the serial number %1"),
+                                            {serialNumberText((*there)->serialNumber.value_or(0))})}}));
+    }
+    return {};
+}
 
 // What a serial line does not have.
 struct Missing

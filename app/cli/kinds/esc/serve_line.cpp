@@ -4,7 +4,6 @@
 #include "cli/call/stop_signals.h"
 #include "cli/call/texts.h"
 #include "cli/kinds/esc/esc_line_link_kind.h"
-#include "cli/kinds/esc/served_line.h"
 #include "kinds/esc/simulator/simulated_esc_line.h"
 
 #include <algorithm>
@@ -13,6 +12,73 @@
 
 namespace codewheel {
 namespace {
+
+// A simulated line behind a pseudo terminal, as seen by another program: what it writes goes out at the speed
+// of the line, and comes back as answers. What is written faster than the line carries is dropped once
+// `mostWaiting` characters wait, as with a port without flow control, and nothing of it is left for the next
+// program. Used by the command serve; time is an argument.
+class ServedLine
+{
+public:
+    static constexpr std::size_t mostWaiting = 512; // 0.3 s at 19200 Bd
+
+    ServedLine(SimulatedEscLine &line, PseudoTerminal &port)
+        : m_line(line)
+        , m_port(port)
+    {}
+
+    // Does what is due at `now`; returns when there will be more, if nobody writes.
+    std::optional<Instant> serve(Instant now);
+
+private:
+    void takeWritten(Instant now);
+    void forgetLastClient(Instant now);
+
+    SimulatedEscLine &m_line;
+    PseudoTerminal &m_port;
+    bool m_isFlooded = false; // by the program that has the port open
+};
+
+constexpr int mostPieces = 1'000; // more than the system keeps; then the next one may already be writing
+
+// A rate that no encoder has stands for those the terminal does not know.
+int usableRate(int baudRate)
+{
+    constexpr int noRateOfTheirs = 19'201;
+    return baudRate > 0 ? baudRate : noRateOfTheirs;
+}
+
+std::optional<Instant> ServedLine::serve(Instant now)
+{
+    if (m_port.clientLeft())
+        forgetLastClient(now);
+    for (auto arrived = m_line.advance(now); !arrived.bytes.isEmpty(); arrived = m_line.advance(now))
+        m_port.write(arrived.bytes);
+    takeWritten(now);
+    return m_line.nextEnd();
+}
+
+void ServedLine::takeWritten(Instant now)
+{
+    const QByteArray bytes = m_port.read();
+    m_line.setBaudRate(usableRate(m_port.baudRate())); // after reading: it was set before they were written
+    const auto waiting = static_cast<qsizetype>(m_line.waiting());
+    const qsizetype room = std::max(static_cast<qsizetype>(mostWaiting) - waiting, qsizetype{0});
+    m_isFlooded = m_isFlooded || bytes.size() > room;
+    if (!bytes.isEmpty())
+        m_line.send(bytes.first(std::min(bytes.size(), room)), now);
+}
+
+// What it did not read, and what it wrote beyond what the line carries.
+void ServedLine::forgetLastClient(Instant now)
+{
+    m_port.dropUnfetched();
+    if (!std::exchange(m_isFlooded, false))
+        return;
+    for (int piece = 0; piece < mostPieces && !m_port.read().isEmpty(); ++piece)
+        ;
+    m_line.begin(m_line.settings(), now);
+}
 
 constexpr Instant longestWait{500'000};
 
