@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the actions of the window do, and when they are available.
 #include "app/window/buses/bus_views.h"
 #include "app/window/buses/device_choice.h"
 #include "app/window/buses/leaving.h"
 #include "app/window/buses/plant.h"
 #include "app/window/files/support_dialog.h"
-#include "app/window/help/about.h"
 #include "app/window/help/key_sheet.h"
 #include "app/window/look/bottom_fold.h"
 #include "app/window/look/page_head.h"
@@ -16,7 +14,9 @@
 #include "bus/buses.h"
 #include "bus/word_channel.h"
 #include "widgets/cams/cam_editor.h"
+#include "widgets/help/help_topic.h"
 #include "widgets/input/text_fields.h"
+#include "widgets/look/grid.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/messages/message_model.h"
 #include "widgets/messages/messages_view.h"
@@ -27,8 +27,28 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QMessageBox>
 
 namespace codewheel {
+namespace {
+
+// Version and licence.
+void showAbout(QMainWindow &window)
+{
+    QMessageBox box(
+        QMessageBox::NoIcon, MainWindow::tr("About Codewheel"),
+        MainWindow::tr(
+            "<h3>Codewheel %1</h3><p>Sets up, watches and diagnoses absolute encoders on INTERBUS.</p>"
+            "<p>Free software under the GNU General Public License, version 3 or later. It comes without any "
+            "warranty.</p>")
+            .arg(QApplication::applicationVersion()),
+        QMessageBox::Ok, &window);
+    setHelpTopic(box, "README.md");
+    box.setIconPixmap(QApplication::windowIcon().pixmap(grid::largeIcon));
+    box.exec();
+}
+
+} // namespace
 
 void MainWindow::connectActions()
 {

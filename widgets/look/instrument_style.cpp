@@ -3,14 +3,71 @@
 
 #include "widgets/look/grid.h"
 #include "widgets/look/roles.h"
-#include "widgets/look/standard_icons.h"
 
 #include <QIcon>
+#include <QStyle>
 #include <QStyleOption>
 
-namespace codewheel {
+#include <algorithm>
+#include <array>
+#include <optional>
 
+namespace codewheel {
 namespace {
+
+struct StandardIcon
+{
+    QStyle::StandardPixmap which;
+    Icon icon;
+};
+
+constexpr std::array standardIcons{
+    StandardIcon{QStyle::SP_MessageBoxQuestion, Icon::question},
+    StandardIcon{QStyle::SP_MessageBoxInformation, Icon::information},
+    StandardIcon{QStyle::SP_DialogOkButton, Icon::ok},
+    StandardIcon{QStyle::SP_DialogYesButton, Icon::ok},
+    StandardIcon{QStyle::SP_DialogApplyButton, Icon::ok},
+    StandardIcon{QStyle::SP_DialogCancelButton, Icon::cancel},
+    StandardIcon{QStyle::SP_DialogNoButton, Icon::cancel},
+    StandardIcon{QStyle::SP_DialogCloseButton, Icon::cancel},
+    StandardIcon{QStyle::SP_DialogDiscardButton, Icon::remove},
+    StandardIcon{QStyle::SP_DialogResetButton, Icon::refresh},
+    StandardIcon{QStyle::SP_DialogRetryButton, Icon::refresh},
+    StandardIcon{QStyle::SP_DialogHelpButton, Icon::question},
+    StandardIcon{QStyle::SP_DialogOpenButton, Icon::open},
+    StandardIcon{QStyle::SP_DialogSaveButton, Icon::save},
+    StandardIcon{QStyle::SP_DialogSaveAllButton, Icon::save},
+    StandardIcon{QStyle::SP_ArrowBack, Icon::back},
+    StandardIcon{QStyle::SP_FileDialogBack, Icon::back},
+    StandardIcon{QStyle::SP_ArrowForward, Icon::next},
+    StandardIcon{QStyle::SP_FileDialogToParent, Icon::up},
+    StandardIcon{QStyle::SP_FileDialogNewFolder, Icon::newFolder},
+    StandardIcon{QStyle::SP_FileDialogListView, Icon::list},
+    StandardIcon{QStyle::SP_FileDialogDetailedView, Icon::details},
+    StandardIcon{QStyle::SP_DirIcon, Icon::folder},
+    StandardIcon{QStyle::SP_DirClosedIcon, Icon::folder},
+    StandardIcon{QStyle::SP_DirOpenIcon, Icon::open},
+    StandardIcon{QStyle::SP_DirLinkIcon, Icon::folder},
+    StandardIcon{QStyle::SP_DirHomeIcon, Icon::home},
+    StandardIcon{QStyle::SP_DesktopIcon, Icon::computer},
+    StandardIcon{QStyle::SP_ComputerIcon, Icon::computer},
+    StandardIcon{QStyle::SP_DriveHDIcon, Icon::drive},
+    StandardIcon{QStyle::SP_DriveNetIcon, Icon::drive},
+    StandardIcon{QStyle::SP_FileIcon, Icon::file},
+    StandardIcon{QStyle::SP_FileLinkIcon, Icon::file},
+};
+
+// The icons of Qt's own dialogs (questions, files, buttons), drawn like those of the window. Nothing: use
+// Qt's own. Called by InstrumentStyle.
+std::optional<QIcon> standardLineIcon(QStyle::StandardPixmap which)
+{
+    if (which == QStyle::SP_MessageBoxWarning)
+        return lineIcon(Icon::attention, Role::attention);
+    if (which == QStyle::SP_MessageBoxCritical)
+        return lineIcon(Icon::fault, Role::fault);
+    const auto *found = std::ranges::find(standardIcons, which, &StandardIcon::which);
+    return found == standardIcons.end() ? std::nullopt : std::optional(lineIcon(found->icon));
+}
 
 constexpr int longestMotion = 200; // ms
 constexpr int headingInset = 2; // beyond Fusion's: headings stand apart, and above the texts of their column

@@ -3,7 +3,6 @@
 
 #include "app/window/connect/trouble_of.h"
 #include "app/window/kinds/interbus/offer_files.h"
-#include "app/window/kinds/interbus/offer_settings.h"
 #include "app/window/kinds/interbus/ring_at_work.h"
 #include "app/window/kinds/interbus/ring_offer.h"
 #include "app/window/look/status_line.h"
@@ -15,6 +14,7 @@
 #include "widgets/help/help_topic.h"
 #include "widgets/kinds/interbus/offer/offer_form.h"
 #include "widgets/kinds/interbus/offer/offer_page.h"
+#include "widgets/kinds/interbus/offer/offer_wish.h"
 #include "widgets/kinds/interbus/offer/offered_view.h"
 #include "widgets/kinds/interbus/offer/seat_panel.h"
 #include "widgets/kinds/interbus/offer/seats_view.h"
@@ -24,8 +24,45 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
+
+#include <algorithm>
 
 namespace codewheel {
+namespace {
+
+const QString offerAddressKey = QStringLiteral("offer/address");
+const QString offerPortKey = QStringLiteral("offer/port");
+const QString offerHasSeatsKey = QStringLiteral("offer/hasSeats");
+const QString offerSeatsKey = QStringLiteral("offer/seats");
+const QString offerReadOnlyKey = QStringLiteral("offer/readOnly");
+
+int number(const QSettings &settings, const QString &key, int usual, int least, int most)
+{
+    return std::clamp(settings.value(key, usual).toInt(), least, most);
+}
+
+// How a ring was offered last.
+OfferWish lastOffer(const QSettings &settings)
+{
+    const OfferWish usual;
+    return {.address = settings.value(offerAddressKey, usual.address).toString(),
+            .port = number(settings, offerPortKey, usual.port, 0, OfferWish::lastPort),
+            .hasSeats = settings.value(offerHasSeatsKey, usual.hasSeats).toBool(),
+            .seats = number(settings, offerSeatsKey, usual.seats, 1, OfferWish::mostSeats),
+            .readOnly = settings.value(offerReadOnlyKey, usual.readOnly).toBool()};
+}
+
+void keepOffer(QSettings &settings, const OfferWish &wish)
+{
+    settings.setValue(offerAddressKey, wish.address);
+    settings.setValue(offerPortKey, wish.port);
+    settings.setValue(offerHasSeatsKey, wish.hasSeats);
+    settings.setValue(offerSeatsKey, wish.seats);
+    settings.setValue(offerReadOnlyKey, wish.readOnly);
+}
+
+} // namespace
 
 OfferViews::OfferViews(RingAtWork &ring, OfferPage &page, WindowSettings &settings, StatusLine &status,
                        QObject *parent)
