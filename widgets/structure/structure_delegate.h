@@ -16,4 +16,15 @@ protected:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override;
 };
 
+// A device in the bus structure: what people at the plant call it first, its place and make small behind it.
+// Where there is no room, the latter are cut off first.
+class NameDelegate : public StructureDelegate
+{
+public:
+    using StructureDelegate::StructureDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override;
+};
+
 } // namespace codewheel

@@ -3,8 +3,10 @@
 
 #include "widgets/look/grid.h"
 #include "widgets/look/roles.h"
+#include "widgets/structure/structure_columns.h"
 #include "widgets/structure/structure_model.h"
 
+#include <QHeaderView>
 #include <QPainter>
 #include <QPaintEvent>
 
@@ -13,7 +15,32 @@ namespace {
 
 constexpr int cable = 2; // pixels
 
+// The heads of the columns of the bus structure. Over icons without words stands nothing.
+class StructureHeader : public QHeaderView
+{
+public:
+    explicit StructureHeader(QWidget *parent)
+        : QHeaderView(Qt::Horizontal, parent)
+    {
+        setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    }
+
+protected:
+    void initStyleOptionForIndex(QStyleOptionHeader *option, int column) const override
+    {
+        QHeaderView::initStyleOptionForIndex(option, column);
+        if (column == StructureModel::stateColumn && sectionSize(column) <= stateIconWidth())
+            option->text.clear();
+    }
+};
+
 } // namespace
+
+StructureTree::StructureTree(QWidget *parent)
+    : QTreeView(parent)
+{
+    setHeader(new StructureHeader(this));
+}
 
 // If the changed rows are not adjacent, QTreeView paints them in full; this one stays within the changed
 // column.

@@ -11,7 +11,7 @@ class StructureTree : public QTreeView
     Q_OBJECT
 
 public:
-    using QTreeView::QTreeView;
+    explicit StructureTree(QWidget *parent = nullptr);
 
     void dataChanged(const QModelIndex &first, const QModelIndex &last,
                      const QList<int> &roles = {}) override;

@@ -8,13 +8,13 @@
 #include "widgets/look/inline_message.h"
 #include "widgets/look/may_elide.h"
 #include "widgets/look/on_event.h"
-#include "widgets/structure/name_delegate.h"
 #include "widgets/structure/structure_columns.h"
-#include "widgets/structure/structure_header.h"
+#include "widgets/structure/structure_delegate.h"
 #include "widgets/structure/structure_model.h"
 #include "widgets/structure/structure_tree.h"
 #include "widgets/structure/tree_filter.h"
 
+#include <QHeaderView>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -82,7 +82,6 @@ StructureView::StructureView(QWidget *parent)
     m_tree->setModel(m_model);
     m_filter = new TreeFilter(*m_tree, this);
     layout->insertWidget(0, m_filter);
-    m_tree->setHeader(new StructureHeader(m_tree));
     m_tree->setIconSize({grid::smallIcon, grid::smallIcon});
     m_tree->setIndentation(indentation);
     m_tree->setUniformRowHeights(true);
