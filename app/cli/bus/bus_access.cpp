@@ -89,7 +89,7 @@ Checked<EncoderSession *> BusAccess::encoder(const Call &call, NodeId node, bool
     EncoderSession *encoder = m_bus.encoder(node);
     if (encoder == nullptr)
         return badInput(
-            QStringLiteral("noEncoder"),
+            "noEncoder",
             CommandLine::tr(
                 "The device at %1 is not an encoder this program can drive. See codewheel-cli scan."),
             {place.shown()});

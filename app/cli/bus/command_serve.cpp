@@ -30,11 +30,10 @@ Checked<void> checkOptions(const Service &service, const Call &call)
     for (const Option &option : ownOptionsOf(call.command))
         if (const QString name = QString::fromLatin1(option.name);
             call.arguments.has(option.name) && !hasOption(service, name))
-            return badInput(QStringLiteral("optionOfOtherService"),
-                            CommandLine::tr("%1 is not for \"serve %2\". Its options are: %3."),
-                            {name, serviceName(service), listed(service.options, [](const Option &its) {
-                                 return QString::fromLatin1(its.name);
-                             })});
+            return badInput(
+                "optionOfOtherService", CommandLine::tr("%1 is not for \"serve %2\". Its options are: %3."),
+                {name, serviceName(service),
+                 listed(service.options, [](const Option &its) { return QString::fromLatin1(its.name); })});
     return {};
 }
 
@@ -44,8 +43,7 @@ Checked<Answer> runServe(const Call &call)
     const std::vector<Service> all = allServices();
     const auto service = std::ranges::find(all, what, serviceName);
     if (service == all.end())
-        return badInput(QStringLiteral("unknownService"),
-                        CommandLine::tr("\"%1\" cannot be served. There is: %2."),
+        return badInput("unknownService", CommandLine::tr("\"%1\" cannot be served. There is: %2."),
                         {what, listed(all, serviceName)});
     return checkOptions(*service, call).and_then([&] { return service->serve(call); });
 }

@@ -82,8 +82,7 @@ Checked<Place> onlyOne(const Call &call, const std::vector<Place> &places, const
         std::ranges::all_of(places, [&](Place place) { return call.busOf(place).knowsItsPlaces(); });
     if (likely.empty() && isKnown)
         return tl::unexpected(onNone(call, places, typed));
-    return badInput(QStringLiteral("placeNotUnique"),
-                    CommandLine::tr("Several buses may have %1. Give one of these: %2."),
+    return badInput("placeNotUnique", CommandLine::tr("Several buses may have %1. Give one of these: %2."),
                     {typed, list(call, likely.empty() ? places : likely)});
 }
 
@@ -91,14 +90,14 @@ Checked<Place> atStation(const Call &call, const Project &project, const std::ve
                          const QString &station)
 {
     if (places.size() > 1)
-        return badInput(QStringLiteral("stationNotUnique"),
+        return badInput("stationNotUnique",
                         CommandLine::tr("The project has several devices at the station \"%1\". Give one of "
                                         "these: %2."),
                         {station, list(call, places)});
     const Place place = places.front();
     const BusAccess *bus = call.findBus(place.bus);
     if (bus == nullptr)
-        return badInput(QStringLiteral("stationOnBus"),
+        return badInput("stationOnBus",
                         CommandLine::tr("\"%1\" is a station on a bus that the link does not lead to."),
                         {station});
     return bus->checkStation(project, station).map([&] { return place; });
@@ -120,7 +119,7 @@ tl::unexpected<Complaint> notThere(const Call &call, const std::vector<BusAccess
     const auto isOfKind = [kind](const BusAccess *bus) { return bus->kind() == kind->bus(); };
     if (kind != nullptr && std::ranges::none_of(call.links, isOfKind))
         return badInput(
-            QStringLiteral("placeOnBus"),
+            "placeOnBus",
             CommandLine::tr("%1 is a place on a bus that the link does not lead to (%2). Places there "
                             "are: %3."),
             {typed, busKind(kind->bus())->title(), buses.front()->somePlaces()});
@@ -128,7 +127,7 @@ tl::unexpected<Complaint> notThere(const Call &call, const std::vector<BusAccess
         return tl::unexpected(buses.front()->notAPlace(typed));
     const auto meant = std::ranges::find_if(buses, [&](const BusAccess *bus) { return bus->isMeant(typed); });
     if (hasProject && meant == buses.end())
-        return badInput(QStringLiteral("unknownStation"),
+        return badInput("unknownStation",
                         CommandLine::tr("\"%1\" is neither a device number nor a station of the project."),
                         {typed});
     return tl::unexpected((meant == buses.end() ? buses.front() : *meant)->notAPlace(typed));
@@ -157,13 +156,12 @@ tl::unexpected<Complaint> noSuchBus(const Call &call, const QString &name)
 {
     if (isInProject(call, name))
         return badInput(
-            QStringLiteral("unknownBus"),
+            "unknownBus",
             CommandLine::tr("The project has the bus \"%1\", but the link does not lead to it. The "
                             "buses of the link are: %2. --link project leads to all of the "
                             "project."),
             {name, listed(call.links, &BusAccess::name)});
-    return badInput(QStringLiteral("unknownBus"),
-                    CommandLine::tr("The link leads to no bus \"%1\". The buses are: %2."),
+    return badInput("unknownBus", CommandLine::tr("The link leads to no bus \"%1\". The buses are: %2."),
                     {name, listed(call.links, &BusAccess::name)});
 }
 
@@ -174,14 +172,13 @@ Checked<BusAccess *> oneOf(const Call &call, const std::vector<BusAccess *> &bus
     if (!name && buses.size() == 1)
         return buses.front();
     if (!name)
-        return badInput(QStringLiteral("busNotUnique"),
+        return badInput("busNotUnique",
                         CommandLine::tr("The link leads to several buses. Name one with %1: %2."),
                         {QString::fromLatin1(option.name), listed(buses, &BusAccess::name)});
     auto bus = busNamed(call, *name);
     if (!bus || std::ranges::count(buses, *bus) > 0)
         return bus;
-    return badInput(QStringLiteral("noSuchBus"),
-                    CommandLine::tr("\"%1\" is not a bus of this kind: %2. There is: %3."),
+    return badInput("noSuchBus", CommandLine::tr("\"%1\" is not a bus of this kind: %2. There is: %3."),
                     {*name, busKind(buses.front()->kind())->title(), listed(buses, &BusAccess::name)});
 }
 
@@ -223,7 +220,7 @@ Checked<BusAccess *> busNamed(const Call &call, const QString &name)
         return noSuchBus(call, name);
     if (numbered == nullptr || numbered == named)
         return named;
-    return badInput(QStringLiteral("busNotUnique"),
+    return badInput("busNotUnique",
                     CommandLine::tr("\"%1\" is the name of one bus and the number of another. Rename it."),
                     {name});
 }
@@ -244,7 +241,7 @@ Checked<Place> placeMeant(const Call &call, const Project *project, const QStrin
         return atStation(call, *project, stations, typed);
     stations.push_back(*onBus);
     return badInput(
-        QStringLiteral("placeNotUnique"),
+        "placeNotUnique",
         CommandLine::tr("\"%1\" is a station of the project, and a place on a bus. Give the number "
                         "of the bus and the place: %2."),
         {typed, numbers(stations)});
@@ -312,8 +309,7 @@ Checked<BusAccess *> busMeant(const Call &call, const QString &kind)
 {
     const std::vector<BusAccess *> buses = busesOf(call, kind);
     if (buses.empty())
-        return badInput(QStringLiteral("noSuchBus"),
-                        CommandLine::tr("The link leads to no bus of this kind: %1."),
+        return badInput("noSuchBus", CommandLine::tr("The link leads to no bus of this kind: %1."),
                         {busKind(kind)->title()});
     return oneOf(call, buses, busOption);
 }
@@ -324,7 +320,7 @@ Checked<BusAccess *> ringOfFaults(const Call &call)
     std::ranges::copy_if(call.links, std::back_inserter(rings), &BusAccess::followsFaultPlan);
     if (rings.empty())
         return badInput(
-            QStringLiteral("faultPlanOnLine"),
+            "faultPlanOnLine",
             CommandLine::tr("A fault plan is for the ring of the training bus. Leave --fault-plan "
                             "out."));
     return oneOf(call, rings, faultBusOption);

@@ -23,8 +23,7 @@ QString nameOf(const Option &option)
 tl::unexpected<Complaint> unknownOption(const QString &name, std::span<const Option> options,
                                         const QString &who)
 {
-    return badInput(QStringLiteral("unknownOption"),
-                    CommandLine::tr("There is no option \"%1\" of %2. Its options are: %3."),
+    return badInput("unknownOption", CommandLine::tr("There is no option \"%1\" of %2. Its options are: %3."),
                     {name, who, listed(options, nameOf)});
 }
 
@@ -62,8 +61,7 @@ private:
         if (option == m_options.end())
             return unknownOption(name, m_options, m_who);
         if (m_result.options.contains(name))
-            return badInput(QStringLiteral("optionGivenTwice"),
-                            CommandLine::tr("%1 is given twice. Give it once."), {name});
+            return badInput("optionGivenTwice", CommandLine::tr("%1 is given twice. Give it once."), {name});
         const auto value = valueOf(*option, word);
         if (!value)
             return tl::unexpected(value.error());
@@ -77,14 +75,14 @@ private:
         const bool attached = word.contains(u'=');
         if (!option.value) {
             if (attached)
-                return badInput(QStringLiteral("optionWithoutValue"),
-                                CommandLine::tr("%1 takes no value. Give it alone."), {name});
+                return badInput("optionWithoutValue", CommandLine::tr("%1 takes no value. Give it alone."),
+                                {name});
             return QString();
         }
         if (attached)
             return word.section(u'=', 1);
         if (m_next == m_words.size())
-            return badInput(QStringLiteral("optionNeedsValue"), CommandLine::tr("%1 needs a value: %1 %2."),
+            return badInput("optionNeedsValue", CommandLine::tr("%1 needs a value: %1 %2."),
                             {name, QString::fromLatin1(option.value)});
         return m_words[m_next++];
     }
@@ -116,7 +114,7 @@ Checked<int> Arguments::number(const char *option, int otherwise, int minimum, i
         return otherwise;
     const auto given = parseNumber(*text);
     if (!given || *given < minimum || *given > maximum)
-        return badInput(QStringLiteral("optionOutOfRange"),
+        return badInput("optionOutOfRange",
                         CommandLine::tr("%1 cannot be \"%2\". Give a whole number from %3 to %4."),
                         {QString::fromLatin1(option), *text, std::int64_t{minimum}, std::int64_t{maximum}});
     return static_cast<int>(*given);

@@ -80,7 +80,7 @@ int fail(const Complaint &complaint, const QString &command, const QStringList &
 
 Complaint aboutUnknownCommand(const QString &name)
 {
-    return badInput(QStringLiteral("unknownCommand"),
+    return badInput("unknownCommand",
                     CommandLine::tr("There is no command \"%1\". The commands are: %2. See codewheel-cli "
                                     "--help."),
                     {name, commandNames()})
@@ -89,8 +89,8 @@ Complaint aboutUnknownCommand(const QString &name)
 
 Complaint aboutMissingCommand()
 {
-    return badInput(QStringLiteral("missingCommand"),
-                    CommandLine::tr("Name a command: %1. See codewheel-cli --help."), {commandNames()})
+    return badInput("missingCommand", CommandLine::tr("Name a command: %1. See codewheel-cli --help."),
+                    {commandNames()})
         .value();
 }
 
@@ -98,11 +98,10 @@ Checked<void> checkCount(const Subcommand &command, const Arguments &arguments)
 {
     const QString call = callOf(command);
     if (arguments.rest.size() < command.arguments.least)
-        return badInput(QStringLiteral("missingArgument"),
-                        CommandLine::tr("Something is missing. Usage: codewheel-cli %1"), {call});
+        return badInput("missingArgument", CommandLine::tr("Something is missing. Usage: codewheel-cli %1"),
+                        {call});
     if (arguments.rest.size() > command.arguments.most)
-        return badInput(QStringLiteral("tooManyArguments"),
-                        CommandLine::tr("\"%1\" is too much. Usage: codewheel-cli %2"),
+        return badInput("tooManyArguments", CommandLine::tr("\"%1\" is too much. Usage: codewheel-cli %2"),
                         {arguments.rest[command.arguments.most], call});
     return {};
 }

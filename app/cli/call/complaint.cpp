@@ -7,11 +7,18 @@
 
 namespace codewheel {
 
-tl::unexpected<Complaint> badInput(const QString &key, const QString &pattern,
+tl::unexpected<Complaint> badInput(const char *key, const QString &pattern,
                                    std::vector<RefusalArgument> arguments)
 {
     const QString text = sentence(pattern, argumentTexts(arguments));
-    return tl::unexpected(Complaint{ExitCode::badInput, key, text, std::move(arguments)});
+    return tl::unexpected(
+        Complaint{ExitCode::badInput, QString::fromLatin1(key), text, std::move(arguments)});
+}
+
+Complaint notDone(const char *key, const QString &text, std::vector<RefusalArgument> arguments,
+                  const QString &command)
+{
+    return {ExitCode::refused, QString::fromLatin1(key), text, std::move(arguments), command};
 }
 
 Complaint complaintAbout(const Refusal &refusal)

@@ -23,8 +23,12 @@ template <typename T>
 using Checked = tl::expected<T, Complaint>;
 
 // Bad input of the call itself. `pattern` is a translated sentence with %1.. for the arguments.
-tl::unexpected<Complaint> badInput(const QString &key, const QString &pattern,
+tl::unexpected<Complaint> badInput(const char *key, const QString &pattern,
                                    std::vector<RefusalArgument> arguments = {});
+
+// What was refused, or is not known to be done.
+Complaint notDone(const char *key, const QString &text, std::vector<RefusalArgument> arguments = {},
+                  const QString &command = {});
 
 // What core refused: exit 2 if the input is to blame, 1 if encoder or bus are. Where this computer knows more
 // of the cause, such as the program that has the port, the sentence is that of the doctor.

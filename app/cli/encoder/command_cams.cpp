@@ -191,7 +191,7 @@ Checked<std::optional<unsigned>> programFrom(const Arguments &arguments)
     bool isNumber = false;
     const int number = text->toInt(&isNumber);
     if (!isNumber)
-        return badInput(QStringLiteral("notANumber"),
+        return badInput("notANumber",
                         CommandLine::tr("\"%1\" is not a number of a cam program. Choose one from 1 to 8."),
                         {*text});
     if (const auto checked = checkCamProgramNumber(number); !checked)
@@ -278,9 +278,8 @@ void compare(CamCall &cams, const std::vector<CamProgram> &wanted)
     const auto differences = compareWith(cams, wanted);
     if (differences && !differences->empty())
         cams.answer.complaint =
-            Complaint{ExitCode::refused, QStringLiteral("camsDiffer"),
-                      sentence(CommandLine::tr("The encoder and the file differ in values: %1."),
-                               {QString::number(differences->size())})};
+            notDone("camsDiffer", sentence(CommandLine::tr("The encoder and the file differ in values: %1."),
+                                           {QString::number(differences->size())}));
 }
 
 QString wordList(const std::vector<Step> &steps)
@@ -350,13 +349,13 @@ Checked<Answer> runCams(const Call &call)
     const bool reads = what == QStringLiteral("read");
     const bool compares = what == QStringLiteral("compare");
     if (!reads && !compares && what != QStringLiteral("write"))
-        return badInput(QStringLiteral("unknownAction"),
-                        CommandLine::tr("\"%1\" is none of read, write and compare."), {what});
+        return badInput("unknownAction", CommandLine::tr("\"%1\" is none of read, write and compare."),
+                        {what});
     if (!reads && call.arguments.rest.size() < 3)
-        return badInput(QStringLiteral("missingFile"), CommandLine::tr("Name the file of the cam programs."));
+        return badInput("missingFile", CommandLine::tr("Name the file of the cam programs."));
     if (call.arguments.has("--stay") && call.arguments.has("--to-position"))
         return badInput(
-            QStringLiteral("optionsContradict"),
+            "optionsContradict",
             CommandLine::tr("--stay and --to-position contradict each other. Leave out one of them."));
     const auto program = programFrom(call.arguments);
     if (!program)

@@ -180,7 +180,7 @@ Checked<Answer> runDevices(const Call &call)
     const auto label = call.arguments.value("--label");
     const auto file = call.arguments.value("--check");
     if (label.has_value() + file.has_value() + !call.arguments.rest.isEmpty() > 1)
-        return badInput(QStringLiteral("oneQuestion"),
+        return badInput("oneQuestion",
                         CommandLine::tr("Give one of these: a NAME, --label KEY or --check FILE."));
     if (label)
         return labelAnswer(call.catalog, *label);

@@ -61,8 +61,7 @@ Checked<std::optional<T>> keyword(const Call &call, const char *option, const Na
             return std::optional(name.value);
         keys << QString::fromLatin1(name.name);
     }
-    return badInput(QStringLiteral("optionNotAllowed"),
-                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+    return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                     {QString::fromLatin1(option), *given, keys.join(QStringLiteral(", "))});
 }
 
@@ -70,7 +69,7 @@ Checked<QString> required(const Call &call, const char *option, const QString &v
 {
     if (const auto given = call.arguments.value(option))
         return *given;
-    return badInput(QStringLiteral("missingOption"), CommandLine::tr("%1 is missing. Give one of: %2."),
+    return badInput("missingOption", CommandLine::tr("%1 is missing. Give one of: %2."),
                     {QString::fromLatin1(option), values});
 }
 
@@ -89,7 +88,7 @@ Checked<DeviceDescription> labelledDevice(const Call &call, const QString &label
     }
     if (!name)
         return tl::unexpected(required(call, "--device", keys.join(QStringLiteral(", "))).error());
-    return badInput(QStringLiteral("labelOfOther"),
+    return badInput("labelOfOther",
                     CommandLine::tr("The key \"%1\" is not that of %2. It may be that of: %3."),
                     {label, *name, keys.join(QStringLiteral(", "))});
 }
@@ -115,8 +114,7 @@ Checked<std::optional<PositionCoding>> codingOf(const Call &call, const DeviceDe
     if (!given)
         return std::optional<PositionCoding>();
     if (protocolRules(device.profile).hasOneCoding(device))
-        return badInput(QStringLiteral("oneCodingOnly"),
-                        CommandLine::tr("The %1 has one coding only. Leave --coding out."),
+        return badInput("oneCodingOnly", CommandLine::tr("The %1 has one coding only. Leave --coding out."),
                         {device.fullName()});
     const DeviceDescription *withCoding = &device;
     for (const DeviceDescription &other : call.catalog.devices())

@@ -72,8 +72,8 @@ Checked<NamedValues> namedValues(const DeviceDescription &device, bool tellsVers
     const bool isAll = names.isEmpty();
     const auto versions = tellsVersion ? names.removeAll(versionName) : 0;
     if (versions > 1)
-        return badInput(QStringLiteral("parameterGivenTwice"),
-                        CommandLine::tr("\"%1\" is there twice. Give it once."), {versionName});
+        return badInput("parameterGivenTwice", CommandLine::tr("\"%1\" is there twice. Give it once."),
+                        {versionName});
     auto parameters = parametersToRead(device, names);
     if (!parameters)
         return tl::unexpected(parameters.error());

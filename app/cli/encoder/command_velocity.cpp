@@ -28,7 +28,7 @@ Checked<SwitchMode> modeJob(const QString &wanted)
         return SwitchMode{Mode::velocity};
     if (wanted == QStringLiteral("off"))
         return SwitchMode{Mode::position};
-    return badInput(QStringLiteral("onOrOff"), CommandLine::tr("\"%1\" is neither on nor off."), {wanted});
+    return badInput("onOrOff", CommandLine::tr("\"%1\" is neither on nor off."), {wanted});
 }
 
 QString readingText(const Reading &reading)

@@ -52,8 +52,7 @@ Checked<SendWords::AfterError> afterErrorFrom(const Arguments &arguments)
         return SendWords::AfterError::stop;
     if (text == QStringLiteral("go-on"))
         return SendWords::AfterError::goOn;
-    return badInput(QStringLiteral("optionNotAllowed"),
-                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+    return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                     {QStringLiteral("--after-error"), text, QStringLiteral("stop, go-on")});
 }
 

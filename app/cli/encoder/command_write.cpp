@@ -155,7 +155,7 @@ Checked<void> checkStore(const Call &call, const EncoderSession &encoder)
     if (!call.arguments.has("--store"))
         return {};
     if (call.project == nullptr)
-        return badInput(QStringLiteral("storeNeedsProject"),
+        return badInput("storeNeedsProject",
                         CommandLine::tr("--store keeps values in a project. Name it with --project FILE."));
     const auto why = ProjectPlaces(*call.project, call.buses).hindrance(encoder.place());
     return why ? Checked<void>(tl::unexpected(complaintAbout(*why))) : Checked<void>();

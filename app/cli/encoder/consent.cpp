@@ -13,8 +13,7 @@ Checked<void> checkWasShown(const Call &call)
     if (call.terminal.canPrint())
         return {};
     return tl::unexpected(
-        Complaint{ExitCode::refused, QStringLiteral("outputFailed"),
-                  CommandLine::tr("Nothing was sent: what would be sent could not be shown.")});
+        notDone("outputFailed", CommandLine::tr("Nothing was sent: what would be sent could not be shown.")));
 }
 
 Checked<void> consent(const Call &call, const QString &question, const QString &howWithoutAsking)
@@ -24,9 +23,9 @@ Checked<void> consent(const Call &call, const QString &question, const QString &
     if (call.arguments.has("--yes"))
         return {};
     if (!call.terminal.isInteractive || call.arguments.has("--json"))
-        return badInput(QStringLiteral("noConsent"), howWithoutAsking);
+        return badInput("noConsent", howWithoutAsking);
     if (!call.terminal.confirms(question))
-        return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
+        return badInput("declined", CommandLine::tr("Nothing was sent."));
     return {};
 }
 
@@ -40,7 +39,7 @@ Checked<void> checkTargetFile(const Arguments &arguments, const QString &path, c
 {
     // No file is overwritten unasked.
     if (!arguments.has("--yes") && QFileInfo::exists(path))
-        return badInput(QStringLiteral("fileExists"), whereThere, {path});
+        return badInput("fileExists", whereThere, {path});
     if (const auto can = checkReplaceable(path); !can)
         return tl::unexpected(complaintAbout(can.error()));
     return {};

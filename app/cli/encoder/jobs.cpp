@@ -242,14 +242,12 @@ std::optional<Complaint> foundInParameterization(const Call &call, const Encoder
     if (encoder.latest().state != EncoderState::parameterization)
         return std::nullopt;
     const QString place = encoder.place().shown();
-    return Complaint{
-        ExitCode::refused,
-        QStringLiteral("foundInParameterization"),
+    return notDone(
+        "foundInParameterization",
         sentence(CommandLine::tr("%1 is in parameterization and gives no position; what was read of it "
                                  "holds until run. %2"),
                  {place, whatRunMakesValid(encoder)}),
-        {place},
-        commandOfRun(call, encoder)};
+        {place}, commandOfRun(call, encoder));
 }
 
 Complaint complaintAboutJob(const Call &call, Place place, const Refusal &why)

@@ -38,8 +38,7 @@ Checked<const ParameterDescription *> parameterNamed(const DeviceDescription &de
 {
     const auto parameter = parameterFromKey(name);
     if (!parameter)
-        return badInput(QStringLiteral("unknownParameter"),
-                        CommandLine::tr("There is no parameter \"%1\". The %2 has: %3."),
+        return badInput("unknownParameter", CommandLine::tr("There is no parameter \"%1\". The %2 has: %3."),
                         {name, device.fullName(), namesOf(device, condition)});
     const ParameterDescription *description = device.find(*parameter);
     if (!description)
@@ -48,7 +47,7 @@ Checked<const ParameterDescription *> parameterNamed(const DeviceDescription &de
             {RefusalKind::badInput, RefusalId::parameterNotSupported, {*parameter, device.fullName()}},
             condition);
     if (description->onLabel)
-        return badInput(QStringLiteral("parameterOnLabel"),
+        return badInput("parameterOnLabel",
                         CommandLine::tr("%1 is only on the label of the %2: it is neither read nor written "
                                         "over the bus. There are: %3."),
                         {*parameter, device.fullName(), namesOf(device, condition)});
@@ -102,7 +101,7 @@ Checked<Word> wordFrom(const QString &text)
     if (const auto word = parseHexWord(text))
         return *word;
     return badInput(
-        QStringLiteral("notAWord"),
+        "notAWord",
         CommandLine::tr("\"%1\" is not a word. Give up to 8 hexadecimal digits, such as 020000FF."), {text});
 }
 
@@ -126,7 +125,7 @@ Checked<ParameterValues> valuesToWrite(const DeviceDescription &device, const QS
     for (const QString &assignment : assignments) {
         const qsizetype equals = assignment.indexOf(u'=');
         if (equals < 0)
-            return badInput(QStringLiteral("notAnAssignment"),
+            return badInput("notAnAssignment",
                             CommandLine::tr("\"%1\" is not PARAMETER=VALUE. Write for example steps=255."),
                             {assignment});
         const auto parameter =
@@ -147,7 +146,7 @@ Checked<const DeviceDescription *> deviceNamed(const Catalog &catalog, const QSt
 {
     if (const DeviceDescription *device = catalog.find(key))
         return device;
-    return badInput(QStringLiteral("unknownDeviceName"),
+    return badInput("unknownDeviceName",
                     CommandLine::tr("There is no device named \"%1\". The names are: %2."),
                     {key, listed(catalog.devices(), &DeviceDescription::key)});
 }

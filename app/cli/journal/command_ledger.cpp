@@ -181,7 +181,7 @@ Checked<Answer> runLedger(const Call &call)
     if (what == QStringLiteral("merge") && names.size() == 1)
         return mergeLedgerFolder(call, names.front());
     return badInput(
-        QStringLiteral("badLedgerCall"),
+        "badLedgerCall",
         CommandLine::tr("\"%1\" is not understood. The ledger is listed, by encoder or with entries "
                         "one by one, or carried with export FILE, import FILE... and merge FOLDER."),
         {words.join(u' ')});

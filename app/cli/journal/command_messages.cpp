@@ -56,7 +56,7 @@ Checked<std::optional<TypedTime>> timeFrom(const Call &call, const char *option)
         return std::nullopt;
     const auto at = TypedTime::parse(*text, QTimeZone::systemTimeZone());
     if (!at)
-        return badInput(QStringLiteral("badTime"),
+        return badInput("badTime",
                         CommandLine::tr("\"%1\" is not a time. Write it as 2026-03-01 or 2026-03-01T14:02."),
                         {*text});
     return at;
@@ -76,11 +76,10 @@ std::optional<BusId> busTyped(const Call &call, const QString &typed)
 tl::unexpected<Complaint> unknownBus(const Call &call, const QString &typed)
 {
     if (call.project == nullptr)
-        return badInput(QStringLiteral("badBus"),
+        return badInput("badBus",
                         CommandLine::tr("\"%1\" is not a bus. Write its number, or its name with --project."),
                         {typed});
-    return badInput(QStringLiteral("badBus"),
-                    CommandLine::tr("\"%1\" is not a bus of the project. Its buses are: %2."),
+    return badInput("badBus", CommandLine::tr("\"%1\" is not a bus of the project. Its buses are: %2."),
                     {typed, listed(call.project->buses, &PlannedBus::name)});
 }
 
@@ -99,7 +98,7 @@ Checked<MessageFilter::Where> busFrom(const Call &call, const QString &bus)
 {
     if (call.arguments.has("--place"))
         return badInput(
-            QStringLiteral("badOption"),
+            "badOption",
             CommandLine::tr("Give --place or --bus, not both. A place on another bus is written as 3/1.0."));
     const auto id = busTyped(call, bus);
     if (!id)
@@ -116,7 +115,7 @@ Checked<MessageFilter::Where> placeFrom(const Call &call)
         return MessageFilter::Where{};
     const auto number = placeTyped(call, *text);
     if (!number && *text != QStringLiteral("bus"))
-        return badInput(QStringLiteral("badPlace"),
+        return badInput("badPlace",
                         CommandLine::tr("\"%1\" is not a place. Write it as 1.0, with its bus as 3/1.0, or "
                                         "with the name of the bus and --project; or write bus."),
                         {*text});
@@ -130,7 +129,7 @@ Checked<MessageFilter> filterFrom(const Call &call)
         const auto severity = severityFromKey(*text);
         if (!severity)
             return badInput(
-                QStringLiteral("badSeverity"),
+                "badSeverity",
                 CommandLine::tr("\"%1\" is not a severity. There are: information, attention, fault."),
                 {*text});
         filter.least = *severity;
@@ -231,7 +230,7 @@ Checked<std::optional<ExportTarget>> exportTargetOf(const Arguments &arguments)
         return std::nullopt;
     const auto format = MessageWriter::formatOf(*path);
     if (!format)
-        return badInput(QStringLiteral("badFormat"),
+        return badInput("badFormat",
                         CommandLine::tr("\"%1\" names no format. Let the name end in .csv or .html."),
                         {*path});
     if (const auto can = checkTargetFile(arguments, *path); !can)

@@ -32,10 +32,8 @@ std::optional<Complaint> LedgerAccount::complaint() const
 {
     if (std::ranges::none_of(m_keepers, &LedgerKeeper::hasUncounted))
         return std::nullopt;
-    return Complaint{ExitCode::refused,
-                     QStringLiteral("notCounted"),
-                     CommandLine::tr("The EEPROM writes of this call are not entered in the ledger."),
-                     {}};
+    return notDone("notCounted",
+                   CommandLine::tr("The EEPROM writes of this call are not entered in the ledger."));
 }
 
 void complainAboutLedgers(const std::vector<BusAccess *> &links, const Terminal &terminal)

@@ -97,10 +97,8 @@ std::optional<Complaint> complaintAboutFiles(const SharedFiles &files)
     if (files.notRead.isEmpty())
         return std::nullopt;
     const QString reasons = files.reasons.join(u' ');
-    return Complaint{ExitCode::refused,
-                     QStringLiteral("ledgerFilesNotRead"),
-                     sentence(CommandLine::tr("Not taken in, and left as they are: %1"), {reasons}),
-                     {reasons}};
+    return notDone("ledgerFilesNotRead",
+                   sentence(CommandLine::tr("Not taken in, and left as they are: %1"), {reasons}), {reasons});
 }
 
 // Not written again if nothing is new, so that what keeps the folder alike on several computers has nothing
@@ -179,7 +177,7 @@ Checked<Answer> mergeLedgerFolder(const Call &call, const QString &path)
 {
     const QDir folder(path);
     if (!folder.exists())
-        return badInput(QStringLiteral("noFolder"), CommandLine::tr("There is no folder %1."), {path});
+        return badInput("noFolder", CommandLine::tr("There is no folder %1."), {path});
     const QString own = ownFileIn(folder);
     const FolderLock lock(own);
     if (lock.isRefused())

@@ -70,10 +70,10 @@ Checked<const LinkKind *> kindMeant(LinkText &text, const QString &typed)
         return *found;
     const QString where = text.link();
     if (!protocol)
-        return badInput(QStringLiteral("protocolMissing"),
+        return badInput("protocolMissing",
                         CommandLine::tr("Say with protocol= what is spoken at %1. There is: %2."),
                         {where, listed(those, &LinkKind::bus)});
-    return badInput(QStringLiteral("unknownProtocol"),
+    return badInput("unknownProtocol",
                     CommandLine::tr("\"%1\" is not spoken at %2. What protocol= can name there: %3."),
                     {*protocol, where, listed(those, &LinkKind::bus)});
 }
@@ -85,8 +85,8 @@ Checked<void> checkEachOnce(const QStringList &settings)
     for (const QString &setting : settings) {
         const QString key = setting.section(u'=', 0, 0);
         if (!key.isEmpty() && keys.contains(key))
-            return badInput(QStringLiteral("linkSettingGivenTwice"),
-                            CommandLine::tr("%1 is given twice. Give it once."), {key});
+            return badInput("linkSettingGivenTwice", CommandLine::tr("%1 is given twice. Give it once."),
+                            {key});
         keys << key;
     }
     return {};
@@ -106,7 +106,7 @@ Checked<std::vector<MakeLink>> plannedLinks(const std::vector<const LinkKind *> 
                                             const QStringList &settings, const Project *project)
 {
     if (project == nullptr)
-        return badInput(QStringLiteral("noProject"),
+        return badInput("noProject",
                         CommandLine::tr("The link \"%1\" needs a project. Name it with --project FILE."),
                         {link});
     std::vector<MakeLink> links;
@@ -120,8 +120,7 @@ Checked<std::vector<MakeLink>> plannedLinks(const std::vector<const LinkKind *> 
         links.push_back(*std::move(planned));
     }
     if (links.empty())
-        return badInput(QStringLiteral("noBuses"),
-                        CommandLine::tr("The project has no buses for the link \"%1\"."), {link});
+        return badInput("noBuses", CommandLine::tr("The project has no buses for the link \"%1\"."), {link});
     return links;
 }
 
@@ -213,8 +212,8 @@ Checked<std::vector<MakeLink>> linksMeant(const QString &typed, const Project *p
 
 tl::unexpected<Complaint> unknownLink(const QString &typed)
 {
-    return badInput(QStringLiteral("unknownLink"),
-                    CommandLine::tr("There is no link \"%1\". The links are: %2."), {typed, linksThereAre()});
+    return badInput("unknownLink", CommandLine::tr("There is no link \"%1\". The links are: %2."),
+                    {typed, linksThereAre()});
 }
 
 } // namespace codewheel

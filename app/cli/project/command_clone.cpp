@@ -61,7 +61,7 @@ Checked<Answer> runClone(const Call &call)
     for (const EncoderSession *to : targets)
         wishes.push_back(wishToClone(**from, *to, call.arguments.has("--cams")));
     if (wishes.front().values.empty())
-        return badInput(QStringLiteral("nothingKnown"),
+        return badInput("nothingKnown",
                         CommandLine::tr("Nothing is known of %1: it cannot be read, and nothing was written "
                                         "to it from here."),
                         {call.arguments.rest.front()});

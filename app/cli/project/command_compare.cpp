@@ -82,15 +82,14 @@ std::optional<Complaint> complaintAboutAll(const QString &project, int differenc
                                                         "or it cannot be reached: %1."),
                                         {names});
     if (differences > 0)
-        return Complaint{ExitCode::refused,
-                         QStringLiteral("busDiffers"),
-                         (sentence(CommandLine::tr("The bus differs from %1. Lines that differ: %2."),
-                                   {project, QString::number(differences)}) +
-                          u' ' + left)
-                             .trimmed(),
-                         {project}};
+        return notDone("busDiffers",
+                       (sentence(CommandLine::tr("The bus differs from %1. Lines that differ: %2."),
+                                 {project, QString::number(differences)}) +
+                        u' ' + left)
+                           .trimmed(),
+                       {project});
     if (!others.isEmpty())
-        return Complaint{ExitCode::refused, QStringLiteral("notAllCompared"), left, {names}};
+        return notDone("notAllCompared", left, {names});
     return std::nullopt;
 }
 

@@ -63,12 +63,12 @@ Checked<NamedDevice> newDevice(const Call &call, const ProjectDevice &planned)
     const auto named = call.arguments.value("--device");
     const auto label = call.arguments.value("--label");
     if (named && label)
-        return badInput(QStringLiteral("deviceAndLabel"),
+        return badInput("deviceAndLabel",
                         CommandLine::tr("Give --device or --label, not both: each names the new encoder."));
     if (named || label)
         return deviceMeant(call, place, label.value_or(named.value_or(QString())));
     if (planned.participant.deviceKey.isEmpty())
-        return badInput(QStringLiteral("deviceNotNamed"),
+        return badInput("deviceNotNamed",
                         CommandLine::tr("The project does not name the encoder at %1. Name the new one with "
                                         "--device or --label."),
                         {place.shown()});
@@ -100,13 +100,13 @@ Checked<std::optional<std::int64_t>> positionMeant(const Call &call, const Proje
     if (*typed == QStringLiteral("last")) {
         if (planned.lastPosition)
             return planned.lastPosition->position;
-        return badInput(QStringLiteral("noLastPosition"),
+        return badInput("noLastPosition",
                         CommandLine::tr("The project knows no last position of %1. Give it as a number."),
                         {planned.place().shown()});
     }
     const auto position = parseNumber(*typed);
     if (!position)
-        return badInput(QStringLiteral("badPosition"),
+        return badInput("badPosition",
                         CommandLine::tr("\"%1\" is not a position. Give a whole number, 0 or more."),
                         {*typed});
     return position;
@@ -186,7 +186,7 @@ void showDifferences(const Call &call, const ProjectDevice &planned, const Repla
 Checked<Answer> runReplace(const Call &call)
 {
     if (call.project == nullptr)
-        return badInput(QStringLiteral("missingProject"),
+        return badInput("missingProject",
                         CommandLine::tr("Name the project with --project FILE: the values are taken from it, "
                                         "and the new encoder is put into it."));
     const auto encoder = encoderAt(call, call.arguments.rest.front());

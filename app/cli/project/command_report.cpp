@@ -52,13 +52,13 @@ Checked<ReportTarget> reportTargetOf(const Arguments &arguments)
     const auto path = arguments.value("-o");
     if (!path)
         return badInput(
-            QStringLiteral("missingFile"),
+            "missingFile",
             CommandLine::tr("Name the file of the report: -o FILE, with a name that ends in .html "
                             "or .pdf."));
     const auto format = reportFormat(*path);
     if (!format)
         return badInput(
-            QStringLiteral("reportFormatUnknown"),
+            "reportFormatUnknown",
             CommandLine::tr("\"%1\" ends neither in .html nor in .pdf. A report is a web page or a "
                             "PDF."),
             {*path});

@@ -66,7 +66,7 @@ Checked<TypedTime> timeMeant(const QString &typed, const QDateTime &now)
     const QString text = typed.contains(u'T') ? typed : now.date().toString(Qt::ISODate) + u'T' + typed;
     if (const auto at = TypedTime::parse(text, now.timeZone()))
         return *at;
-    return badInput(QStringLiteral("badTime"),
+    return badInput("badTime",
                     CommandLine::tr("\"%1\" is not a time. Write it as 14:02 or 2026-03-01T14:02."), {typed});
 }
 
@@ -88,7 +88,7 @@ Checked<ValuesBefore> valuesMeant(const Call &call, const std::vector<ValuesBefo
     const auto found = std::ranges::find_if(all, [&](const ValuesBefore &one) { return at->covers(one.at); });
     if (found == all.end())
         return badInput(
-            QStringLiteral("noWriteThen"),
+            "noWriteThen",
             CommandLine::tr(
                 "No earlier values of %1 are kept for a write at %2. See codewheel-cli restore %1 --list."),
             {all.front().place.shown(), *call.arguments.value("--at")});

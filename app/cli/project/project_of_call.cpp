@@ -58,7 +58,7 @@ Checked<std::optional<Project>> projectOf(const Subcommand &command, const Argum
         return std::nullopt;
     const QString file = isNamed ? arguments.rest.front() : *option;
     if (option && QFileInfo(*option).canonicalFilePath() != QFileInfo(file).canonicalFilePath())
-        return badInput(QStringLiteral("twoProjects"),
+        return badInput("twoProjects",
                         CommandLine::tr("The call names two projects: %1 and %2. Leave --project out."),
                         {file, *option});
     return loadProject(file).map_error(complaintAbout).map([](Project &&project) {

@@ -94,12 +94,12 @@ Checked<void> checkReport(const Arguments &arguments)
     if (!path)
         return {};
     if (arguments.has("--dry-run"))
-        return badInput(QStringLiteral("reportOfDryRun"),
+        return badInput("reportOfDryRun",
                         CommandLine::tr("With --dry-run nothing is written, so there is nothing to report. "
                                         "Leave out --report or --dry-run."));
     if (path->endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive))
         return badInput(
-            QStringLiteral("reportFormatUnknown"),
+            "reportFormatUnknown",
             CommandLine::tr("\"%1\" ends in .pdf. What was written is saved as a web page (.html), or "
                             "as text under any other name."),
             {*path});
@@ -130,9 +130,9 @@ std::optional<Complaint> complaintAboutAccount(const Call &call, const TransferA
     const auto failed = std::ranges::find_if_not(account.encoders, &EncoderAccount::isDone);
     if (failed == account.encoders.end())
         return std::nullopt;
-    Complaint complaint{
-        ExitCode::refused, QStringLiteral("notAllDone"),
-        sentence(CommandLine::tr("Not all of it was written, first of all to %1."), {failed->place.shown()})};
+    Complaint complaint =
+        notDone("notAllDone", sentence(CommandLine::tr("Not all of it was written, first of all to %1."),
+                                       {failed->place.shown()}));
     if (failed->why) {
         const Complaint why = complaintAboutJob(call, failed->place, *failed->why);
         complaint.key = why.key;

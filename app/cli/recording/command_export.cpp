@@ -54,7 +54,7 @@ Checked<void> checkTargets(const Arguments &arguments, const QString &recording,
     for (const QString &path : {table, description}) {
         if (QFileInfo::exists(path) && QFileInfo(path) == QFileInfo(recording))
             return badInput(
-                QStringLiteral("fileExists"),
+                "fileExists",
                 CommandLine::tr("%1 is the recording itself. Nothing was saved. Name another file."), {path});
         if (auto can = checkTargetFile(arguments, path); !can)
             return can;
@@ -66,7 +66,7 @@ Checked<CsvStyle> styleMeant(const Arguments &arguments)
 {
     if (arguments.has("--locale") && arguments.has("--dates"))
         return badInput(
-            QStringLiteral("badOption"),
+            "badOption",
             CommandLine::tr("Give --locale or --dates, not both: with --locale the first column has "
                             "dates and times of day."));
     const QTimeZone zone = QTimeZone::systemTimeZone();
@@ -77,8 +77,7 @@ Checked<CsvStyle> styleMeant(const Arguments &arguments)
 
 Complaint aboutStopping()
 {
-    return {ExitCode::refused, QStringLiteral("exportCancelled"),
-            CommandLine::tr("The export was cancelled. Nothing was saved.")};
+    return notDone("exportCancelled", CommandLine::tr("The export was cancelled. Nothing was saved."));
 }
 
 // False: a signal came.
@@ -169,8 +168,8 @@ Checked<Answer> runExport(const Call &call)
     if (!table)
         return Answer{.text = facts->text(), .json = facts->json()};
     if (!facts->span)
-        return badInput(QStringLiteral("nothingThen"),
-                        CommandLine::tr("%1 has no values: no encoder has shown anything."), {file});
+        return badInput("nothingThen", CommandLine::tr("%1 has no values: no encoder has shown anything."),
+                        {file});
     return exportTable(call, **archive, *facts, *table);
 }
 

@@ -51,8 +51,7 @@ Checked<std::optional<CanLogTimes>> timesMeant(const Arguments &arguments)
     const auto found = std::ranges::find(allTimes, *given, timesKey);
     if (found != std::end(allTimes))
         return *found;
-    return badInput(QStringLiteral("optionNotAllowed"),
-                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+    return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                     {QStringLiteral("--times"), *given, listed(allTimes, timesKey)});
 }
 
@@ -239,26 +238,22 @@ std::optional<Complaint> complaintAfter(LogSource::State state, const LogSource 
                                         const CanLogReader &reader)
 {
     if (state == LogSource::State::wasStopped)
-        return Complaint{ExitCode::refused, QStringLiteral("framesCancelled"),
-                         CommandLine::tr("This was cancelled before the end of the log.")};
+        return notDone("framesCancelled", CommandLine::tr("This was cancelled before the end of the log."));
     if (state == LogSource::State::failed)
         return aboutSource(source);
     if (state != LogSource::State::isAtEnd || reader.frames() > 0)
         return std::nullopt;
-    return Complaint{ExitCode::refused,
-                     QStringLiteral("noFrames"),
-                     sentence(CommandLine::tr("There is no CAN frame in %1."), {source.path()}),
-                     {source.path()}};
+    return notDone("noFrames", sentence(CommandLine::tr("There is no CAN frame in %1."), {source.path()}),
+                   {source.path()});
 }
 
 Checked<void> checkNames(const Arguments &arguments)
 {
     if (arguments.rest.front().isEmpty())
-        return badInput(QStringLiteral("missingFile"), CommandLine::tr("Name the file of the log."));
+        return badInput("missingFile", CommandLine::tr("Name the file of the log."));
     const auto saved = arguments.value("--save");
     if (saved && saved->isEmpty())
-        return badInput(QStringLiteral("missingFile"),
-                        CommandLine::tr("Name the file to save the frames in: --save FILE."));
+        return badInput("missingFile", CommandLine::tr("Name the file to save the frames in: --save FILE."));
     return {};
 }
 
@@ -275,7 +270,7 @@ Checked<std::unique_ptr<FileReplacement>> fileToSave(const Arguments &arguments)
     if (!path)
         return nullptr;
     if (areOneFile(*path, arguments.rest.front()))
-        return badInput(QStringLiteral("fileExists"),
+        return badInput("fileExists",
                         CommandLine::tr("%1 is the log itself. Nothing was saved. Name another file."),
                         {*path});
     if (const auto can = checkTargetFile(arguments, *path); !can)
@@ -291,9 +286,9 @@ std::optional<Complaint> save(FileReplacement &file, const CanLogReader &reader,
                               bool asJson)
 {
     if (!reader.times())
-        return Complaint{ExitCode::refused, QStringLiteral("noTimes"),
-                         CommandLine::tr("The log has no times, and a log of candump needs them. Nothing was "
-                                         "saved.")};
+        return notDone("noTimes",
+                       CommandLine::tr("The log has no times, and a log of candump needs them. Nothing was "
+                                       "saved."));
     if (const auto saved = file.replace(); !saved)
         return complaintAbout(saved.error());
     if (!asJson)

@@ -62,8 +62,7 @@ Checked<std::set<Place>> allEncoders(const Call &call)
                          {link->name()}));
     }
     if (places.empty())
-        return badInput(QStringLiteral("nothingToRecord"),
-                        CommandLine::tr("There is no encoder to record. Name a PLACE."));
+        return badInput("nothingToRecord", CommandLine::tr("There is no encoder to record. Name a PLACE."));
     return places;
 }
 
@@ -157,10 +156,8 @@ Complaint aboutNothing(const RecordWish &wish)
     const QString what = wish.isOnServer()
                              ? CommandLine::tr("Nothing was recorded; the recording on %1 is empty.")
                              : CommandLine::tr("Nothing was recorded, and there is no file %1.");
-    return {ExitCode::refused,
-            wish.plan.trigger ? QStringLiteral("notTriggered") : QStringLiteral("nothingShown"),
-            why + u' ' + sentence(what, {wish.target()}),
-            {wish.target()}};
+    return notDone(wish.plan.trigger ? "notTriggered" : "nothingShown",
+                   why + u' ' + sentence(what, {wish.target()}), {wish.target()});
 }
 
 // What is wrong with the file has been told when it began.

@@ -47,7 +47,7 @@ Checked<Instant> timeMeant(const QString &text, const RecordingFacts &facts, Whi
         return recordedAt(facts.clock, std::chrono::milliseconds(moment.toMSecsSinceEpoch()), which);
     }
     return badInput(
-        QStringLiteral("badTime"),
+        "badTime",
         CommandLine::tr("\"%1\" is not a time. Write it as 2026-03-01T14:02:05.250, as +60 (seconds "
                         "from the beginning) or as -60 (before the end)."),
         {text});
@@ -73,8 +73,7 @@ Checked<TimeSpan> spanMeant(const Arguments &arguments, const RecordingFacts &fa
     if (span.from < span.to)
         return span;
     return badInput(
-        QStringLiteral("nothingThen"),
-        CommandLine::tr("Nothing was recorded then. The recording is from %1 to %2."),
+        "nothingThen", CommandLine::tr("Nothing was recorded then. The recording is from %1 to %2."),
         {recordedTimeText(facts.clock, facts.span->from), recordedTimeText(facts.clock, facts.span->to)});
 }
 

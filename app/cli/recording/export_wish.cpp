@@ -45,7 +45,7 @@ Checked<std::vector<Track>> tracksMeant(const Arguments &arguments, const Record
     for (const QString &text : typed->split(u',')) {
         const auto track = Track::parse(text.trimmed());
         if (!track || !hasTrack(facts, *track))
-            return badInput(QStringLiteral("noSuchTrack"),
+            return badInput("noSuchTrack",
                             CommandLine::tr("The recording has no \"%1\". It has: %2. One bit is 1.0/in.25."),
                             {text, listed(allTracks(facts), &Track::key)});
         if (std::ranges::count(tracks, *track) == 0)
@@ -121,7 +121,7 @@ Checked<std::optional<double>> millimetresPerTurnMeant(const Arguments &argument
     const double number = text->toDouble(&isNumber);
     if (isNumber && number > 0 && number <= millimetresOfMetre * millimetresOfMetre)
         return number;
-    return badInput(QStringLiteral("notANumber"),
+    return badInput("notANumber",
                     CommandLine::tr("\"%1\" is no way per turn. Write millimetres with a point: 31.4."),
                     {*text});
 }
@@ -133,8 +133,7 @@ Checked<TrackUnit> unitMeant(const Arguments &arguments)
         return TrackUnit::steps;
     if (const auto unit = trackUnit(*text))
         return *unit;
-    return badInput(QStringLiteral("optionNotAllowed"),
-                    CommandLine::tr("%1 cannot be \"%2\". There are: %3."),
+    return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". There are: %3."),
                     {QStringLiteral("--unit"), *text,
                      listed(trackUnits, [](TrackUnit unit) { return QString(unitKey(unit)); })});
 }
@@ -147,12 +146,12 @@ bool isScaled(Channel channel)
 tl::unexpected<Complaint> aboutScale(Place place, TrackUnit unit)
 {
     if (unit == TrackUnit::millimetres)
-        return badInput(QStringLiteral("unitNotKnown"),
+        return badInput("unitNotKnown",
                         CommandLine::tr("How much of a millimetre a step of %1 is does not follow from the "
                                         "recording. For an encoder on a shaft --mm-per-turn tells it."),
                         {place.key()});
     return badInput(
-        QStringLiteral("unitNotKnown"),
+        "unitNotKnown",
         CommandLine::tr("How many steps a turn of %1 has does not follow from the recording. Leave "
                         "--unit out, or name other tracks with --tracks."),
         {place.key()});

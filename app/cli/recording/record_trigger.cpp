@@ -15,9 +15,7 @@ constexpr unsigned bitsOfWord = 16;
 
 tl::unexpected<Complaint> aboutFault(TriggerFault fault, const QString &text)
 {
-    const auto about = [&](const QString &pattern) {
-        return badInput(QStringLiteral("badTrigger"), pattern, {text});
-    };
+    const auto about = [&](const QString &pattern) { return badInput("badTrigger", pattern, {text}); };
     switch (fault) {
     case TriggerFault::place:
         return about(
@@ -58,8 +56,7 @@ Checked<RecordingTrigger> checkBit(const Call &call, const RecordingTrigger &tri
     if (bit == nullptr || canHappen(call, *bit))
         return trigger;
     const QString what = channelKey(bit->channel) + u'.' + QString::number(bit->bit);
-    return badInput(QStringLiteral("noSuchBit"), CommandLine::tr("The encoder at %1 has no %2."),
-                    {bit->place.shown(), what});
+    return badInput("noSuchBit", CommandLine::tr("The encoder at %1 has no %2."), {bit->place.shown(), what});
 }
 
 // An encoder comes before a bus of the same name.

@@ -24,18 +24,18 @@ constexpr std::array countedFromTrigger{"--before", "--after"};
 Checked<void> checkCombination(const Arguments &arguments)
 {
     if (arguments.has("--for") && arguments.has("--trigger"))
-        return badInput(QStringLiteral("badOption"),
+        return badInput("badOption",
                         CommandLine::tr("Give --for or --trigger, not both. How long to record after the "
                                         "trigger is told by --after."));
     for (const char *option : countedFromTrigger)
         if (arguments.has(option) && !arguments.has("--trigger"))
             return badInput(
-                QStringLiteral("badOption"),
+                "badOption",
                 CommandLine::tr("%1 counts from a trigger: give --trigger too. Without one, --for "
                                 "tells how long to record."),
                 {QString::fromLatin1(option)});
     if (arguments.has("--device") && arguments.rest.isEmpty())
-        return badInput(QStringLiteral("missingPlace"),
+        return badInput("missingPlace",
                         CommandLine::tr("--device tells what the encoder at a PLACE is. Name the PLACE."));
     return {};
 }
@@ -45,7 +45,7 @@ Checked<QString> serverMeant(const Arguments &arguments)
 {
     if (arguments.has("-o"))
         return badInput(
-            QStringLiteral("badOption"),
+            "badOption",
             CommandLine::tr("Give -o or --to, not both: a recording is in a file or on a server."));
     const auto address = ServerAddress::parse(*arguments.value("--to"));
     if (!address)
@@ -57,7 +57,7 @@ Checked<QString> fileToMake(const Arguments &arguments)
 {
     const auto file = arguments.value("-o");
     if (!file || file->isEmpty())
-        return badInput(QStringLiteral("missingFile"),
+        return badInput("missingFile",
                         CommandLine::tr("Name the file of the recording: -o FILE, usually with a name that "
                                         "ends in .cwrec; or the server, --to ADDRESS."));
     const QFileInfo info(*file);

@@ -80,8 +80,8 @@ Checked<Answer> run(const Call &call)
     const Hindrances hindrances = hindrancesOf(call, ports);
     Answer answer{textOf(hindrances, ports), doctorJson(hindrances, ports)};
     if (std::ranges::find(hindrances, Hindrance::Weight::prevents, &Hindrance::weight) != hindrances.end())
-        answer.complaint = Complaint{ExitCode::refused, QStringLiteral("linkHindered"),
-                                     CommandLine::tr("Something keeps a link from working: see above.")};
+        answer.complaint =
+            notDone("linkHindered", CommandLine::tr("Something keeps a link from working: see above."));
     return answer;
 }
 

@@ -50,7 +50,7 @@ bool addListeners(FinderPlaces &places, const QString &typed)
 
 tl::unexpected<Complaint> isLinkWithoutPlace(const QString &typed)
 {
-    return badInput(QStringLiteral("findTakesNoLink"),
+    return badInput("findTakesNoLink",
                     CommandLine::tr("\"%1\" is a link. The search takes serial ports and hosts, such as "
                                     "ttyUSB0 or 192.168.0.5, and says which links lead there."),
                     {typed});
@@ -67,7 +67,7 @@ Checked<void> checkIsNoLink(const QString &typed)
     if (link->where.isEmpty() || linksWithoutPlace().contains(link->where))
         return isLinkWithoutPlace(typed);
     return badInput(
-        QStringLiteral("findTakesNoLink"),
+        "findTakesNoLink",
         CommandLine::tr("\"%1\" is a link. The search says which links lead to a place: type only %2."),
         {typed, link->where});
 }

@@ -37,7 +37,7 @@ Checked<void> checkOptionsOfKinds(const Call &call)
             continue;
         for (const Option &option : kind->scanOptions())
             if (call.arguments.has(option.name))
-                return badInput(QStringLiteral("optionOfOtherBus"),
+                return badInput("optionOfOtherBus",
                                 CommandLine::tr("%1 is for a bus that the link does not lead to: %2. "
                                                 "Leave it out."),
                                 {QString::fromLatin1(option.name), busKind(kind->bus())->title()});
@@ -51,7 +51,7 @@ Checked<void> checkProjectIsFree(const Arguments &arguments)
     const auto file = arguments.value("--save");
     if (!file || arguments.has("--yes") || !QFileInfo::exists(*file))
         return {};
-    return badInput(QStringLiteral("fileExists"),
+    return badInput("fileExists",
                     CommandLine::tr("%1 is there already. Nothing was saved. Name another file, or add --yes "
                                     "to replace it; the old one is kept as %2."),
                     {*file, backupPath(*file)});
@@ -140,8 +140,7 @@ void addFound(const Call &call, const BusAccess &bus, const Answer &found, QJson
 
 Complaint aboutNoSearch()
 {
-    return {ExitCode::refused, QStringLiteral("notSearched"),
-            CommandLine::tr("Not searched any more: the search was cancelled.")};
+    return notDone("notSearched", CommandLine::tr("Not searched any more: the search was cancelled."));
 }
 
 bool wasCancelled(const Answer &answer)

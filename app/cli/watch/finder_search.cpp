@@ -146,8 +146,7 @@ Answer FinderSearch::answer()
     if (isStopped())
         answer.complaint = aboutCancelling();
     else if (m_found.empty())
-        answer.complaint = Complaint{ExitCode::refused, QStringLiteral("nobodyFound"),
-                                     CommandLine::tr("No encoder or gateway was found.")};
+        answer.complaint = notDone("nobodyFound", CommandLine::tr("No encoder or gateway was found."));
     return answer;
 }
 

@@ -30,8 +30,7 @@ private:
     {
         const QString meaning = plainMeaning(device, line.toUtf8());
         if (meaning.isEmpty())
-            return badInput(QStringLiteral("notALine"), QStringLiteral("\"%1\" is no line of a plain node."),
-                            {line});
+            return badInput("notALine", QStringLiteral("\"%1\" is no line of a plain node."), {line});
         return Answer{QStringLiteral("%1, %2\n  %3\n").arg(line, device.fullName(), meaning),
                       {{QStringLiteral("line"), line},
                        {QStringLiteral("device"), device.key},

@@ -102,7 +102,7 @@ std::optional<Complaint> CanLogAccess::whyNot(const Subcommand &command) const
     if (std::ranges::find(onLogs, std::string_view(command.name)) != onLogs.end())
         return std::nullopt;
     return badInput(
-               QStringLiteral("notOnCanLog"),
+               "notOnCanLog",
                CommandLine::tr("%1 is a log: what is in it is over. It can be looked at by scan, monitor "
                                "and record."),
                {m_meant.file})
@@ -144,12 +144,11 @@ Checked<EncoderSession *> CanLogAccess::encoder(const Call &call, NodeId node, b
     const CanopenAddress address = CanopenAddress::of(node);
     if (!hasHeard(address.node))
         return tl::unexpected(
-            Complaint{ExitCode::refused,
-                      QStringLiteral("nodeSilent"),
-                      sentence(CommandLine::tr("Node %1 tells nothing in this log. codewheel-cli scan lists "
-                                               "those that do."),
-                               {address.shown()}),
-                      {address.place().toString()}});
+            notDone("nodeSilent",
+                    sentence(CommandLine::tr("Node %1 tells nothing in this log. codewheel-cli scan lists "
+                                             "those that do."),
+                             {address.shown()}),
+                    {address.place().toString()}));
     if (session().encoder(node) == nullptr) {
         const auto device = deviceOnNode(call, bus().placeOf(address.place()));
         if (!device)
@@ -183,13 +182,12 @@ Checked<CanLogMeant> logMeant(LinkText text)
     const auto mapping = text.take(mappingKey);
     meant.isUsuallyMapped = mapping.has_value();
     if (mapping && *mapping != QStringLiteral("yes"))
-        return badInput(QStringLiteral("canAgreementWrong"),
+        return badInput("canAgreementWrong",
                         CommandLine::tr("%1 cannot be \"%2\": write %1=yes, or leave it out."),
                         {mappingKey, *mapping});
     if (!text.settings.isEmpty())
         return badInput(
-            QStringLiteral("unknownCanSetting"),
-            CommandLine::tr("A log has no setting \"%1\". Its settings are: %2."),
+            "unknownCanSetting", CommandLine::tr("A log has no setting \"%1\". Its settings are: %2."),
             {text.settings.front(), QStringList{interfaceKey, mappingKey}.join(QStringLiteral(", "))});
     return meant;
 }

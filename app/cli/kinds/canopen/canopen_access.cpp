@@ -50,18 +50,17 @@ bool onlyListens(const Call &call)
 
 Complaint aboutSilentNode(CanopenAddress address, bool wasAsked)
 {
-    return {ExitCode::refused,
-            QStringLiteral("nodeSilent"),
-            sentence(wasAsked
-                         ? CommandLine::tr("Node %1 does not answer. Check its number, its supply and "
-                                           "the rate of the bus; a node that was stopped answers nothing "
-                                           "until it is started. codewheel-cli scan --ask looks for "
-                                           "nodes.")
-                         : CommandLine::tr("Nothing is heard of node %1. It may be waiting to be started "
-                                           "(codewheel-cli nmt start), or tell nothing by itself: "
-                                           "codewheel-cli scan --ask asks it."),
-                     {address.shown()}),
-            {address.place().toString()}};
+    return notDone(
+        "nodeSilent",
+        sentence(wasAsked ? CommandLine::tr("Node %1 does not answer. Check its number, its supply and "
+                                            "the rate of the bus; a node that was stopped answers nothing "
+                                            "until it is started. codewheel-cli scan --ask looks for "
+                                            "nodes.")
+                          : CommandLine::tr("Nothing is heard of node %1. It may be waiting to be started "
+                                            "(codewheel-cli nmt start), or tell nothing by itself: "
+                                            "codewheel-cli scan --ask asks it."),
+                 {address.shown()}),
+        {address.place().toString()});
 }
 
 } // namespace
@@ -436,7 +435,7 @@ Complaint CanopenAccess::aboutNobody() const
     if (m_adapter != nullptr)
         text += u' ' + CommandLine::tr("The adapter is closed now, which ends its attempts. If it goes on, "
                                        "unplug it.");
-    return {ExitCode::refused, QStringLiteral("nobodyAcknowledges"), text};
+    return notDone("nobodyAcknowledges", text);
 }
 
 std::optional<Complaint> CanopenAccess::whetherOnlyJ1939() const

@@ -52,7 +52,7 @@ std::optional<Complaint> CanopenAccess::whyNot(const Subcommand &command) const
         std::ranges::find(missingOnCan, std::string_view(command.name), &MissingOnCan::command);
     if (found == missingOnCan.end())
         return std::nullopt;
-    return badInput(QStringLiteral("notOnCanBus"), CommandLine::tr(found->why)).value();
+    return badInput("notOnCanBus", CommandLine::tr(found->why)).value();
 }
 
 std::unique_ptr<JobTrace> CanopenAccess::trace(const std::vector<const EncoderSession *> &)

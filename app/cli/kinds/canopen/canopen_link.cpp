@@ -30,7 +30,7 @@ Checked<void> takeAgreements(CanopenLink &link, LinkText &text)
         const QString key = QString::fromLatin1(one.key);
         const auto given = text.take(key);
         if (given && *given != agreement)
-            return badInput(QStringLiteral("canAgreementWrong"),
+            return badInput("canAgreementWrong",
                             CommandLine::tr("%1 cannot be \"%2\": write %1=yes, or leave it out."),
                             {key, *given});
         link.*one.what = given.has_value();
@@ -55,19 +55,19 @@ Checked<CanopenLink> simulatedLink(CanopenLink link, const LinkText &text)
         return unknownLink(text.link());
     if (text.settings.isEmpty())
         return link;
-    return badInput(QStringLiteral("unknownCanSetting"),
+    return badInput("unknownCanSetting",
                     CommandLine::tr("The simulated CAN bus has no setting \"%1\". Its settings are: %2."),
                     {text.settings.front(), canopenSettingKeys(canopenScheme).join(QStringLiteral(", "))});
 }
 
 Complaint noCanLink(const QString &bus)
 {
-    return {ExitCode::refused,
-            QStringLiteral("noCanLinkInProject"),
-            sentence(CommandLine::tr("The link that the project has for \"%1\" cannot be used. Name it, as "
-                                     "--link can:can0."),
-                     {bus}),
-            {bus}};
+    return notDone(
+        "noCanLinkInProject",
+        sentence(CommandLine::tr("The link that the project has for \"%1\" cannot be used. Name it, as "
+                                 "--link can:can0."),
+                 {bus}),
+        {bus});
 }
 
 } // namespace

@@ -209,13 +209,13 @@ Checked<ScannedCan> scanCan(const Call &call, CanopenAccess &bus)
     scanned.answer = answerOf(call.catalog, bus, scanned.nodes, asks);
     if (isStuck)
         scanned.answer.complaint =
-            Complaint{ExitCode::refused, QStringLiteral("scanStuck"),
-                      CommandLine::tr("Nothing that is sent gets out, so not all nodes were asked: what was "
-                                      "found until then is listed.")};
+            notDone("scanStuck",
+                    CommandLine::tr("Nothing that is sent gets out, so not all nodes were asked: what was "
+                                    "found until then is listed."));
     else if (!isWhole)
         scanned.answer.complaint =
-            Complaint{ExitCode::refused, QStringLiteral("scanCancelled"),
-                      CommandLine::tr("The search was cancelled: what was found until then is listed.")};
+            notDone("scanCancelled",
+                    CommandLine::tr("The search was cancelled: what was found until then is listed."));
     return scanned;
 }
 

@@ -172,8 +172,7 @@ Checked<void> setCommissioning(const Arguments &arguments, canopen::Commissionin
     if (!rate)
         return tl::unexpected(rate.error());
     if (std::ranges::find(rates, *rate) == rates.end())
-        return badInput(QStringLiteral("optionNotAllowed"),
-                        CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+        return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                         {QStringLiteral("--rate"), QString::number(*rate),
                          listed(rates, [](int each) { return QString::number(each); })});
     its.rate = *rate;
@@ -224,11 +223,10 @@ void tellDifferences(const QString &path, const std::vector<ObjectDifference> &d
     answer.text += differenceLines(differences);
     answer.json.insert(QStringLiteral("differences"), differencesJson(differences));
     if (isFault && !differences.empty())
-        answer.complaint = Complaint{ExitCode::refused,
-                                     QStringLiteral("filesDiffer"),
-                                     sentence(CommandLine::tr("%1 differs. Objects that differ: %2."),
-                                              {path, QString::number(differences.size())}),
-                                     {path}};
+        answer.complaint = notDone("filesDiffer",
+                                   sentence(CommandLine::tr("%1 differs. Objects that differ: %2."),
+                                            {path, QString::number(differences.size())}),
+                                   {path});
 }
 
 Checked<Answer> runEds(const Call &call)

@@ -49,42 +49,36 @@ constexpr std::array lssOptions{
     Option{"--yes", nullptr, QT_TRANSLATE_NOOP("codewheel::CommandLine", "send it without asking")},
 };
 
-Complaint lssComplaint(const char *key, const QString &text)
-{
-    return {ExitCode::refused, QString::fromLatin1(key), text};
-}
-
 Complaint aboutNoLssDevice(const Call &call)
 {
     if (call.arguments.has("--of"))
-        return lssComplaint("lssNotSelected",
-                            CommandLine::tr("The node does not take part in LSS. Some makes do so only while "
-                                            "they are stopped (codewheel-cli nmt stop), others not at all."));
+        return notDone("lssNotSelected",
+                       CommandLine::tr("The node does not take part in LSS. Some makes do so only while "
+                                       "they are stopped (codewheel-cli nmt stop), others not at all."));
     if (call.arguments.has("--alone"))
-        return lssComplaint("lssNoAnswer",
-                            CommandLine::tr("No device answers by LSS, or several at once. Some makes do so "
-                                            "only while they are stopped (codewheel-cli nmt stop), others "
-                                            "not at all."));
-    return lssComplaint("lssNobodyWithoutNumber",
-                        CommandLine::tr("No device without a number answers. One that has a number is named "
-                                        "with --of PLACE, or, alone on the bus, taken with --alone."));
+        return notDone("lssNoAnswer",
+                       CommandLine::tr("No device answers by LSS, or several at once. Some makes do so "
+                                       "only while they are stopped (codewheel-cli nmt stop), others "
+                                       "not at all."));
+    return notDone("lssNobodyWithoutNumber",
+                   CommandLine::tr("No device without a number answers. One that has a number is named "
+                                   "with --of PLACE, or, alone on the bus, taken with --alone."));
 }
 
 Complaint aboutLssOutcome(const LssOutcome &outcome)
 {
     switch (outcome.kind) {
     case LssOutcome::Kind::refused:
-        return lssComplaint("lssRefused",
-                            sentence(CommandLine::tr("The device refused it (code %1, of the maker %2)."),
-                                     {QString::number(outcome.code), QString::number(outcome.codeOfMaker)}));
+        return notDone("lssRefused",
+                       sentence(CommandLine::tr("The device refused it (code %1, of the maker %2)."),
+                                {QString::number(outcome.code), QString::number(outcome.codeOfMaker)}));
     case LssOutcome::Kind::notSent:
-        return lssComplaint("lssNotSent", CommandLine::tr("It could not be sent, so nothing was changed. "
-                                                          "Check the CAN bus, then start again."));
+        return notDone("lssNotSent", CommandLine::tr("It could not be sent, so nothing was changed. "
+                                                     "Check the CAN bus, then start again."));
     default:
-        return lssComplaint("lssNotKnown",
-                            CommandLine::tr("The device did not answer: whether it has done it "
-                                            "is not known. Look for it with codewheel-cli "
-                                            "scan --ask."));
+        return notDone("lssNotKnown", CommandLine::tr("The device did not answer: whether it has done it "
+                                                      "is not known. Look for it with codewheel-cli "
+                                                      "scan --ask."));
     }
 }
 
@@ -105,16 +99,15 @@ QJsonObject identityJson(const NodeIdentity &identity)
 
 Complaint aboutSeveralByLss()
 {
-    return lssComplaint("lssSeveral", CommandLine::tr("More than one device answers by LSS. Have one device "
-                                                      "alone on the bus."));
+    return notDone("lssSeveral", CommandLine::tr("More than one device answers by LSS. Have one device "
+                                                 "alone on the bus."));
 }
 
 Complaint aboutOtherByLss()
 {
-    return lssComplaint("lssIdentityDiffers",
-                        CommandLine::tr("The device that was found and the one that "
-                                        "answers are not the same. Nothing was written: "
-                                        "have one device alone on the bus."));
+    return notDone("lssIdentityDiffers", CommandLine::tr("The device that was found and the one that "
+                                                         "answers are not the same. Nothing was written: "
+                                                         "have one device alone on the bus."));
 }
 
 // One device by LSS. In configuration it is only from select() to leave(), or to the end of this.
@@ -190,14 +183,14 @@ Complaint SelectedDevice::aboutTrouble(LssSelection::Trouble trouble) const
     case Trouble::nobody:
         return aboutNoLssDevice(m_call);
     case Trouble::lost:
-        return lssComplaint("lssLost", CommandLine::tr("A device without a number answers, but not to the "
-                                                       "end of the search: answers were lost or came "
-                                                       "late. Check the CAN bus, then search again."));
+        return notDone("lssLost", CommandLine::tr("A device without a number answers, but not to the "
+                                                  "end of the search: answers were lost or came "
+                                                  "late. Check the CAN bus, then search again."));
     case Trouble::notTold:
-        return lssComplaint("lssIdentityNotTold",
-                            CommandLine::tr("The device was selected, and then does not tell "
-                                            "its identity and number, without which nothing is "
-                                            "written."));
+        return notDone("lssIdentityNotTold",
+                       CommandLine::tr("The device was selected, and then does not tell "
+                                       "its identity and number, without which nothing is "
+                                       "written."));
     case Trouble::isOther:
         return aboutOtherByLss();
     case Trouble::several:
@@ -249,7 +242,7 @@ Checked<NodeIdentity> SelectedDevice::identityAt(const NodeMeant &where)
     }
     if (reading.result() == canopen::IdentityReading::Result::read)
         return reading.identity();
-    return tl::unexpected(lssComplaint(
+    return tl::unexpected(notDone(
         "identityNotRead", sentence(CommandLine::tr("Node %1 does not tell its whole identity (1018h), "
                                                     "without which it cannot be selected."),
                                     {CanopenAddress{where.node()}.shown()})));
@@ -270,8 +263,8 @@ Checked<void> SelectedDevice::leave()
     if (!std::exchange(m_isSelected, false))
         return {};
     const auto mayStay =
-        lssComplaint("lssNotLeft", CommandLine::tr("The device may still be in LSS configuration. Switch its "
-                                                   "supply off and on, or start the command again."));
+        notDone("lssNotLeft", CommandLine::tr("The device may still be in LSS configuration. Switch its "
+                                              "supply off and on, or start the command again."));
     if (!m_bus.isConnected())
         return tl::unexpected(mayStay);
     const auto left = ask({.kind = LssRequest::Kind::operateAll}, CanopenAccess::WhenStopped::goesOn);
@@ -357,11 +350,11 @@ std::optional<Complaint> activateByLss(CanopenAccess &bus, SelectedDevice &devic
     bus.advance(delay + margin);
     if (device.isStillThere())
         return std::nullopt;
-    return lssComplaint("lssNotAtRate",
-                        sentence(CommandLine::tr("The device does not answer at %1 Bd. It may still have the "
-                                                 "rate of before; after its supply was switched off and on "
-                                                 "it has that which is stored."),
-                                 {QString::number(rate)}));
+    return notDone("lssNotAtRate",
+                   sentence(CommandLine::tr("The device does not answer at %1 Bd. It may still have the "
+                                            "rate of before; after its supply was switched off and on "
+                                            "it has that which is stored."),
+                            {QString::number(rate)}));
 }
 
 // Its end, with what is known of it. `activated`: the rate that is to be in force; 0: none.
@@ -478,7 +471,7 @@ void tellNewNode(CanopenAccess &bus, int node, Answer &answer)
     if (isThere)
         tellKeptIdentifiers(bus, node, answer);
     else if (!answer.complaint)
-        answer.complaint = lssComplaint(
+        answer.complaint = notDone(
             "lssNotBack", sentence(CommandLine::tr("The device has taken the number, but node %1 has not "
                                                    "reported. Look for it with codewheel-cli scan --ask."),
                                    {CanopenAddress{node}.shown()}));
@@ -495,11 +488,11 @@ Checked<Answer> lssNode(const Call &call, CanopenAccess &bus)
     if (!there)
         return tl::unexpected(there.error());
     if (there->kind != canopen::SdoOutcome::Kind::noAnswer || bus.session().latest().heard(node) != nullptr)
-        return badInput(QStringLiteral("nodeNumberTaken"),
+        return badInput("nodeNumberTaken",
                         CommandLine::tr("Another device has the number %1 already. Choose another number."),
                         {CanopenAddress{node}.shown()});
     if (bus.session().latest().isStopped(node))
-        return badInput(QStringLiteral("nodeNumberStopped"),
+        return badInput("nodeNumberStopped",
                         CommandLine::tr("Node %1 was stopped, and a stopped node answers nothing: it has to "
                                         "be taken for present. Switch it off if it is to go, start the "
                                         "number (codewheel-cli nmt start), and try again."),
@@ -589,11 +582,11 @@ Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
     const NumberedRate *row = table->find(rate.value_or(0));
     const auto rateText = [](const NumberedRate &one) { return QString::number(one.rate); };
     if (row == nullptr && table->object)
-        return badInput(QStringLiteral("lssRateWrong"),
+        return badInput("lssRateWrong",
                         CommandLine::tr("\"%1\" is not a rate of this device. Give one of these, in Bd: %2."),
                         {call.arguments.rest.value(1), listed(table->rates, rateText)});
     if (row == nullptr)
-        return badInput(QStringLiteral("lssRateWrong"),
+        return badInput("lssRateWrong",
                         CommandLine::tr("\"%1\" is not a rate of CiA 305. Give one of these, in Bd: %2."),
                         {call.arguments.rest.value(1), listed(table->rates, rateText)});
     if (table->object)
@@ -601,12 +594,12 @@ Checked<Answer> lssRate(const Call &call, CanopenAccess &bus)
     const bool activates = call.arguments.has("--activate");
     if (activates && !call.arguments.has("--alone"))
         return badInput(
-            QStringLiteral("lssActivateNotAlone"),
+            "lssActivateNotAlone",
             CommandLine::tr("--activate changes the rate of the device and of the adapter at once, "
                             "which disturbs all others on the bus: it needs --alone."));
     if (activates && !bus.canChangeRate())
         return badInput(
-            QStringLiteral("lssActivateNotHere"),
+            "lssActivateNotHere",
             CommandLine::tr("The rate of this link cannot change along with the device: it is not "
                             "that of a serial adapter. Store the rate (codewheel-cli lss store), "
                             "switch the supply of the device off and on, and set the rate of the "
@@ -635,7 +628,7 @@ Checked<Answer> lssShow(const Call &call, CanopenAccess &bus)
 {
     const bool scans = call.arguments.rest.front() == QStringLiteral("scan");
     if (scans && (call.arguments.has("--of") || call.arguments.has("--alone")))
-        return badInput(QStringLiteral("lssScanOfAll"),
+        return badInput("lssScanOfAll",
                         CommandLine::tr("scan looks for devices without a number. Leave --of and --alone "
                                         "out, or write show."));
     const CanopenAccess::ByHand byHand(bus);
@@ -669,17 +662,17 @@ Checked<Answer> runLss(const Call &call)
     const auto action = std::ranges::find(lssActions, words[0],
                                           [](const LssAction &one) { return QString::fromLatin1(one.name); });
     if (action == lssActions.end())
-        return badInput(
-            QStringLiteral("lssActionWrong"), CommandLine::tr("\"%1\" is not possible. Write one of: %2."),
-            {words[0],
-             listed(lssActions, [](const LssAction &one) { return QString::fromLatin1(one.name); })});
+        return badInput("lssActionWrong", CommandLine::tr("\"%1\" is not possible. Write one of: %2."),
+                        {words[0], listed(lssActions, [](const LssAction &one) {
+                             return QString::fromLatin1(one.name);
+                         })});
     if (words.size() - 1 != action->arguments)
-        return badInput(QStringLiteral("lssArgumentsWrong"),
+        return badInput("lssArgumentsWrong",
                         action->arguments == 0 ? CommandLine::tr("%1 stands alone.")
                                                : CommandLine::tr("Give one number behind %1."),
                         {words[0]});
     if (call.arguments.has("--of") && call.arguments.has("--alone"))
-        return badInput(QStringLiteral("lssOfAndAlone"),
+        return badInput("lssOfAndAlone",
                         CommandLine::tr("--of and --alone exclude each other. Leave one of them out."));
     const auto bus = canBusMeant(call);
     if (!bus)

@@ -79,33 +79,31 @@ Watched watched(const CanopenAccess &bus, int node)
 
 Complaint aboutState(int node, std::optional<NmtState> state)
 {
-    return {ExitCode::refused,
-            QStringLiteral("nmtNotTaken"),
-            sentence(CommandLine::tr("Node %1 has not done it: it is %2."),
-                     {CanopenAddress{node}.shown(), nmtStateText(state)}),
-            {std::int64_t{node}}};
+    return notDone("nmtNotTaken",
+                   sentence(CommandLine::tr("Node %1 has not done it: it is %2."),
+                            {CanopenAddress{node}.shown(), nmtStateText(state)}),
+                   {std::int64_t{node}});
 }
 
 Complaint aboutUntoldState(int node)
 {
-    return {
-        ExitCode::refused,
-        QStringLiteral("nmtStateNotKnown"),
+    return notDone(
+        "nmtStateNotKnown",
         sentence(CommandLine::tr("Sent. Node %1 does not tell its state, so whether it has done it is not "
                                  "known."),
                  {CanopenAddress{node}.shown()}),
-        {std::int64_t{node}}};
+        {std::int64_t{node}});
 }
 
 Complaint aboutSending(CanFate fate)
 {
     return fate == CanFate::refused
-               ? Complaint{ExitCode::refused, QStringLiteral("nmtNotSent"),
-                           CommandLine::tr("The command could not be sent. Check the CAN bus, then send it "
-                                           "again.")}
-               : Complaint{ExitCode::refused, QStringLiteral("nmtNotKnown"),
-                           CommandLine::tr("Whether the command has gone out is not known: the adapter does "
-                                           "not tell.")};
+               ? notDone("nmtNotSent",
+                         CommandLine::tr("The command could not be sent. Check the CAN bus, then send it "
+                                         "again."))
+               : notDone("nmtNotKnown",
+                         CommandLine::tr("Whether the command has gone out is not known: the adapter does "
+                                         "not tell."));
 }
 
 // Where the node does not show it.
@@ -186,10 +184,10 @@ Checked<Answer> runNmt(const Call &call)
     const QStringList &words = call.arguments.rest;
     const CommandRow *row = rowOf(words[0]);
     if (row == nullptr)
-        return badInput(
-            QStringLiteral("nmtCommandWrong"), CommandLine::tr("\"%1\" is not possible. Write one of: %2."),
-            {words[0],
-             listed(commandRows, [](const CommandRow &one) { return QString::fromLatin1(one.key); })});
+        return badInput("nmtCommandWrong", CommandLine::tr("\"%1\" is not possible. Write one of: %2."),
+                        {words[0], listed(commandRows, [](const CommandRow &one) {
+                             return QString::fromLatin1(one.key);
+                         })});
     if (words.size() < 2)
         return canBusMeant(call).and_then([&](CanopenAccess *bus) { return command(call, *bus, *row, 0); });
     return nodeMeant(call, words[1]).and_then([&](const NodeMeant &where) {

@@ -110,7 +110,7 @@ constexpr std::array odOptions{
 Checked<Answer> runOdRead(const Call &call, const NodeMeant &where, const ObjectArgument &what)
 {
     if (what.value)
-        return badInput(QStringLiteral("valueNotRead"),
+        return badInput("valueNotRead",
                         CommandLine::tr("An object that is read gets no value. To write it: codewheel-cli od "
                                         "PLACE write %1=VALUE."),
                         {what.object.text()});
@@ -148,13 +148,12 @@ Checked<Answer> runOd(const Call &call)
     if (words.size() == 1)
         return listObjects(call, words[0]);
     if (words.size() == 2)
-        return badInput(QStringLiteral("missingArgument"),
-                        CommandLine::tr("Something is missing. Usage: codewheel-cli %1"),
+        return badInput("missingArgument", CommandLine::tr("Something is missing. Usage: codewheel-cli %1"),
                         {callOf(call.command)});
     const bool reads = words[1] == QStringLiteral("read");
     if (!reads && words[1] != QStringLiteral("write"))
-        return badInput(QStringLiteral("odActionWrong"),
-                        CommandLine::tr("\"%1\" is not possible. Write read or write."), {words[1]});
+        return badInput("odActionWrong", CommandLine::tr("\"%1\" is not possible. Write read or write."),
+                        {words[1]});
     const auto where = nodeMeant(call, words[0]);
     if (!where)
         return tl::unexpected(where.error());

@@ -29,7 +29,7 @@ Checked<QString> genericDeviceFor(const Call &call, const canopen::DeviceFile &f
             return tl::unexpected(device.error());
         if ((*device)->profile == profile::cia406 && (*device)->isGeneric())
             return *typed;
-        return badInput(QStringLiteral("notOfCia406"),
+        return badInput("notOfCia406",
                         CommandLine::tr("%1 is no form of encoder. Write canopen-406-single-turn, "
                                         "canopen-406-multi-turn or canopen-406-linear."),
                         {*typed});
@@ -37,12 +37,12 @@ Checked<QString> genericDeviceFor(const Call &call, const canopen::DeviceFile &f
     const auto type = canopen::deviceTypeIn(file);
     if (!type)
         return badInput(
-            QStringLiteral("formNotTold"),
+            "formNotTold",
             CommandLine::tr("The file does not say whether the device is an encoder (1000h). If it "
                             "is one, say of which form, as --as canopen-406-multi-turn."));
     const QString key = deviceOfType(*type);
     if (key.isEmpty())
-        return badInput(QStringLiteral("noEncoder"),
+        return badInput("noEncoder",
                         CommandLine::tr("This is no encoder of CiA 406: its device type (1000h) is %1h."),
                         {hexWord(*type)});
     return key;

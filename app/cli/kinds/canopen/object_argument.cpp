@@ -52,8 +52,7 @@ Checked<std::optional<ObjectType>> typeOf(const Call &call)
             return std::optional(one.value);
         keys << QString::fromLatin1(one.name);
     }
-    return badInput(QStringLiteral("optionNotAllowed"),
-                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+    return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                     {QStringLiteral("--type"), *typed, keys.join(QStringLiteral(", "))});
 }
 
@@ -120,8 +119,8 @@ Checked<NodeMeant> nodeMeant(const Call &call, const QString &typed)
         return tl::unexpected(place.error());
     BusAccess &bus = call.busOf(*place);
     if (bus.kind() != QLatin1String(canopenKind))
-        return badInput(QStringLiteral("notANode"),
-                        CommandLine::tr("%1 is no node on CANopen. Those are written as can:5."), {typed});
+        return badInput("notANode", CommandLine::tr("%1 is no node on CANopen. Those are written as can:5."),
+                        {typed});
     return NodeMeant{static_cast<CanopenAccess *>(&bus), *place};
 }
 
@@ -131,7 +130,7 @@ Checked<ObjectArgument> objectArgument(const Call &call, const QString &typed,
     const qsizetype equals = typed.indexOf(u'=');
     const auto object = objectFrom(typed.left(equals));
     if (!object)
-        return badInput(QStringLiteral("objectWrong"),
+        return badInput("objectWrong",
                         CommandLine::tr("\"%1\" is no object. Write index, in hexadecimal, and subindex, as "
                                         "6004 or 1018:4."),
                         {typed.left(equals)});
@@ -156,12 +155,12 @@ Checked<std::vector<std::uint8_t>> octetsFor(const ObjectArgument &argument, std
     if (width == 0 && argument.type)
         width = canopen::widthOf(*argument.type);
     if (width == 0 || width > mostOctetsOfUsualNumber)
-        return badInput(QStringLiteral("objectTypeMissing"),
+        return badInput("objectTypeMissing",
                         CommandLine::tr("How wide %1 is, it does not tell. Give its type, as --type u32."),
                         {argument.object.text()});
     const bool isSigned = argument.type && canopen::isSigned(*argument.type);
     if (!number || !fits(*number, width, isSigned || *number < 0))
-        return badInput(QStringLiteral("objectValueWrong"),
+        return badInput("objectValueWrong",
                         CommandLine::tr("%1 cannot become \"%2\": it takes a number of %3 bits, in decimal, "
                                         "or in hexadecimal as 1388h."),
                         {argument.object.text(), text, static_cast<std::int64_t>(8 * width)});

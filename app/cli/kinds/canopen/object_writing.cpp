@@ -95,9 +95,9 @@ void tellWritten(const NodeMeant &where, const ObjectArgument &what, const std::
     const bool isAsBefore = isKnown && before.kind == Transfer::read && before.value == after->value;
     if (outcome.kind == Transfer::written || (isKnown && !isAsBefore)) {
         answer.json.insert(QStringLiteral("fate"), QStringLiteral("other"));
-        answer.complaint = {ExitCode::refused, QStringLiteral("otherReadBack"),
-                            sentence(CommandLine::tr("Another value is read back: %1."),
-                                     {objectValueText(what, after->value, after->isSizeTold)})};
+        answer.complaint =
+            notDone("otherReadBack", sentence(CommandLine::tr("Another value is read back: %1."),
+                                              {objectValueText(what, after->value, after->isSizeTold)}));
         return;
     }
     const QString object = what.object.text();
@@ -148,8 +148,7 @@ QString objectNameText(const ObjectArgument &what)
 Checked<Answer> writeObject(const Call &call, const NodeMeant &where, const ObjectArgument &what)
 {
     if (!what.value)
-        return badInput(QStringLiteral("valueMissing"),
-                        CommandLine::tr("Give the value behind the object, as %1=1000."),
+        return badInput("valueMissing", CommandLine::tr("Give the value behind the object, as %1=1000."),
                         {what.object.text()});
     if (const auto opened = where.bus->openToSend(call); !opened)
         return tl::unexpected(opened.error());

@@ -49,8 +49,7 @@ constexpr std::array canServiceOptions{
 
 tl::unexpected<Complaint> valueNotAllowed(const char *option, const QString &typed, const QString &allowed)
 {
-    return badInput(QStringLiteral("optionNotAllowed"),
-                    CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+    return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                     {QString::fromLatin1(option), typed, allowed});
 }
 
@@ -137,7 +136,7 @@ Checked<ServeCanPlan> serveCanPlan(const Arguments &arguments)
 {
     ServeCanPlan plan{.interface = arguments.value("--interface"), .encoders = canopen::trainingEncoders()};
     if (plan.interface && arguments.has("--slcan"))
-        return badInput(QStringLiteral("slcanOrInterface"),
+        return badInput("slcanOrInterface",
                         CommandLine::tr("Give --slcan or --interface, not both: the bus is in one place."));
     for (const auto take : {takeFaults, takeRate, takeQuirks, takeSilent})
         if (const auto taken = take(arguments, plan); !taken)

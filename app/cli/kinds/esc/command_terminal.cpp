@@ -53,11 +53,12 @@ QString terminalRow(const PassedRow &passed, const esc::ExplainOptions &explain)
 
 Complaint aboutNobodyKnown()
 {
-    return {ExitCode::refused, QStringLiteral("encodersNotKnown"),
-            CommandLine::tr("What is written to the address 00 goes into the EEPROM of every encoder of the "
-                            "line, and it is not known which there are. Nothing was sent. Write to each by "
-                            "its own address (codewheel-cli scan finds them), or name the project that has "
-                            "them with --project.")};
+    return notDone(
+        "encodersNotKnown",
+        CommandLine::tr("What is written to the address 00 goes into the EEPROM of every encoder of the "
+                        "line, and it is not known which there are. Nothing was sent. Write to each by "
+                        "its own address (codewheel-cli scan finds them), or name the project that has "
+                        "them with --project."));
 }
 
 // One call in progress.
@@ -195,7 +196,7 @@ Checked<void> TypedCall::askToWrite(const esc::Request &request)
     if (m_call.arguments.has("--yes"))
         return {};
     if (!isAnswered())
-        return badInput(QStringLiteral("noConsent"),
+        return badInput("noConsent",
                         CommandLine::tr("%1 writes, and was not sent: there is nobody to ask. Add --yes."),
                         {QString::fromLatin1(request.text())});
     m_call.terminal.print(writeQuestion(request, m_access.explainOptions()) + u' ' +
@@ -204,7 +205,7 @@ Checked<void> TypedCall::askToWrite(const esc::Request &request)
     const QString typed = m_lines.next().value_or(QString()).trimmed();
     if (Terminal::isYes(typed))
         return {};
-    return badInput(QStringLiteral("declined"), CommandLine::tr("Nothing was sent."));
+    return badInput("declined", CommandLine::tr("Nothing was sent."));
 }
 
 // Whose EEPROM it may be, each with its serial number, by which its writes are counted.

@@ -38,35 +38,33 @@ KeptAdapter adapterOf(const EscLineLink &link)
 // At the master address, if no two reads agree because several answer at once.
 Complaint aboutSeveral(EscLineAddress address)
 {
-    return {ExitCode::refused,
-            QStringLiteral("encoderNotAlone"),
-            sentence(CommandLine::tr(
-                         "At %1 no encoder tells its serial number twice the same: several may answer at "
-                         "once. The address is for an encoder that is alone on its line. codewheel-cli "
-                         "scan finds the addresses of all."),
-                     {address.shown()}),
-            {address.node().toString()}};
+    return notDone(
+        "encoderNotAlone",
+        sentence(
+            CommandLine::tr("At %1 no encoder tells its serial number twice the same: several may answer at "
+                            "once. The address is for an encoder that is alone on its line. codewheel-cli "
+                            "scan finds the addresses of all."),
+            {address.shown()}),
+        {address.node().toString()});
 }
 
 Complaint aboutSilence(EscLineAddress address, int baudRate)
 {
     if (address.isMaster())
         return aboutSeveral(address);
-    return {
-        ExitCode::refused,
-        QStringLiteral("encoderSilent"),
+    return notDone(
+        "encoderSilent",
         sentence(CommandLine::tr("No encoder answers at %1 at %2 Bd. Check address, baud rate, wiring and "
                                  "supply; an RS-422 encoder also needs ST (pin 7) at +UB. codewheel-cli "
                                  "scan --all-rates looks for encoders."),
                  {address.shown(), QString::number(baudRate)}),
-        {address.node().toString(), std::int64_t{baudRate}}};
+        {address.node().toString(), std::int64_t{baudRate}});
 }
 
 Complaint aboutStrayBytes(EscLineAddress address, int baudRate, std::uint64_t bytes)
 {
-    return {
-        ExitCode::refused,
-        QStringLiteral("noAnswerAmongBytes"),
+    return notDone(
+        "noAnswerAmongBytes",
         sentence(CommandLine::tr("No answer comes from %1 at %2 Bd, but bytes that are no answers: %3 until "
                                  "now. Either the answers come late (time-out=500 behind the port waits "
                                  "longer), or another baud rate or format is needed (codewheel-cli scan "
@@ -74,7 +72,7 @@ Complaint aboutStrayBytes(EscLineAddress address, int baudRate, std::uint64_t by
                                  "B exchanged, no termination), or a device on the line speaks another "
                                  "protocol."),
                  {address.shown(), QString::number(baudRate), QString::number(bytes)}),
-        {address.node().toString(), std::int64_t{baudRate}, static_cast<std::int64_t>(bytes)}};
+        {address.node().toString(), std::int64_t{baudRate}, static_cast<std::int64_t>(bytes)});
 }
 
 // `alsoOf`: another bus of the project at this port; empty: there is none.

@@ -134,7 +134,7 @@ std::optional<Complaint> EscLineAccess::whyNot(const Subcommand &command) const
     const auto found = std::ranges::find(missing, std::string_view(command.name), &Missing::command);
     if (found == missing.end())
         return std::nullopt;
-    return badInput(QStringLiteral("notOnSerialLine"), CommandLine::tr(found->why)).value();
+    return badInput("notOnSerialLine", CommandLine::tr(found->why)).value();
 }
 
 std::unique_ptr<JobTrace> EscLineAccess::trace(const std::vector<const EncoderSession *> &encoders)

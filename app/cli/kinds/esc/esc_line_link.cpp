@@ -65,7 +65,7 @@ Checked<void> takeFormat(EscLineLink &link, const QString &text)
                           letters.contains(text[1], Qt::CaseInsensitive) &&
                           (text[2] == u'1' || text[2] == u'2');
     if (!isFormat)
-        return badInput(QStringLiteral("lineFormatWrong"),
+        return badInput("lineFormatWrong",
                         CommandLine::tr("\"%1\" is not a format of a serial line. Give data bits (7, 8), "
                                         "parity (N, E, O) and stop bits (1, 2), as 8N2."),
                         {text});
@@ -88,14 +88,14 @@ Checked<void> takeSetting(EscLineLink &link, const QString &setting)
     const NumberSetting *known = rowByKey(numberSettings, key);
     if (known == nullptr)
         return badInput(
-            QStringLiteral("unknownLineSetting"),
+            "unknownLineSetting",
             CommandLine::tr("A serial line has no setting \"%1\". Its settings are: %2. Write them "
                             "behind the port, as esc:ttyUSB0,baud=9600."),
             {key, lineSettingKeys().join(QStringLiteral(", "))});
     const auto number = parseNumber(text);
     if (!number || *number < known->limits.least || *number > known->limits.most)
         return badInput(
-            QStringLiteral("lineSettingOutOfRange"),
+            "lineSettingOutOfRange",
             CommandLine::tr("The setting %1 of the line cannot be \"%2\". Give a whole number from "
                             "%3 to %4."),
             {key, text, std::int64_t{known->limits.least}, std::int64_t{known->limits.most}});
@@ -113,12 +113,12 @@ Checked<EscLineLink> withSettings(EscLineLink link, const QStringList &settings)
 
 Complaint noPort(const QString &bus)
 {
-    return {ExitCode::refused,
-            QStringLiteral("noPortInProject"),
-            sentence(CommandLine::tr("The project has no port for \"%1\" yet. Choose one in the window, or "
-                                     "name it, as --link esc:ttyUSB0."),
-                     {bus}),
-            {bus}};
+    return notDone(
+        "noPortInProject",
+        sentence(CommandLine::tr("The project has no port for \"%1\" yet. Choose one in the window, or "
+                                 "name it, as --link esc:ttyUSB0."),
+                 {bus}),
+        {bus});
 }
 
 // What a project says of an encoder holds at any port.
@@ -144,7 +144,7 @@ QString otherAtPort(const Project &project, BusId line, const QString &port)
 Checked<EscLineLink> lineAt(const QString &port, const Project *project, BusId line)
 {
     if (port.isEmpty())
-        return badInput(QStringLiteral("portMissing"),
+        return badInput("portMissing",
                         CommandLine::tr("Name the port of the serial line, as --link esc:ttyUSB0. %1"),
                         {presentPortsText()});
     EscLineLink link;

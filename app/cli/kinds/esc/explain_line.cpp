@@ -70,7 +70,7 @@ Checked<Answer> explainAnswer(const QString &typed, const esc::Request &request,
     const auto answer = answerIn(answerBytes(typed, request), request.command);
     if (!answer)
         return badInput(
-            QStringLiteral("notAnAnswer"),
+            "notAnAnswer",
             CommandLine::tr("\"%1\" is not an answer to %2. A read is answered with its digits, a write with "
                             "a bare line end (type CRLF), either with 03 or 05 where it is refused."),
             {typed, QString::fromLatin1(request.text())});
@@ -88,7 +88,7 @@ Checked<void> checkOptions(const Arguments &arguments)
     for (const char *option : {"--mode", "--coding", "--label"})
         if (arguments.has(option))
             return badInput(
-                QStringLiteral("optionOfWords"),
+                "optionOfWords",
                 CommandLine::tr("%1 is for words of process data; an encoder on a serial line has "
                                 "none. Leave it out."),
                 {QString::fromLatin1(option)});
@@ -100,16 +100,15 @@ Checked<bool> isAnswer(const Arguments &arguments)
     const bool hasRequest = arguments.has("--other");
     const QString direction = arguments.value("--direction").value_or(hasRequest ? in : out);
     if (direction != in && direction != out)
-        return badInput(QStringLiteral("optionNotAllowed"),
-                        CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+        return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                         {QStringLiteral("--direction"), direction, QStringLiteral("in, out")});
     if (direction == in && !hasRequest)
         return badInput(
-            QStringLiteral("requestMissing"),
+            "requestMissing",
             CommandLine::tr("An answer means nothing without its request. Give it with --other, as "
                             "--other 05P."));
     if (direction == out && hasRequest)
-        return badInput(QStringLiteral("requestTooMuch"),
+        return badInput("requestTooMuch",
                         CommandLine::tr("A request needs no --other. Leave it out, or give --direction in to "
                                         "explain an answer."));
     return direction == in;

@@ -46,7 +46,7 @@ Checked<ScanWish> wishOf(const Call &call, const EscLineAccess &line)
     if (!last)
         return tl::unexpected(last.error());
     if (*last < *first)
-        return badInput(QStringLiteral("addressesReversed"),
+        return badInput("addressesReversed",
                         CommandLine::tr("The last address, %1, lies before the first, %2."),
                         {last->onWire(), first->onWire()});
     wish.first = *first;
@@ -124,11 +124,11 @@ Answer scanAnswer(const ScanEnded &ended)
                                       "supply; an RS-422 encoder also needs ST (pin 7) at +UB.") +
                       u'\n';
     if (ended.cancelled)
-        answer.complaint = Complaint{
-            ExitCode::refused, QStringLiteral("scanCancelled"),
-            ended.found.empty()
-                ? CommandLine::tr("The search was cancelled: until then no encoder had answered.")
-                : CommandLine::tr("The search was cancelled: what was found until then is listed.")};
+        answer.complaint =
+            notDone("scanCancelled",
+                    ended.found.empty()
+                        ? CommandLine::tr("The search was cancelled: until then no encoder had answered.")
+                        : CommandLine::tr("The search was cancelled: what was found until then is listed."));
     return answer;
 }
 

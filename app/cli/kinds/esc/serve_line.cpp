@@ -117,8 +117,7 @@ Checked<std::vector<EscLineAddress>> silentOnes(const Arguments &arguments)
     for (const QString &text : given.split(u',', Qt::SkipEmptyParts)) {
         const auto address = EscLineAddress::fromWire(text);
         if (!address || std::ranges::find(there, *address) == there.end())
-            return badInput(QStringLiteral("optionNotAllowed"),
-                            CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
+            return badInput("optionNotAllowed", CommandLine::tr("%1 cannot be \"%2\". Allowed are: %3."),
                             {QStringLiteral("--silent"), text, QStringLiteral("03, 05, 12, all")});
         silent.push_back(*address);
     }

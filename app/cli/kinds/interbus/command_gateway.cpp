@@ -153,7 +153,7 @@ Checked<const GatewayAccess *> gatewayOf(const BusAccess *bus)
     const auto *gateway = dynamic_cast<const GatewayAccess *>(bus);
     if (gateway != nullptr)
         return gateway;
-    return badInput(QStringLiteral("noGateway"),
+    return badInput("noGateway",
                     CommandLine::tr("The bus \"%1\" is not behind a gateway. Name one, as --link "
                                     "modbus-tcp:192.168.0.5, or use --link project."),
                     {bus->name()});
@@ -192,10 +192,8 @@ std::optional<Complaint> complaintAboutCheck(const std::vector<GatewayFinding> &
     const bool isOfMap = map != findings.end() && map->outcome == CheckOutcome::failed;
     if (isOfMap)
         failed = map;
-    return Complaint{ExitCode::refused,
-                     isOfMap ? QStringLiteral("mapNotPlausible") : QStringLiteral("wordNotPlausible"),
-                     failed->sentence,
-                     {failed->shown ? failed->shown->place.toString() : QString()}};
+    return notDone(isOfMap ? "mapNotPlausible" : "wordNotPlausible", failed->sentence,
+                   {failed->shown ? failed->shown->place.toString() : QString()});
 }
 
 // Never into the image: a value there would be a word.

@@ -69,8 +69,7 @@ struct MasterWish
 
 tl::unexpected<Complaint> unknownAction(const QString &text)
 {
-    return badInput(QStringLiteral("unknownAction"),
-                    CommandLine::tr("\"%1\" is not an action of the master. There are: %2."),
+    return badInput("unknownAction", CommandLine::tr("\"%1\" is not an action of the master. There are: %2."),
                     {text, QString::fromLatin1(actions)});
 }
 

@@ -49,7 +49,7 @@ Complaint noIdCycle()
 tl::unexpected<Complaint> needsProject(const GatewaySettings &gateway)
 {
     return badInput(
-        QStringLiteral("gatewayNeedsProject"),
+        "gatewayNeedsProject",
         CommandLine::tr("The gateway %1 cannot say which devices are in its ring. Name the project "
                         "that does, with --project FILE."),
         {gatewayUnit(gateway)});
@@ -63,13 +63,12 @@ bool isNowhere(const GatewaySettings &gateway)
 
 Complaint aboutNowhere(const QString &ring)
 {
-    return {
-        ExitCode::refused,
-        QStringLiteral("noGatewayInProject"),
+    return notDone(
+        "noGatewayInProject",
         sentence(CommandLine::tr("The project does not say where the gateway of \"%1\" is. Enter it in the "
                                  "window, or name it, as --link modbus-tcp:192.168.0.5."),
                  {ring}),
-        {ring}};
+        {ring});
 }
 
 Complaint aboutOpening(const Refusal &why)

@@ -42,7 +42,7 @@ Checked<std::optional<BusId>> ringAt(const Project *project, const GatewaySettin
         return rings.front();
     if (rings.empty())
         return std::nullopt;
-    return badInput(QStringLiteral("ringNotUnique"),
+    return badInput("ringNotUnique",
                     CommandLine::tr("The project has several rings, and none of them is planned at %1. Give "
                                     "it to one of them in the project, and use --link project."),
                     {gatewayUnit(gateway)});

@@ -21,7 +21,7 @@ Checked<HostAndPort> bracketed(const QString &where)
     const bool isOnlyHost = end > 1 && behind.isEmpty();
     if (isOnlyHost || (end > 1 && behind.size() > 1 && behind.startsWith(u':')))
         return HostAndPort{where.sliced(1, end - 1), behind.sliced(isOnlyHost ? 0 : 1)};
-    return badInput(QStringLiteral("addressNotUnderstood"),
+    return badInput("addressNotUnderstood",
                     CommandLine::tr("\"%1\" is not an address in brackets with a port. Write it as "
                                     "[fe80::1] or [fe80::1]:502."),
                     {where});
@@ -33,17 +33,17 @@ Checked<HostAndPort> hostAndPort(const QString &where)
         return bracketed(where);
     const auto colons = where.count(u':');
     if (colons > 1)
-        return badInput(QStringLiteral("addressNotInBrackets"),
+        return badInput("addressNotInBrackets",
                         CommandLine::tr("Write the address %1 in brackets, as modbus-tcp:[%1], so that it "
                                         "can be told from a port."),
                         {where});
     const QString host = where.section(u':', 0, 0);
     const QString port = where.section(u':', 1);
     if (host.isEmpty())
-        return badInput(QStringLiteral("hostMissing"),
+        return badInput("hostMissing",
                         CommandLine::tr("Name the host of the gateway, as --link modbus-tcp:192.168.0.5."));
     if (colons == 1 && port.isEmpty())
-        return badInput(QStringLiteral("portMissing"),
+        return badInput("portMissing",
                         CommandLine::tr("Name the port behind \"%1\", or leave the colon out for port 502."),
                         {where});
     return HostAndPort{host, port};
@@ -62,7 +62,7 @@ Checked<GatewaySettings> tcpGateway(const QString &where)
 Checked<GatewaySettings> rtuGateway(const QString &where)
 {
     if (where.isEmpty())
-        return badInput(QStringLiteral("portMissing"),
+        return badInput("portMissing",
                         CommandLine::tr("Name the port of the gateway, as --link modbus-rtu:ttyUSB0. %1"),
                         {presentPortsText()});
     GatewaySettings gateway;

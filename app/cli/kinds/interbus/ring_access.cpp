@@ -123,13 +123,12 @@ Checked<void> RingAccess::checkStation(const Project &project, const QString &st
 {
     if (areSame(compareRings(structureOf(project, m_ring.id()), m_ring.structure())))
         return {};
-    return tl::unexpected(Complaint{
-        ExitCode::refused,
-        QStringLiteral("busDiffers"),
+    return tl::unexpected(notDone(
+        "busDiffers",
         sentence(CommandLine::tr("The bus \"%1\" differs from the project, so \"%2\" may be elsewhere. See "
                                  "codewheel-cli compare, or give the device number."),
                  {name(), station}),
-        {station}});
+        {station}));
 }
 
 Checked<EncoderSession *> RingAccess::encoder(const Call &call, NodeId node, bool namesIt)

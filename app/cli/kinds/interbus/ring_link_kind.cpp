@@ -21,8 +21,7 @@ Checked<void> checkHasNoSettings(const QString &link, const QStringList &setting
 {
     if (settings.isEmpty())
         return {};
-    return badInput(QStringLiteral("linkWithoutSettings"),
-                    CommandLine::tr("The link %1 has no settings. Leave \"%2\" out."),
+    return badInput("linkWithoutSettings", CommandLine::tr("The link %1 has no settings. Leave \"%2\" out."),
                     {link, settings.join(u',')});
 }
 
@@ -82,7 +81,7 @@ Checked<MakeLink> RingLinkKind::planned(const Project &project, BusId bus, const
         return trainingRing(bus);
     return [name = findBus(project, bus)->name, link](const Catalog &) {
         return Checked<std::unique_ptr<BusAccess>>(
-            badInput(QStringLiteral("noSuchLink"),
+            badInput("noSuchLink",
                      CommandLine::tr("The project links \"%1\" by \"%2\": this program has no such link."),
                      {name, link.kind}));
     };

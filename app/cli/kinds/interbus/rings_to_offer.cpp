@@ -20,7 +20,7 @@ Checked<std::vector<const PlannedBus *>> simulatedRings(const Project &project)
             ringPlan(project, bus.id).link.kind == ProjectLink().kind && !devicesOn(project, bus.id).empty())
             rings.push_back(&bus);
     if (rings.empty())
-        return badInput(QStringLiteral("nothingToServe"),
+        return badInput("nothingToServe",
                         CommandLine::tr("The project has no ring with devices whose link is the training "
                                         "bus."));
     return rings;
@@ -30,7 +30,7 @@ Checked<void> checkSeats(int seats, std::size_t rings)
 {
     if (seats == 0 || rings == 1)
         return {};
-    return badInput(QStringLiteral("seatsOfSeveralRings"),
+    return badInput("seatsOfSeveralRings",
                     CommandLine::tr("The project has %1 rings, each a unit of its own. Leave --seats out."),
                     {static_cast<std::int64_t>(rings)});
 }
@@ -64,7 +64,7 @@ Checked<void> startFaults(const Call &call, const std::vector<OfferedRings::Ring
     }
     if (isStarted)
         return {};
-    return badInput(QStringLiteral("faultPlanOfSeveralRings"),
+    return badInput("faultPlanOfSeveralRings",
                     CommandLine::tr("A fault plan is for one ring. Name it with --fault-bus: %1."),
                     {listed(rings, &OfferedRings::Ring::name)});
 }

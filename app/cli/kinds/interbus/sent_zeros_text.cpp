@@ -133,24 +133,22 @@ QString unfinishedZerosText(const SentZeros &zeros)
 Complaint missedZeros(const SentZeros &zeros, std::chrono::seconds after)
 {
     const ZerosState state = stateOf(zeros);
-    const auto about = [&](const QString &key, const QString &pattern) {
-        return Complaint{ExitCode::refused,
-                         key,
-                         sentence(pattern, {QString::number(after.count())}),
-                         {static_cast<std::int64_t>(after.count())}};
+    const auto about = [&](const char *key, const QString &pattern) {
+        return notDone(key, sentence(pattern, {QString::number(after.count())}),
+                       {static_cast<std::int64_t>(after.count())});
     };
     if (state == ZerosState::unanswered)
-        return about(QStringLiteral("zerosUnanswered"),
+        return about("zerosUnanswered",
                      CommandLine::tr(
                          "The zeros of the ALARM STOP were sent, but not acknowledged within %1 s: it is not "
                          "known whether they have arrived. Stop the machine by its own means."));
     if (state == ZerosState::acknowledged || state == ZerosState::readBack)
         return about(
-            QStringLiteral("zerosNotReadBack"),
+            "zerosNotReadBack",
             CommandLine::tr(
                 "The zeros of the ALARM STOP were acknowledged, but not read back within %1 s: it is "
                 "not known whether they are still there. Stop the machine by its own means."));
-    return about(QStringLiteral("zerosMissing"),
+    return about("zerosMissing",
                  CommandLine::tr("The zeros of the ALARM STOP have not arrived within %1 s. Stop the machine "
                                  "by its own means."));
 }
