@@ -28,10 +28,7 @@
 #include "widgets/cams/cam_editor.h"
 #include "widgets/device/device_panel.h"
 #include "widgets/dial/dial_pin.h"
-#include "widgets/input/held_key_rule.h"
-#include "widgets/input/new_question_rule.h"
-#include "widgets/input/undo_rule.h"
-#include "widgets/input/wheel_rule.h"
+#include "widgets/input/input_rules.h"
 #include "widgets/look/content_scroll_area.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/layouts.h"
@@ -84,10 +81,7 @@ MainWindow::MainWindow(WindowSettings &settings, ProjectDocument &project, QWidg
     , m_files(new ProjectFiles(*this, project, settings, m_actions, *m_notice))
 {
     setObjectName(QStringLiteral("mainWindow"));
-    qApp->installEventFilter(new WheelRule(this));
-    qApp->installEventFilter(new UndoRule(this));
-    qApp->installEventFilter(new HeldKeyRule(this));
-    qApp->installEventFilter(new NewQuestionRule(this));
+    installInputRules(this);
     new DisabledKey(*this);
     auto *center = new QWidget(this);
     auto *rows = layOut<QVBoxLayout>(center, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mouse, keys and wheel on the fields for numbers.
+#include "widgets/input/input_rules.h"
 #include "widgets/input/number_fields.h"
-#include "widgets/input/wheel_rule.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -25,7 +25,7 @@ class NumberFieldsTest : public testing::Test
 protected:
     NumberFieldsTest()
     {
-        qApp->installEventFilter(&rule);
+        installInputRules(&rules);
         auto *form = new QWidget;
         auto *rows = new QVBoxLayout(form);
         for (QWidget *field : std::initializer_list<QWidget *>{&decimal, &whole, &choice, &slider, &other})
@@ -72,7 +72,7 @@ protected:
     }
     int scrolled() const { return area.verticalScrollBar()->value(); }
 
-    WheelRule rule;
+    QObject rules; // that hold as long as it lives
     QScrollArea area;
     DecimalField decimal;
     IntegerField whole;
