@@ -112,10 +112,7 @@ void FindPage::keyPressEvent(QKeyEvent *event)
 QWidget *FindPage::makePlaces()
 {
     auto *places = new QWidget(this);
-    auto *form = new QFormLayout(places);
-    form->setContentsMargins(QMargins());
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(places, grid::unit);
     m_ports->setMaximumHeight(portsInSight * (m_ports->fontMetrics().height() + grid::unit) + grid::margin);
     m_refresh->setToolTip(tr("Looks for serial ports and interfaces again (Alt+R)"));
     connect(m_refresh, &QPushButton::clicked, this, &FindPage::portsWanted);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/layouts.h"
 
+#include "widgets/look/grid.h"
+
+#include <QFormLayout>
 #include <QWidget>
 
 namespace codewheel {
@@ -42,6 +45,15 @@ void layOutRow(QWidget *of, LayoutParts parts, const LayoutRoom &room)
 void layOutColumn(QWidget *of, LayoutParts parts, const LayoutRoom &room)
 {
     layOut(new QVBoxLayout(of), parts, room);
+}
+
+QFormLayout *makeForm(QWidget *of, int between, int marginOnAllSides)
+{
+    auto *form = new QFormLayout(of);
+    form->setContentsMargins(allAround(marginOnAllSides));
+    form->setHorizontalSpacing(grid::groupGap);
+    form->setVerticalSpacing(between);
+    return form;
 }
 
 } // namespace codewheel

@@ -7,6 +7,8 @@
 #include <initializer_list>
 #include <optional>
 
+class QFormLayout;
+
 namespace codewheel {
 
 struct Stretch
@@ -53,6 +55,9 @@ QBoxLayout *layOutRow(LayoutParts parts, const LayoutRoom &room = {});
 QBoxLayout *layOutColumn(LayoutParts parts, const LayoutRoom &room = {});
 void layOutRow(QWidget *of, LayoutParts parts, const LayoutRoom &room = {});
 void layOutColumn(QWidget *of, LayoutParts parts, const LayoutRoom &room = {});
+
+// A form, `between` its rows; in a widget, or (null) to be put into another layout.
+QFormLayout *makeForm(QWidget *of, int between, int marginOnAllSides = 0);
 
 // A row or column in a widget whose parts are added one by one, by default without margins.
 template <class Box>

@@ -101,9 +101,7 @@ RecordingDetails::RecordingDetails(QWidget *parent)
     m_note->setFocus();
     m_note->setPlaceholderText(tr("What happens now"));
     m_add->setAutoDefault(false);
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(nullptr, grid::unit);
     m_file->setReadOnly(true);
     form->addRow(tr("File"), m_file);
     addRow(*form, Row::state, "recordingStateNow", tr("State"));

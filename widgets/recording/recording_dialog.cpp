@@ -103,10 +103,7 @@ RecordingDialog::RecordingDialog(RecordingSubjects subjects, const RecordingChoi
 void RecordingDialog::layOutParts()
 {
     auto *content = new QWidget(this);
-    auto *form = new QFormLayout(content);
-    form->setContentsMargins(allAround(grid::margin));
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::margin);
+    auto *form = makeForm(content, grid::margin, grid::margin);
     form->setRowWrapPolicy(QFormLayout::DontWrapRows);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     const auto row = [](LayoutParts parts) {

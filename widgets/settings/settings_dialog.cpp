@@ -65,10 +65,7 @@ SettingsDialog::SettingsDialog(const ProgramSettings &settings, const std::vecto
 QFormLayout *SettingsDialog::addPage(const QString &title)
 {
     auto *page = new QWidget(m_pages);
-    auto *form = new QFormLayout(page);
-    form->setContentsMargins(allAround(grid::margin));
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(page, grid::unit, grid::margin);
     m_pages->addTab(new ContentScrollArea(page, m_pages), title);
     return form;
 }

@@ -33,9 +33,7 @@ CanBusPanel::CanBusPanel(QWidget *parent)
     , m_table(new WholeTable(content()))
 {
     makeTable();
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(nullptr, grid::unit);
     for (const CanopenFact &fact : canopenFacts())
         m_facts.emplace_back(&fact, addLine(*form, fact.label(), fact.toolTip()));
     auto *column = layOut<QVBoxLayout>(content(), grid::margin, grid::unit);

@@ -11,6 +11,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/label_text.h"
+#include "widgets/look/layouts.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -58,10 +59,7 @@ QString CanSettingsForm::sentence() const
 
 void CanSettingsForm::addFields()
 {
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins(QMargins());
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::margin);
+    auto *form = makeForm(this, grid::margin);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     if (isSerial()) {
         m_port = new PortField(this);

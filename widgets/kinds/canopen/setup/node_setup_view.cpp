@@ -84,10 +84,7 @@ NodeSetupView::~NodeSetupView()
 
 QLayout *NodeSetupView::makeFields()
 {
-    auto *form = new QFormLayout;
-    form->setContentsMargins(QMargins());
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(nullptr, grid::unit);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     m_rate->addItem(tr("as it is"));
     for (const canopen::LssRate &rate : canopen::lssRates)

@@ -58,9 +58,7 @@ EscLinePanel::EscLinePanel(QWidget *parent)
 {
     auto *column = layOut<QVBoxLayout>(content(), grid::margin, grid::unit);
     column->addWidget(m_state);
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(nullptr, grid::unit);
     m_port = addLine(*form, tr("Port"), tr("The serial port of this line"));
     m_rate = addLine(*form, tr("Baud rate"), tr("Bits per second; data bits, parity, stop bits"));
     m_latency = addLine(*form, tr("Low latency"),

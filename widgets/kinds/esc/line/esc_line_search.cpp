@@ -125,9 +125,7 @@ EscLineSearch::~EscLineSearch()
 
 void EscLineSearch::makeFields()
 {
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(nullptr, grid::unit);
     auto *addresses = new QHBoxLayout;
     addresses->setSpacing(grid::groupGap);
     addresses->addWidget(m_first);

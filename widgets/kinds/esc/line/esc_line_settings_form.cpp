@@ -12,6 +12,7 @@
 #include "widgets/look/icons.h"
 #include "widgets/look/inline_message.h"
 #include "widgets/look/label_text.h"
+#include "widgets/look/layouts.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -56,10 +57,7 @@ void EscLineSettingsForm::addFields()
 {
     m_port = new PortField(this);
     m_rateTold = new InlineMessage(this);
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins(QMargins());
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::margin);
+    auto *form = makeForm(this, grid::margin);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     makePort(*form);
     makeCharacter(*form);

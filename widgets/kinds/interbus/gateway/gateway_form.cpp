@@ -12,6 +12,7 @@
 #include "widgets/look/describe.h"
 #include "widgets/look/grid.h"
 #include "widgets/look/label_text.h"
+#include "widgets/look/layouts.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -78,10 +79,7 @@ GatewayForm::GatewayForm(GatewaySettings::Transport transport, QWidget *parent)
 
 void GatewayForm::addFields()
 {
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins({});
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::margin);
+    auto *form = makeForm(this, grid::margin);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     makeWhere(*form);
     makePresets(*form);

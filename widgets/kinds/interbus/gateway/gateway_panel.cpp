@@ -40,9 +40,7 @@ GatewayPanel::GatewayPanel(RingSession &bus, QWidget *parent)
 {
     auto *column = layOut<QVBoxLayout>(content(), grid::margin, grid::unit);
     column->addWidget(m_state);
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(nullptr, grid::unit);
     m_gateway = addLine(*form, tr("Gateway"), tr("Where it is reached"));
     m_mode = addLine(*form, tr("Writing"), tr("In Watch only reads are sent"));
     m_status = addLine(*form, tr("Status register"), tr("As the gateway tells it, if it has one"));

@@ -83,9 +83,7 @@ MasterPanel::~MasterPanel()
 void MasterPanel::makeState(QVBoxLayout *column)
 {
     column->addWidget(m_state);
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::unit);
+    auto *form = makeForm(nullptr, grid::unit);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     m_fault = addLine(*form, tr("Fault"), tr("What is wrong, and where"));
     m_errorCode = addLine(*form, tr("Error code"), tr("As the firmware's manual lists it"));

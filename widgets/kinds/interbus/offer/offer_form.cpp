@@ -51,10 +51,7 @@ OfferForm::OfferForm(QWidget *parent)
     leaveSeparatorsOut(*m_port);
     m_seats->setRange(1, OfferWish::mostSeats);
     m_warning->setFont(textFont(TextSize::small));
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins({});
-    form->setHorizontalSpacing(grid::groupGap);
-    form->setVerticalSpacing(grid::margin);
+    auto *form = makeForm(this, grid::margin);
     makeWhere(*form);
     makeRings(*form);
     setFocusProxy(m_address);
