@@ -133,8 +133,6 @@ std::span<const ColumnHead> CamTableModel::heads() const
 QVariant CamTableModel::cell(const CamRow &row, int column, int role) const
 {
     switch (role) {
-    case Qt::DisplayRole:
-        return text(row, column);
     case Qt::AccessibleTextRole:
         return isOld(row, column) ? tr("%1, not up to date").arg(text(row, column)) : text(row, column);
     case Qt::ForegroundRole:
@@ -147,14 +145,12 @@ QVariant CamTableModel::cell(const CamRow &row, int column, int role) const
         return (column == camColumn ? row.cam.active : row.cam.isInverted) ? Qt::Checked : Qt::Unchecked;
     case Qt::ToolTipRole:
         return cam_texts::description(m_sheet, row.number);
-    case Qt::TextAlignmentRole:
-        return headerCell(column, role);
     case Qt::FontRole:
         return isPosition(column) ? numberFont() : textFont();
     case Qt::DecorationRole:
         return icon(row, column);
     default:
-        return {};
+        return TableModelBase::cell(row, column, role);
     }
 }
 

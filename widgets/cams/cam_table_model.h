@@ -47,6 +47,7 @@ public:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const CamRow &row, int column) const override;
     QVariant cell(const CamRow &row, int column, int role) const override;
 
 private:
@@ -54,7 +55,6 @@ private:
     void refresh();
     void setPosition(Cam &cam, int column, std::int64_t position) const;
     static bool isOld(const CamRow &row, int column);
-    QString text(const CamRow &row, int column) const;
     QVariant icon(const CamRow &row, int column) const;
 
     CamSheet &m_sheet;

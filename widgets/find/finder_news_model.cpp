@@ -21,20 +21,6 @@ Role roleOfNews(const FinderNews &news)
     return news.found->isMasterAtWork ? Role::attention : Role::running;
 }
 
-QString newsText(const FinderNews &news, int column)
-{
-    switch (column) {
-    case FinderNewsModel::place:
-        return shownInLine(news.place);
-    case FinderNewsModel::settings:
-        return news.found ? news.found->settings : QString();
-    case FinderNewsModel::sure:
-        return news.found ? certaintyText(news.found->certainty) : QString();
-    default:
-        return shownInLine(news.sentence);
-    }
-}
-
 } // namespace
 
 std::span<const ColumnHead> FinderNewsModel::heads() const
@@ -44,23 +30,29 @@ std::span<const ColumnHead> FinderNewsModel::heads() const
     return all;
 }
 
+QString FinderNewsModel::text(const FinderNews &news, int column) const
+{
+    switch (column) {
+    case place:
+        return shownInLine(news.place);
+    case settings:
+        return news.found ? news.found->settings : QString();
+    case sure:
+        return news.found ? certaintyText(news.found->certainty) : QString();
+    default:
+        return shownInLine(news.sentence);
+    }
+}
+
 QVariant FinderNewsModel::cell(const FinderNews &news, int column, int role) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return newsText(news, column);
-    case Qt::DecorationRole:
-        return column == place ? QVariant(lineIcon(roleIcon(roleOfNews(news)), roleOfNews(news)))
-                               : QVariant();
-    case Qt::FontRole: {
-        QFont font;
-        font.setBold(news.kind == Kind::found);
-        return font;
-    }
-    default:
-        return {};
-    }
+    if (role == Qt::DecorationRole && column == place)
+        return lineIcon(roleIcon(roleOfNews(news)), roleOfNews(news));
+    if (role != Qt::FontRole)
+        return TableModelBase::cell(news, column, role);
+    QFont font;
+    font.setBold(news.kind == Kind::found);
+    return font;
 }
 
 } // namespace codewheel

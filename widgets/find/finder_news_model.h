@@ -18,6 +18,7 @@ public:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const FinderNews &news, int column) const override;
     QVariant cell(const FinderNews &news, int column, int role) const override;
 };
 

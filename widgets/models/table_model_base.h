@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/look/fonts.h"
+
 #include <QAbstractTableModel>
 #include <QCoreApplication>
 
@@ -22,8 +24,8 @@ struct ColumnHead
 };
 
 // What all our tables have in common: it keeps the rows and notifies the views of each change. A subclass
-// gives heads(), or the number of columns and headerCell(), and fills cell(); roles as in Qt (display,
-// alignment, decoration, tooltip, accessible text). Q_OBJECT works in the subclass.
+// gives heads(), or the number of columns and headerCell(), and the text() of its cells; what they have
+// besides is in its cell(), by roles of Qt (decoration, accessible text). Q_OBJECT works in the subclass.
 template <typename Row>
 class TableModelBase : public QAbstractTableModel
 {
@@ -135,7 +137,23 @@ protected:
             return {};
         }
     }
-    virtual QVariant cell(const Row &row, int column, int role) const = 0;
+    // What stands in a cell, and in its tooltip, for where it is cut off.
+    virtual QString text(const Row & /*row*/, int /*column*/) const { return {}; }
+    virtual bool isNumber(int /*column*/) const { return false; } // its digits stand below each other
+    virtual QVariant cell(const Row &row, int column, int role) const
+    {
+        switch (role) {
+        case Qt::DisplayRole:
+        case Qt::ToolTipRole:
+            return text(row, column);
+        case Qt::TextAlignmentRole: // as its head
+            return headerCell(column, role);
+        case Qt::FontRole:
+            return isNumber(column) ? QVariant(numberFont()) : QVariant();
+        default:
+            return {};
+        }
+    }
 
 private:
     // In their order, and the others behind them in theirs.

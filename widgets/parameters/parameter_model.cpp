@@ -247,8 +247,6 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
         return headCell(row, column, role);
     const bool isPale = column == knownColumn ? !row.known : column == wantedColumn && !row.wanted;
     switch (role) {
-    case Qt::DisplayRole:
-        return text(row, column);
     case Qt::EditRole:
         if (column == wantedColumn && row.isTold() && row.known)
             return variantOf(row.known->value);
@@ -257,8 +255,6 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
         return toolTip(row, column);
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1 %2").arg(text(row, column), detail(row, column)).trimmed();
-    case Qt::TextAlignmentRole:
-        return headerCell(column, role);
     case Qt::FontRole:
         return column == nameColumn || isPale || !row.parameter.choices.empty() ? textFont() : numberFont();
     case detailRole:
@@ -273,7 +269,7 @@ QVariant ParameterModel::cell(const ParameterRow &row, int column, int role) con
     case isPaleRole:
         return isPale || (column == knownColumn && isKnownOfBefore(row));
     default:
-        return {};
+        return TableModelBase::cell(row, column, role);
     }
 }
 

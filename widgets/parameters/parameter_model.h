@@ -64,6 +64,7 @@ public:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const ParameterRow &row, int column) const override;
     QVariant cell(const ParameterRow &row, int column, int role) const override;
 
 private:
@@ -74,7 +75,6 @@ private:
     void refresh();
     void showAge();
     bool isKnownOfBefore(const ParameterRow &row) const;
-    QString text(const ParameterRow &row, int column) const;
     QString detail(const ParameterRow &row, int column) const;
     QString toolTip(const ParameterRow &row, int column) const;
 

@@ -98,7 +98,7 @@ QString SequenceModel::explain(Word content) const
     return explanationText(*m_device, explainWord(*m_device, content, context));
 }
 
-QVariant SequenceModel::display(const SequenceRow &row, int column) const
+QString SequenceModel::text(const SequenceRow &row, int column) const
 {
     if (column != state)
         return column == word ? hexWord(row.word) : explain(row.word);
@@ -109,22 +109,12 @@ QVariant SequenceModel::display(const SequenceRow &row, int column) const
 
 QVariant SequenceModel::cell(const SequenceRow &row, int column, int role) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return display(row, column);
-    case Qt::EditRole:
-        return column == word ? display(row, column) : QVariant();
-    case Qt::FontRole:
-        return column == word ? QVariant(numberFont()) : QVariant();
-    case Qt::DecorationRole:
-        if (column != state || row.state == SequenceRow::State::waiting)
-            return {};
-        return row.state == SequenceRow::State::sending ? lineIcon(Icon::next, Role::attention)
-                                                        : lineIcon(Icon::ok, Role::running);
-    default:
-        return {};
-    }
+    if (role == Qt::EditRole && column == word)
+        return text(row, column);
+    if (role != Qt::DecorationRole || column != state || row.state == SequenceRow::State::waiting)
+        return TableModelBase::cell(row, column, role);
+    return row.state == SequenceRow::State::sending ? lineIcon(Icon::next, Role::attention)
+                                                    : lineIcon(Icon::ok, Role::running);
 }
 
 } // namespace codewheel

@@ -44,11 +44,12 @@ Q_SIGNALS:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const SequenceRow &row, int column) const override;
+    bool isNumber(int column) const override { return column == word; }
     QVariant cell(const SequenceRow &row, int column, int role) const override;
 
 private:
     QString explain(Word content) const;
-    QVariant display(const SequenceRow &row, int column) const;
 
     const DeviceDescription *m_device = nullptr;
     std::optional<Mode> m_mode;

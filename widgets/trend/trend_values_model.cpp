@@ -158,18 +158,8 @@ std::span<const ColumnHead> TrendValuesModel::heads() const
     return all;
 }
 
-QVariant TrendValuesModel::cell(const TrendRow &row, int column, int role) const
+QString TrendValuesModel::text(const TrendRow &row, int column) const
 {
-    if (role == Qt::TextAlignmentRole)
-        return headerCell(column, role);
-    if (role == Qt::FontRole && column != name)
-        return numberFont();
-    if (role == Qt::DecorationRole && column == name)
-        return sampleOf(row.color);
-    if (role == Qt::ToolTipRole && column == name)
-        return row.name;
-    if (role != Qt::DisplayRole)
-        return {};
     switch (column) {
     case name:
         return row.name;
@@ -196,6 +186,15 @@ QVariant TrendValuesModel::cell(const TrendRow &row, int column, int role) const
     default:
         return {};
     }
+}
+
+QVariant TrendValuesModel::cell(const TrendRow &row, int column, int role) const
+{
+    if (role == Qt::DecorationRole && column == name)
+        return sampleOf(row.color);
+    if (role == Qt::ToolTipRole && column != name)
+        return {};
+    return TableModelBase::cell(row, column, role);
 }
 
 } // namespace codewheel

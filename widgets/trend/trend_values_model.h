@@ -60,6 +60,8 @@ public:
 
 private:
     std::span<const ColumnHead> heads() const override;
+    QString text(const TrendRow &row, int column) const override;
+    bool isNumber(int column) const override { return column != name; }
     QVariant cell(const TrendRow &row, int column, int role) const override;
     TrendRow rowOf(const TrendCurve &curve, const TrendScene &scene,
                    const std::optional<TrackScale> &turns) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/model_tester.h"
+#include "widgets/look/fonts.h"
 #include "widgets/models/table_model_base.h"
 
 #include <QAbstractItemModel>
@@ -38,6 +39,21 @@ class Lines : public TableModelBase<Line>
     }
 };
 
+// With heads, and no cell() of its own.
+class PlainLines : public TableModelBase<Line>
+{
+    std::span<const ColumnHead> heads() const override
+    {
+        static constexpr ColumnHead all[] = {{"Cycle", Qt::AlignRight}, {"Text"}};
+        return all;
+    }
+    QString text(const Line &line, int column) const override
+    {
+        return column == 0 ? QString::number(line.cycle) : line.text;
+    }
+    bool isNumber(int column) const override { return column == 0; }
+};
+
 std::vector<int> cyclesOf(const Lines &lines)
 {
     std::vector<int> cycles;
@@ -66,6 +82,21 @@ TEST_F(TableModel, EveryChangeKeepsViewsRight)
     EXPECT_EQ(cyclesOf(lines), (std::vector{2, 4}));
     lines.removeFirst(7);
     EXPECT_EQ(cyclesOf(lines), std::vector<int>{});
+}
+
+TEST(PlainTable, ACellHasItsTextAsToolTipTooAndStandsAsItsHead)
+{
+    PlainLines lines;
+    lines.setRows({{7, QStringLiteral("run")}});
+    const QModelIndex cycle = lines.index(0, 0);
+    const QModelIndex text = lines.index(0, 1);
+    EXPECT_EQ(cycle.data().toString(), QStringLiteral("7"));
+    EXPECT_EQ(text.data(Qt::ToolTipRole).toString(), QStringLiteral("run"));
+    EXPECT_EQ(cycle.data(Qt::TextAlignmentRole), lines.headerData(0, Qt::Horizontal, Qt::TextAlignmentRole));
+    EXPECT_TRUE(Qt::Alignment(cycle.data(Qt::TextAlignmentRole).toInt()).testFlag(Qt::AlignRight));
+    EXPECT_EQ(cycle.data(Qt::FontRole).value<QFont>(), numberFont());
+    EXPECT_FALSE(text.data(Qt::FontRole).isValid());
+    EXPECT_FALSE(text.data(Qt::TextAlignmentRole).isValid());
 }
 
 TEST_F(TableModel, AReplacedRowIsToldAsAWhole)

@@ -67,7 +67,7 @@ std::span<const ColumnHead> CanFoundModel::heads() const
     return all;
 }
 
-QString CanFoundModel::textOf(const CanFoundRow &row, int column) const
+QString CanFoundModel::text(const CanFoundRow &row, int column) const
 {
     if (column == node)
         return CanopenAddress{row.found.node}.shown();
@@ -81,11 +81,9 @@ QString CanFoundModel::textOf(const CanFoundRow &row, int column) const
 
 QVariant CanFoundModel::cell(const CanFoundRow &row, int column, int role) const
 {
-    if (role == Qt::DisplayRole || role == Qt::ToolTipRole)
-        return textOf(row, column);
     if (role == Qt::CheckStateRole && column == node && row.canBeTaken())
         return isChosen(row) ? Qt::Checked : Qt::Unchecked;
-    return {};
+    return TableModelBase::cell(row, column, role);
 }
 
 } // namespace codewheel

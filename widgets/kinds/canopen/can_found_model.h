@@ -41,11 +41,11 @@ Q_SIGNALS:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const CanFoundRow &row, int column) const override;
     QVariant cell(const CanFoundRow &row, int column, int role) const override;
 
 private:
     bool isChosen(const CanFoundRow &row) const;
-    QString textOf(const CanFoundRow &row, int column) const;
 
     std::set<int> m_left; // nodes whose tick was taken away
 };

@@ -125,7 +125,7 @@ QVariant CanNodeModel::headerCell(int column, int role) const
     }
 }
 
-QString CanNodeModel::textOf(const CanNodeRow &row, int column)
+QString CanNodeModel::text(const CanNodeRow &row, int column) const
 {
     if (column == node) {
         const QString number = CanopenAddress{row.node}.shown();
@@ -135,30 +135,21 @@ QString CanNodeModel::textOf(const CanNodeRow &row, int column)
         return row.errors.isEmpty() ? nothingToTell : row.errors;
     if (!row.isHeard)
         return tr("not heard");
-    const QString state = row.state + u'\n' + sentence(tr("since %1", "a time of day"), {row.since});
-    return row.isOld ? tr("before the link was lost:") + u'\n' + state : state;
+    const QString since = row.state + u'\n' + sentence(tr("since %1", "a time of day"), {row.since});
+    return row.isOld ? tr("before the link was lost:") + u'\n' + since : since;
 }
 
 QVariant CanNodeModel::cell(const CanNodeRow &row, int column, int role) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return textOf(row, column);
-    case Qt::DecorationRole:
-        if (column != node)
-            return {};
-        if (row.isOld)
-            return lineIcon(Icon::inactive, Role::inactive);
-        if (row.isInTrouble)
-            return lineIcon(Icon::fault, Role::fault);
-        if (row.isWaiting)
-            return lineIcon(Icon::attention, Role::attention);
-        return row.isHeard ? lineIcon(Icon::running, Role::running)
-                           : lineIcon(Icon::inactive, Role::inactive);
-    default:
-        return {};
-    }
+    if (role != Qt::DecorationRole || column != node)
+        return TableModelBase::cell(row, column, role);
+    if (row.isOld)
+        return lineIcon(Icon::inactive, Role::inactive);
+    if (row.isInTrouble)
+        return lineIcon(Icon::fault, Role::fault);
+    if (row.isWaiting)
+        return lineIcon(Icon::attention, Role::attention);
+    return row.isHeard ? lineIcon(Icon::running, Role::running) : lineIcon(Icon::inactive, Role::inactive);
 }
 
 } // namespace codewheel

@@ -50,6 +50,7 @@ public:
 protected:
     int columns() const override;
     QVariant headerCell(int column, int role) const override;
+    QString text(const CanNodeRow &row, int column) const override;
     QVariant cell(const CanNodeRow &row, int column, int role) const override;
 
 private:
@@ -62,7 +63,6 @@ private:
         QString since;
     };
 
-    static QString textOf(const CanNodeRow &row, int column);
     CanNodeRow rowFor(const CanopenSession &bus, int number);
 
     std::map<int, Condition> m_conditions; // by node

@@ -97,21 +97,9 @@ std::span<const ColumnHead> FoundEncoderModel::heads() const
 
 QVariant FoundEncoderModel::cell(const FoundEncoder &row, int column, int role) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return text(row, column);
-    case Qt::CheckStateRole:
-        if (column != address || !canBeTaken(row))
-            return {};
+    if (role == Qt::CheckStateRole && column == address && canBeTaken(row))
         return m_left.contains(keyOf(row)) ? Qt::Unchecked : Qt::Checked;
-    case Qt::FontRole:
-        return column == version ? QVariant() : QVariant(numberFont());
-    case Qt::TextAlignmentRole:
-        return headerCell(column, role);
-    default:
-        return {};
-    }
+    return TableModelBase::cell(row, column, role);
 }
 
 } // namespace codewheel

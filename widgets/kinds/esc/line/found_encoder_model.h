@@ -31,12 +31,13 @@ Q_SIGNALS:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const FoundEncoder &row, int column) const override;
+    bool isNumber(int column) const override { return column != version; }
     QVariant cell(const FoundEncoder &row, int column, int role) const override;
 
 private:
     using Key = std::pair<EscLineAddress, int>; // with its baud rate
     static Key keyOf(const FoundEncoder &found) { return {found.address, found.baudRate}; }
-    QString text(const FoundEncoder &row, int column) const;
     bool canBeTaken(const FoundEncoder &row) const;
 
     std::set<Key> m_left; // not to be taken over

@@ -90,17 +90,9 @@ std::span<const ColumnHead> ReplayModel::heads() const
 
 QVariant ReplayModel::cell(const ReplayRow &row, int column, int role) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return text(row, column);
-    case Qt::DecorationRole:
-        return column == result ? QVariant(verdictIcon(row)) : QVariant();
-    case Qt::FontRole:
-        return column == request || column == then || column == now ? QVariant(numberFont()) : QVariant();
-    default:
-        return {};
-    }
+    if (role == Qt::DecorationRole && column == result)
+        return verdictIcon(row);
+    return TableModelBase::cell(row, column, role);
 }
 
 } // namespace codewheel

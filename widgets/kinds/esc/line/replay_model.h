@@ -31,11 +31,11 @@ public:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const ReplayRow &row, int column) const override;
+    bool isNumber(int column) const override { return column == request || column == then || column == now; }
     QVariant cell(const ReplayRow &row, int column, int role) const override;
 
 private:
-    QString text(const ReplayRow &row, int column) const;
-
     esc::ExplainOptions m_options;
 };
 

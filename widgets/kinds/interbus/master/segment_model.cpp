@@ -57,7 +57,7 @@ std::span<const ColumnHead> SegmentModel::heads() const
     return all;
 }
 
-QVariant SegmentModel::text(const SegmentRow &row, int column) const
+QVariant SegmentModel::valueOf(const SegmentRow &row, int column) const
 {
     switch (column) {
     case segmentColumn:
@@ -77,7 +77,7 @@ QVariant SegmentModel::text(const SegmentRow &row, int column) const
 QVariant SegmentModel::cell(const SegmentRow &row, int column, int role) const
 {
     if (role == Qt::DisplayRole)
-        return text(row, column);
+        return valueOf(row, column);
     if (role == Qt::DecorationRole && column == stateColumn) {
         const Role state = row.switchedOff ? Role::attention : Role::running;
         return lineIcon(roleIcon(state), state);

@@ -37,7 +37,7 @@ public:
 private:
     std::span<const ColumnHead> heads() const override;
     QVariant cell(const SegmentRow &row, int column, int role) const override;
-    QVariant text(const SegmentRow &row, int column) const;
+    QVariant valueOf(const SegmentRow &row, int column) const;
 };
 
 } // namespace codewheel

@@ -15,26 +15,6 @@ QString wordText(std::optional<Word> word)
     return word ? hexWord(*word) : QStringLiteral("\u2013");
 }
 
-QString seatText(const Seat &seat, int column)
-{
-    switch (column) {
-    case SeatsModel::unit:
-        return QString::number(seat.unit);
-    case SeatsModel::clients:
-        return QString::number(seat.clients);
-    case SeatsModel::ring:
-        return seat.state;
-    case SeatsModel::in:
-        return wordText(seat.in);
-    case SeatsModel::out:
-        return wordText(seat.out);
-    case SeatsModel::faults:
-        return seat.faults;
-    default:
-        return ServedText::written(seat.written);
-    }
-}
-
 } // namespace
 
 void SeatsModel::show(const std::vector<Seat> &seats)
@@ -65,21 +45,31 @@ std::span<const ColumnHead> SeatsModel::heads() const
     return all;
 }
 
+QString SeatsModel::text(const Seat &seat, int column) const
+{
+    switch (column) {
+    case unit:
+        return QString::number(seat.unit);
+    case clients:
+        return QString::number(seat.clients);
+    case ring:
+        return seat.state;
+    case in:
+        return wordText(seat.in);
+    case out:
+        return wordText(seat.out);
+    case faults:
+        return seat.faults;
+    default:
+        return ServedText::written(seat.written);
+    }
+}
+
 QVariant SeatsModel::cell(const Seat &seat, int column, int role) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return seatText(seat, column);
-    case Qt::DecorationRole:
-        return column == ring ? QVariant(lineIcon(roleIcon(seat.role), seat.role)) : QVariant();
-    case Qt::TextAlignmentRole:
-        return headerCell(column, role);
-    case Qt::FontRole:
-        return column == ring || column == faults ? QVariant() : QVariant(numberFont());
-    default:
-        return {};
-    }
+    if (role == Qt::DecorationRole && column == ring)
+        return lineIcon(roleIcon(seat.role), seat.role);
+    return TableModelBase::cell(seat, column, role);
 }
 
 } // namespace codewheel

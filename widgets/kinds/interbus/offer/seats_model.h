@@ -37,6 +37,8 @@ public:
 
 protected:
     std::span<const ColumnHead> heads() const override;
+    QString text(const Seat &seat, int column) const override;
+    bool isNumber(int column) const override { return column != ring && column != faults; }
     QVariant cell(const Seat &seat, int column, int role) const override;
 };
 

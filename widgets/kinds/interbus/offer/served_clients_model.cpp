@@ -19,7 +19,7 @@ void ServedClientsModel::show(const std::vector<ServedClient> &clients)
     append({clients.begin() + static_cast<std::ptrdiff_t>(before), clients.end()});
 }
 
-QString ServedClientsModel::text(const ServedClient &client, int column)
+QString ServedClientsModel::text(const ServedClient &client, int column) const
 {
     switch (column) {
     case address:
@@ -53,21 +53,6 @@ std::span<const ColumnHead> ServedClientsModel::heads() const
         {QT_TR_NOOP("Since"), Qt::AlignLeft, QT_TR_NOOP("When it connected")},
     };
     return all;
-}
-
-QVariant ServedClientsModel::cell(const ServedClient &client, int column, int role) const
-{
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return text(client, column);
-    case Qt::TextAlignmentRole:
-        return headerCell(column, role);
-    case Qt::FontRole:
-        return numberFont();
-    default:
-        return {};
-    }
 }
 
 } // namespace codewheel

@@ -22,10 +22,8 @@ public:
 
 protected:
     std::span<const ColumnHead> heads() const override;
-    QVariant cell(const ServedClient &client, int column, int role) const override;
-
-private:
-    static QString text(const ServedClient &client, int column);
+    QString text(const ServedClient &client, int column) const override;
+    bool isNumber(int /*column*/) const override { return true; }
 };
 
 } // namespace codewheel

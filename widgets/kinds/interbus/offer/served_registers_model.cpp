@@ -5,26 +5,6 @@
 #include "widgets/look/fonts.h"
 
 namespace codewheel {
-namespace {
-
-QString servedText(const ServedDevice &device, int column)
-{
-    switch (column) {
-    case ServedRegistersModel::place:
-        return device.registers.place.toString();
-    case ServedRegistersModel::in:
-        return registerRange(device.registers.in);
-    case ServedRegistersModel::inHolding:
-        return registerRange(device.registers.inHolding);
-    case ServedRegistersModel::out:
-        return registerRange(device.registers.out);
-    default:
-        return device.name;
-    }
-}
-
-} // namespace
-
 void ServedRegistersModel::show(std::vector<ServedDevice> devices)
 {
     if (devices != rows())
@@ -49,16 +29,19 @@ std::span<const ColumnHead> ServedRegistersModel::heads() const
     return all;
 }
 
-QVariant ServedRegistersModel::cell(const ServedDevice &device, int column, int role) const
+QString ServedRegistersModel::text(const ServedDevice &device, int column) const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::ToolTipRole:
-        return servedText(device, column);
-    case Qt::FontRole:
-        return column == name ? QVariant() : QVariant(numberFont());
+    switch (column) {
+    case place:
+        return device.registers.place.toString();
+    case in:
+        return registerRange(device.registers.in);
+    case inHolding:
+        return registerRange(device.registers.inHolding);
+    case out:
+        return registerRange(device.registers.out);
     default:
-        return {};
+        return device.name;
     }
 }
 

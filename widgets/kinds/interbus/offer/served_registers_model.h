@@ -29,7 +29,8 @@ public:
 
 protected:
     std::span<const ColumnHead> heads() const override;
-    QVariant cell(const ServedDevice &device, int column, int role) const override;
+    QString text(const ServedDevice &device, int column) const override;
+    bool isNumber(int column) const override { return column != name; }
 };
 
 } // namespace codewheel
