@@ -431,6 +431,26 @@
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>below the work area</source>
+        <translation>unter dem Arbeitsbereich   [CanopenBit]</translation>
+    </message>
+    <message>
+        <source>above the work area</source>
+        <translation>über dem Arbeitsbereich   [CanopenBit]</translation>
+    </message>
+    <message>
+        <source>outside the work area</source>
+        <translation>außerhalb des Arbeitsbereichs   [CanopenBit]</translation>
+    </message>
+    <message>
+        <source>profile %1.%2, software %3.%4</source>
+        <translation>Profil %1.%2, Software %3.%4   [CanopenBit]</translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation>nicht unterstützt   [CanopenBit]</translation>
+    </message>
 </context>
 <context>
     <name>CanopenEmcy</name>
@@ -1997,16 +2017,16 @@
         <translation>Beim Beobachten wird der Geber nicht gefragt, und von selbst sendet er keine Position.</translation>
     </message>
     <message>
-        <source>The encoder is not being asked, as another master is at work on the bus.</source>
-        <translation>Der Geber wird nicht gefragt, weil ein anderer Master am Bus arbeitet.</translation>
-    </message>
-    <message>
         <source>The node is stopped, so it sends and answers nothing.</source>
         <translation>Der Knoten ist angehalten: Er sendet und antwortet nichts.</translation>
     </message>
     <message>
         <source>Stopped</source>
         <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>The encoder is not being asked, as others are at work on the bus: another master, or J1939.</source>
+        <translation>Der Geber wird nicht abgefragt, weil andere auf dem Bus am Werk sind: ein anderer Master oder J1939.   [context of freshness texts; replaces &quot;The encoder is not being asked, as another master is at work on the bus.&quot;]</translation>
     </message>
 </context>
 <context>
@@ -3205,6 +3225,10 @@
     <message>
         <source>Whether NMT has gone out is not known: the adapter does not tell. It was %1.</source>
         <translation>Ob NMT hinausgegangen ist, ist nicht bekannt: der Adapter sagt es nicht. Es war %1.</translation>
+    </message>
+    <message>
+        <source>%1 has the identifier %2, and %3 is predefined for the number of this node: it may be that of the number it had before. Write %3 to it, store, and reset the node; if it cannot be written, restore the factory values.</source>
+        <translation>%1 hat den Identifier %2, und %3 ist für die Nummer dieses Knotens vordefiniert: Vielleicht ist es der der Nummer, die er vorher hatte. Schreiben Sie %3 hinein, speichern Sie, und setzen Sie den Knoten zurück; lässt er sich nicht schreiben, stellen Sie die Werkseinstellungen her.   [Message]</translation>
     </message>
 </context>
 <context>
@@ -4540,6 +4564,14 @@
     <message>
         <source>Node %1 tells the device profile %2, not that of encoders (406; object 1000h): what is wanted means something else there. Nothing was written. Its objects can still be read and written one by one, by its own manual.</source>
         <translation>Knoten %1 nennt das Geräteprofil %2, nicht das der Encoder (406; Objekt 1000h): das Gewünschte bedeutet dort etwas anderes. Geschrieben wurde nichts. Seine Objekte lassen sich weiterhin einzeln lesen und schreiben, nach seinem eigenen Handbuch.</translation>
+    </message>
+    <message>
+        <source>Only frames of 29 bits are heard: what is there speaks J1939, not CANopen, and nothing is sent to it. Another variant of the device is needed.</source>
+        <translation>Nur Telegramme mit 29 Bit sind zu hören: was da ist, spricht J1939, nicht CANopen, und gesendet wird ihm nichts. Es braucht eine andere Ausführung des Geräts.</translation>
+    </message>
+    <message>
+        <source>Node %1 does not tell whether it is running, and this stops it: if it runs, its positions would not come until it is started again. Agree that it is stopped and started afterwards, or stop it first.</source>
+        <translation>Knoten %1 sagt nicht, ob er läuft, und das hier hält ihn an: Läuft er, kämen seine Positionen erst wieder, wenn er neu gestartet ist. Stimmen Sie zu, dass er angehalten und danach gestartet wird, oder halten Sie ihn vorher an.   [Refusal]</translation>
     </message>
 </context>
 <context>
@@ -7638,6 +7670,22 @@
         <source>Node %1 tells the device profile %2 (object 1000h), not that of encoders: what it sends means something else, and no values are written to it. See whether the right device has this number.</source>
         <translation>Knoten %1 nennt das Geräteprofil %2 (Objekt 1000h), nicht das der Encoder: was er sendet, bedeutet etwas anderes, und Werte werden nicht hineingeschrieben. Prüfen, ob das richtige Gerät diese Nummer hat.</translation>
     </message>
+    <message>
+        <source>Identifier of %1</source>
+        <translation>Identifier von %1   [codewheel::CanopenChecks]</translation>
+    </message>
+    <message>
+        <source>The node has booted, and does not tell its state: most then wait to be started (NMT), some start by themselves.</source>
+        <translation>Der Knoten hat gebootet und sagt seinen Zustand nicht: Die meisten warten dann darauf, gestartet zu werden (NMT), manche starten von selbst.   [codewheel::CanopenChecks]</translation>
+    </message>
+    <message>
+        <source>none since the boot-up</source>
+        <translation>keine seit dem Boot-up   [codewheel::CanopenChecks]</translation>
+    </message>
+    <message>
+        <source>PDOs come once the node is started (NMT), unless it starts by itself.</source>
+        <translation>PDOs kommen, sobald der Knoten gestartet ist (NMT), falls er nicht von selbst startet.   [codewheel::CanopenChecks]</translation>
+    </message>
 </context>
 <context>
     <name>codewheel::CanopenFacts</name>
@@ -7807,10 +7855,6 @@
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>The NMT state that the node has told last. Only an operational one sends PDOs, and a stopped one answers nothing</source>
-        <translation>Der NMT-Zustand, den der Knoten zuletzt gesagt hat. Nur einer auf Operational sendet PDOs, und ein angehaltener antwortet nicht</translation>
-    </message>
-    <message>
         <source>Heartbeat</source>
         <translation>Heartbeat</translation>
     </message>
@@ -7862,6 +7906,10 @@
     <message>
         <source>Frames of this program that the adapter has not refused</source>
         <translation>Telegramme dieses Programms, die der Adapter nicht abgelehnt hat</translation>
+    </message>
+    <message>
+        <source>The NMT state that the node has told last. Only an operational one sends PDOs, and a stopped one answers nothing. Behind its boot-up a node waits to be started, or starts by itself</source>
+        <translation>Der NMT-Zustand, den der Knoten zuletzt gesagt hat. Nur einer auf Operational sendet PDOs, und ein angehaltener antwortet nicht. Nach seinem Boot-up wartet ein Knoten darauf, gestartet zu werden, oder startet von selbst   [codewheel::CanopenFacts; replaces the text without the last sentence]</translation>
     </message>
 </context>
 <context>
@@ -12089,10 +12137,6 @@ der Datei, die das Projekt von ihm hat, sonst die seiner Beschreibung. Gelesen w
     <message>
         <source>The adapter is closed now, which ends its attempts. If it goes on, unplug it.</source>
         <translation>Der Adapter ist jetzt geschlossen, was seine Versuche beendet. Macht er weiter, ziehen Sie ihn ab.</translation>
-    </message>
-    <message>
-        <source>Only frames of 29 bits are heard: what is there speaks J1939, not CANopen, and nothing is sent to it. Another variant of the device is needed.</source>
-        <translation>Nur Telegramme mit 29 Bit sind zu hören: was da ist, spricht J1939, nicht CANopen, und gesendet wird ihm nichts. Es braucht eine andere Ausführung des Geräts.</translation>
     </message>
     <message>
         <source>Only frames of 29 bits are heard: what is there speaks J1939, not CANopen. Another variant of the device is needed.</source>
@@ -20142,6 +20186,10 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     <message>
         <source>In Operate, the encoders are asked for what they do not tell by themselves, and what you write goes to them. A preset or a parameter changes the position that the controller sees.</source>
         <translation>Beim Bedienen werden die Geber gefragt, was sie nicht von selbst sagen, und was Sie schreiben, geht an sie. Ein Preset oder ein Parameter ändert die Position, die die Steuerung sieht.</translation>
+    </message>
+    <message>
+        <source>Nothing was heard on the bus so far: the rate may be wrong, or nobody there.</source>
+        <translation>Auf dem Bus war bisher nichts zu hören: Die Rate ist vielleicht falsch, oder niemand da.   [codewheel::OperateQuestion]</translation>
     </message>
 </context>
 <context>

@@ -649,7 +649,7 @@ TEST_F(CliProjectLinks, EachSchemeLeadsToTheBusesOfItsKindInTheProject)
 
 constexpr std::array otherOptions{Option{"--depth", "M", nullptr}, Option{"--dry", nullptr, nullptr}};
 const Service otherService{"other", otherOptions, [](const Call &) -> Checked<Answer> {
-                               return badInput(QStringLiteral("served"), QStringLiteral("served"));
+                               return badInput("served", QStringLiteral("served"));
                            }};
 
 // A kind of bus that can also be reached by another kind's scheme.
@@ -662,7 +662,7 @@ public:
     bool isPlace(const QString &) const override { return false; }
     Checked<std::vector<MakeLink>> links(const LinkText &text, const Project *) const override
     {
-        return badInput(QStringLiteral("reached"), text.where + text.settings.join(u','));
+        return badInput("reached", text.where + text.settings.join(u','));
     }
     Checked<MakeLink> planned(const Project &, BusId, const QStringList &) const override { return {}; }
     MakeLink training(const Project *) const override { return {}; }
