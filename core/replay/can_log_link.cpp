@@ -32,7 +32,8 @@ Result<void> CanLogLink::usable() const
     return m_isOpen ? Result<void>() : refuse(RefusalKind::link, RefusalId::lineClosed);
 }
 
-// Those that came within a moment together.
+// Those that came within a moment together. Time has to pass for them: what comes at once, with the opening,
+// would come before anybody could be there to hear it.
 Result<CanNews> CanLogLink::receive(Instant until)
 {
     constexpr Instant moment = std::chrono::milliseconds(1);
@@ -43,7 +44,7 @@ Result<CanNews> CanLogLink::receive(Instant until)
          next = m_log.next()) {
         m_first = m_first.value_or(*next->time);
         const Instant at = m_begin + *next->time - *m_first;
-        if (at > until || (!news.frames.empty() && at > *news.frames.front().time + moment))
+        if (at >= until || (!news.frames.empty() && at > *news.frames.front().time + moment))
             break;
         news.frames.push_back(*next);
         news.frames.back().time = at;

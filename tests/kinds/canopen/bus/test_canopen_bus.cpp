@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/bus_outline.h"
+#include "replay/can_log_link.h"
 #include "tests/kinds/canopen/bus/canopen_plant.h"
 #include "vocabulary/message_items.h"
+
+#include <QFile>
+#include <QTemporaryDir>
 
 namespace codewheel {
 namespace {
@@ -219,6 +223,31 @@ TEST_F(CanopenBus, ItsThreadIsHidden)
     EXPECT_EQ(threaded.encoder(five)->latest().position, 5'000);
     threaded.close();
     EXPECT_EQ(threaded.state(), BusState::closed);
+}
+
+// It is added once the log is open.
+TEST(CanopenLog, ItsFirstFrameIsHeardByTheEncoderThatIsAdded)
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("one.log")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("(1544106679.000000) can0 185#88130000\n");
+    file.close();
+    const Catalog catalog = Catalog::builtIn();
+    CanopenSession session(std::make_unique<CanLogLink>(file.fileName(), std::string()), catalog,
+                           QDateTime(QDate(2018, 12, 6), QTime(14, 31, 19)));
+    session.takeUsualMapping();
+    ASSERT_TRUE(session.open({}, EncoderBus::Start::watching, EncoderBus::Drive::byHand));
+    ASSERT_TRUE(session.add(5, QStringLiteral("canopen-406-multi-turn")));
+    std::vector<std::int64_t> positions;
+    QObject::connect(&session, &EncoderBus::updated, &session, [&] {
+        const auto *encoder = session.encoder(NodeId("can:5"));
+        if (encoder != nullptr && encoder->latest().position)
+            positions.push_back(*encoder->latest().position);
+    });
+    session.advance(1s);
+    ASSERT_FALSE(positions.empty());
+    EXPECT_EQ(positions.front(), 5000);
 }
 
 // The rate of some adapters is not sure.
