@@ -202,16 +202,19 @@ NodeSteps NodePlan::steps(const ReadCams & /*job*/) const
     return made;
 }
 
+// Makes have them of other sizes: their answers tell.
 NodeSteps NodePlan::steps(const WriteCams &job) const
 {
     NodeSteps made;
-    for (const CamProgram &program : job.programs) {
-        if (job.onlyWhatDiffers)
-            made = steps(ReadCams());
+    if (job.onlyWhatDiffers)
+        made = steps(ReadCams());
+    else if (!m_cams)
+        for (const CamField field : camFieldsOf(m_device.capabilities.cams.value_or(CamAbilities())))
+            made.push_back(stepOf(Task::refresh, Effect::reads, camObject(field)));
+    for (const CamProgram &program : job.programs)
         std::ranges::copy(
             cams(program, job.onlyWhatDiffers && m_cams ? std::optional(m_cams->program) : std::nullopt),
             std::back_inserter(made));
-    }
     return made;
 }
 

@@ -565,6 +565,24 @@ TEST_F(NodeJobs, StatesOfTheNodeAreJobs)
     EXPECT_EQ(bench.jobLog(), (Rows{"NMT 81"}));
 }
 
+// BEI has limits of 16 bits.
+TEST_F(NodeJobs, CamsAreWrittenAsWideAsTheEncoderHasThem)
+{
+    for (const char *base : {"631", "632", "633"})
+        for (int cam = 0; cam < 8; ++cam)
+            bench.has[base + std::to_string(cam) + ":1"] = {0, 0};
+    bench.has["6301:1"] = bench.has["6302:1"] = {0x00};
+    CamProgram program;
+    program.cam[0] = {.start = 100, .stop = 200, .active = true};
+    EXPECT_TRUE(bench.finish(WriteCams{{program}, false, {}}).result);
+    for (const char *row : {"6310:1 64 00", "6320:1 C8 00", "6301:1 01"})
+        EXPECT_EQ(std::ranges::count(bench.log, std::string(row)), 1) << row;
+    bench.log.clear();
+    program.cam[0].stop = 300;
+    EXPECT_TRUE(bench.finish(WriteCams{{program}, false, {}}).result);
+    EXPECT_EQ(bench.jobLog().front(), "6310:1 64 00") << "how wide they are is known by now";
+}
+
 TEST_F(NodeJobs, CamsAreReadAndOnlyWhatDiffersIsWritten)
 {
     for (const char *base : {"631", "632"})
