@@ -148,6 +148,34 @@ TEST_F(CanopenConnection, OperateAsksOnARealBusAndNothingIsSentBefore)
     EXPECT_TRUE(comes([this] { return session().isOperating() && bench.sent > 0; }));
 }
 
+TEST_F(CanopenConnection, SilenceIsSaidBeforeOperateAndJ1939HoldsBack)
+{
+    for (std::size_t each = 0; each < canopen::trainingEncoders().size(); ++each)
+        bench.plant.withEncoder(each, [](canopen::SimulatedNode &node) { node.setOn(false); });
+    plan(QStringLiteral("can:can0"), {nodeFive});
+    connectTo(QStringLiteral("can0"));
+    ASSERT_TRUE(hasOpened());
+    tree().choose(nodeFive);
+    actions().operate->trigger();
+    auto *question = window().findChild<QMessageBox *>(QStringLiteral("operateQuestion"));
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(
+        question->informativeText().startsWith(QStringLiteral("Nothing was heard on the bus so far")));
+    auto other = std::make_shared<SimulatedCanAdapter>(125'000, Instant());
+    bench.plant.bus()->add(other);
+    bench.plant.bus()->locked([&] {
+        other->open(CanUse::operate);
+        return other->queue({.id = 0x0CFFE0E0, .isExtended = true});
+    });
+    ASSERT_TRUE(comes([this] { return session().latest().figures.received > 0; }));
+    click(*question, QStringLiteral("Operate"));
+    ASSERT_TRUE(comes([this] { return session().isOperating() && notice().isVisibleTo(&window()); }));
+    EXPECT_TRUE(notice().sentence().contains(QStringLiteral("J1939")));
+    EXPECT_EQ(bench.sent, 0);
+    click(notice(), QStringLiteral("Send all the same"));
+    EXPECT_TRUE(comes([this] { return bench.sent > 0; }));
+}
+
 TEST_F(CanopenConnection, BesideAnotherMasterTheUserIsAskedBeforeAnythingIsSent)
 {
     canActions().training->trigger();
