@@ -17,7 +17,7 @@ void ValueTap::look(std::size_t device, const Reading &reading, bool isLive, Ins
         m_last.resize(device + 1);
     Last &last = m_last[device];
     const Instant before = std::exchange(last.at, reading.at);
-    const bool isNew = before != reading.at;
+    const bool isNew = before != reading.at || !last.hasShown; // it may be the moment of the opening
     const bool shows = isLive && (exchanged || reading.cams || reading.showsPosition());
     if (shows && isNew) {
         if (last.showed)
@@ -26,6 +26,7 @@ void ValueTap::look(std::size_t device, const Reading &reading, bool isLive, Ins
     } else if (!shows && last.showed)
         m_noted.push_back({device, {.at = now}});
     last.showed = shows && (isNew || last.showed);
+    last.hasShown = last.hasShown || last.showed;
 }
 
 // In its place: to copy what was put together field by field just before takes longer than all the rest.

@@ -36,6 +36,7 @@ private:
     struct Last
     {
         Instant at = Instant::min();
+        bool hasShown = false; // ever
         bool showed = false;
         Instant usual = Instant::max(); // from one to the next
         bool wasOverdue = false;

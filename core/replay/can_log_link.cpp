@@ -32,19 +32,21 @@ Result<void> CanLogLink::usable() const
     return m_isOpen ? Result<void>() : refuse(RefusalKind::link, RefusalId::lineClosed);
 }
 
-// Those that came within a moment together. Time has to pass for them: what comes at once, with the opening,
-// would come before anybody could be there to hear it.
+// Those that came within a moment together. Some time has to pass: what came with the opening would come
+// before anybody could be there to hear it.
 Result<CanNews> CanLogLink::receive(Instant until)
 {
     constexpr Instant moment = std::chrono::milliseconds(1);
     if (auto checked = usable(); !checked)
         return tl::unexpected(checked.error());
+    if (until <= m_begin)
+        return CanNews();
     CanNews news;
     for (const CanFrame *next = m_log.next(); next != nullptr && news.frames.size() < mostFramesAtOnce;
          next = m_log.next()) {
         m_first = m_first.value_or(*next->time);
         const Instant at = m_begin + *next->time - *m_first;
-        if (at >= until || (!news.frames.empty() && at > *news.frames.front().time + moment))
+        if (at > until || (!news.frames.empty() && at > *news.frames.front().time + moment))
             break;
         news.frames.push_back(*next);
         news.frames.back().time = at;

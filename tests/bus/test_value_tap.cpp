@@ -51,6 +51,15 @@ TEST_F(ValueTapTest, EachCycleIsNotedAlsoWhereNothingMoves)
     EXPECT_THAT(tap.noted(), IsEmpty());
 }
 
+// A reading that is not there yet has that time, too.
+TEST_F(ValueTapTest, WhatComesWithTheOpeningIsNoted)
+{
+    tap.look(0, reading(0ms, {}), true, 0ms);
+    tap.look(0, reading(0ms, 17), true, 0ms);
+    tap.look(0, reading(0ms, 17), true, 5ms);
+    EXPECT_THAT(tap.noted(), ElementsAre(shows(0, 0ms, 17)));
+}
+
 TEST_F(ValueTapTest, AnAnswerIsNotedOnce)
 {
     tap.look(3, reading(1ms, 17), true, 1ms);

@@ -72,6 +72,9 @@ Checked<TimeSpan> spanMeant(const Arguments &arguments, const RecordingFacts &fa
     }
     if (span.from < span.to)
         return span;
+    const bool isOneMoment = facts.span->to - facts.span->from == Instant(1);
+    if (isOneMoment && span.from == span.to)
+        return *facts.span;
     return badInput(
         "nothingThen", CommandLine::tr("Nothing was recorded then. The recording is from %1 to %2."),
         {recordedTimeText(facts.clock, facts.span->from), recordedTimeText(facts.clock, facts.span->to)});

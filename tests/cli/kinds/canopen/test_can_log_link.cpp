@@ -105,6 +105,28 @@ TEST_F(CliCanLog, BecomesARecordingAndThatATable)
     EXPECT_TRUE(lines.value(1).contains("5000")) << lines.value(1).toStdString();
 }
 
+// Its first frame, too.
+TEST_F(CliCanLog, OnePositionBecomesARecordingOfOne)
+{
+    QFile file(log());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("(1544106679.000000) can0 185#88130000\n");
+    file.close();
+    const QString recording = m_folder.filePath(QStringLiteral("one.cwrec"));
+    const QString table = m_folder.filePath(QStringLiteral("one.csv"));
+    const CliRun recorded =
+        run(QStringLiteral("record -o ") + recording, QStringLiteral(",usual-mapping=yes"));
+    EXPECT_EQ(recorded.exit, 0) << recorded.err;
+    const CliRun exported = runLine(QStringLiteral("export %1 -o %2").arg(recording, table));
+    EXPECT_EQ(exported.exit, 0) << recorded.out << exported.out << exported.err;
+    QFile shown(table);
+    ASSERT_TRUE(shown.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = shown.readAll().trimmed().split('\n');
+    ASSERT_EQ(lines.size(), 2);
+    EXPECT_TRUE(lines[1].startsWith("1544106679.000")) << lines[1].toStdString();
+    EXPECT_TRUE(lines[1].contains("5000")) << lines[1].toStdString();
+}
+
 TEST_F(CliCanLog, WhatIsOverCannotBeAsked)
 {
     for (const char *line : {"read can:5 serial-number", "od can:5 read 6004", "nmt start", "lss scan",
