@@ -14,9 +14,14 @@ class SlcanProtocol final : public SpokenProtocol
 {
 public:
     QString name() const override { return QStringLiteral("SLCAN"); }
+    // Behind another port there may be a line of encoders, which would get what is sent.
     Fit fitsAt(const QString &port) const override
     {
-        return port.section(u'/', -1).startsWith(QStringLiteral("ttyACM")) ? Fit::first : Fit::none;
+        const QString name = port.section(u'/', -1);
+        const bool isAdapter = name.startsWith(QStringLiteral("ttyACM")) ||
+                               name.contains(QStringLiteral("CANUSB"), Qt::CaseInsensitive) ||
+                               name.contains(QStringLiteral("LAWICEL"), Qt::CaseInsensitive);
+        return isAdapter ? Fit::first : Fit::none;
     }
     std::vector<SerialSettings> usualSettings() const override { return {usualSlcanSettings()}; }
     // An adapter that somebody has left open.
@@ -42,7 +47,10 @@ public:
     {
         return FinderTexts::tr(
             "SLCAN: at ports as ttyACM0 a serial CAN adapter is asked for its version, then it "
-            "listens at each rate. On the CAN bus nothing is sent.");
+            "listens at each rate. On the CAN bus nothing is sent. At others, as ttyUSB0, none is asked, as "
+            "a "
+            "line of encoders may be behind them: one with CANUSB or LAWICEL in its name below "
+            "/dev/serial/by-id is, where that is given.");
     }
     std::unique_ptr<Asking> ask(const QString &place) const override { return askSlcanAdapter(place); }
 };

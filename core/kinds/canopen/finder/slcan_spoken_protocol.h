@@ -6,7 +6,7 @@
 namespace codewheel {
 
 // For the list of kinds (buses.cpp): serial CAN adapters, which are asked at ports of USB devices only
-// (ttyACM0).
+// (ttyACM0), and at those that are named as an adapter.
 std::unique_ptr<const SpokenProtocol> makeSlcanProtocol();
 
 // Of the port, which those on USB do not care about.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "can/simulator/simulated_can_link.h"
 #include "kinds/canopen/finder/can_interface_finder.h"
+#include "kinds/canopen/finder/slcan_spoken_protocol.h"
 #include "kinds/canopen/simulator/simulated_canopen_plant.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,20 @@ FinderNews searched(const std::shared_ptr<SimulatedCanBus> &bus, int rate = 125'
 std::string sentenceOf(const HeardOnCan &heard)
 {
     return heard.sentence().toStdString();
+}
+
+// A line of encoders may be behind others.
+TEST(SlcanProtocol, IsAskedAtPortsThatAreNamedAsAnAdapterOnly)
+{
+    const auto protocol = makeSlcanProtocol();
+    using Fit = SpokenProtocol::Fit;
+    EXPECT_EQ(protocol->fitsAt(QStringLiteral("/dev/ttyACM0")), Fit::first);
+    EXPECT_EQ(protocol->fitsAt(QStringLiteral("/dev/serial/by-id/usb-LAWICEL_CANUSB_LWTE3QJ8-if00-port0")),
+              Fit::first);
+    EXPECT_EQ(protocol->fitsAt(QStringLiteral("/dev/ttyUSB0")), Fit::none);
+    EXPECT_EQ(protocol->fitsAt(QStringLiteral("/dev/serial/by-id/usb-FTDI_USB-RS485_FT0-if00-port0")),
+              Fit::none);
+    EXPECT_TRUE(protocol->announcement().contains(QStringLiteral("ttyUSB0")));
 }
 
 TEST(CanInterfaceFinder, TellsWhichNodesAreHeard)
