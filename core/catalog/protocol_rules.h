@@ -56,8 +56,6 @@ public:
     virtual bool hasTexts() const { return false; }
     // Its parameters are objects of a dictionary.
     virtual bool hasObjects() const { return false; }
-    // It can do this job, which only its kind has.
-    virtual bool hasJob(const KindData & /*what*/) const { return false; }
 
     // What a row may say of how its parameter is reached, whatever the protocol.
     static constexpr std::array reachKeys{"number", "readOut", "read", "write", "bit", "object"};

@@ -60,10 +60,6 @@ struct WhyNot
         return unless(protocolRules(device.profile).storesByStep() && keepsValues(device),
                       RefusalId::jobNotSupported);
     }
-    Id operator()(const KindJob &job) const
-    {
-        return unless(protocolRules(device.profile).hasJob(job.what), RefusalId::jobNotSupported);
-    }
     Id operator()(const ReadCams &) const
     {
         return unless(can.cams.has_value(), RefusalId::camsNotSupported);

@@ -137,7 +137,6 @@ struct Success
         return {{.id = MessageId::resetDone, .arguments = {std::int64_t{outcome.eepromWrites}}}};
     }
     std::vector<Message> operator()(const StoreParameters &) const { return {stored(outcome, device)}; }
-    std::vector<Message> operator()(const KindJob &) const { return {}; } // what it did is seen
     std::vector<Message> operator()(const ReadCams &) const
     {
         return {

@@ -60,7 +60,6 @@ struct Cost
     int operator()(const SwitchMode &) const { return mayBeInCamMode(encoder) ? 1 : 0; }
     int operator()(const ResetToDefault &) const { return 1 + (*this)(SwitchMode{}); }
     int operator()(const StoreParameters &) const { return 1; }
-    int operator()(const KindJob &) const { return 0; }
     int operator()(const ReadCams &job) const
     {
         return size(job.programs) + (leavesAnother(job.programs, std::identity()) ? 1 : 0);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "vocabulary/cam_program.h"
-#include "vocabulary/kind_data.h"
 #include "vocabulary/mode.h"
 #include "vocabulary/parameter.h"
 #include "vocabulary/word.h"
@@ -64,12 +63,6 @@ struct ResetToDefault
 struct StoreParameters
 {};
 
-// What only one kind of encoder can do: its protocol knows what it is (ProtocolRules::hasJob()).
-struct KindJob
-{
-    KindData what;
-};
-
 // Read cam programs, each in its own cam mode (FRABA manual 5.4.4).
 struct ReadCams
 {
@@ -108,7 +101,7 @@ struct EndParameterization
 };
 
 using Job = std::variant<ReadParameters, WriteParameters, SetPreset, SendWords, EndParameterization,
-                         SwitchMode, ResetToDefault, ReadCams, WriteCams, StoreParameters, KindJob>;
+                         SwitchMode, ResetToDefault, ReadCams, WriteCams, StoreParameters>;
 
 // Whether 40000000h is among its words: in cam mode that sets the start of cam 0 instead.
 inline bool initialisesPreset(const Job &job)

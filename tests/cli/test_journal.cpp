@@ -331,8 +331,7 @@ const std::vector<JobRow> jobRows{
       "store %2 1.0 --cams"},
      true},
     {{"cams 1.0 write %3/cams.json --yes"}, true},
-    {{}, true},   // StoreParameters
-    {{}, false}}; // KindJob
+    {{}, true}}; // StoreParameters
 
 TEST_F(CliJournal, NoKindOfJobWritesPastTheLimitUnlessThePlaceIsTyped)
 {

@@ -117,8 +117,7 @@ TEST_F(EepromCost, IsStatedForEachKindOfJob)
         {ResetToDefault{}, 2},
         {ReadCams{{1, 2}, {}}, 3},
         {WriteCams{{CamProgram{.number = 3}}, true, {}}, 2},
-        {StoreParameters{}, 1},
-        {KindJob{}, 0}};
+        {StoreParameters{}, 1}};
     ASSERT_EQ(all.size(), std::variant_size_v<Job>);
     for (std::size_t kind = 0; kind < all.size(); ++kind) {
         EXPECT_EQ(all[kind].first.index(), kind);

@@ -8,7 +8,6 @@
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/device_profile.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,6 @@
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 
 #include <algorithm>
 #include <utility>

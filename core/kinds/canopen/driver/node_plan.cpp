@@ -6,7 +6,6 @@
 #include "jobs/protocol.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/encoder_objects.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 
 #include <algorithm>
 #include <array>
@@ -221,17 +220,6 @@ NodeSteps NodePlan::steps(const WriteCams &job) const
 NodeSteps NodePlan::steps(const StoreParameters & /*job*/) const
 {
     return {store()};
-}
-
-NodeSteps NodePlan::steps(const KindJob &job) const
-{
-    const auto *its = job.what.as<NmtJob>();
-    if (its == nullptr)
-        return {};
-    NodeSteps made{nmt(its->command)};
-    if (isReset(its->command))
-        made.push_back(stepOf(Task::bootUp, Effect::none, {}));
-    return made;
 }
 
 NodeSteps NodePlan::writes(const ParameterValues &values) const

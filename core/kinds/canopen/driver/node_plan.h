@@ -73,7 +73,6 @@ private:
     NodeSteps steps(const ReadCams &job) const;
     NodeSteps steps(const WriteCams &job) const;
     NodeSteps steps(const StoreParameters &job) const;
-    NodeSteps steps(const KindJob &job) const;
 
     void appendReads(NodeSteps &steps, NodeStep::Task task, const std::vector<Parameter> &parameters) const;
     void appendRefresh(NodeSteps &steps, std::initializer_list<Parameter> parameters) const;

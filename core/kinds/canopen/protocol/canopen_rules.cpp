@@ -3,7 +3,6 @@
 #include "kinds/canopen/canopen_protocols.h"
 #include "kinds/canopen/protocol/canopen_reach.h"
 #include "kinds/canopen/protocol/encoder_bits.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 #include "vocabulary/hex.h"
 
 #include <algorithm>
@@ -80,8 +79,6 @@ public:
     int positionBits(const DeviceDescription & /*device*/) const override { return 32; }
     std::int64_t smallestData() const override { return -0x8000'0000LL; }
     std::int64_t largestData() const override { return 0xFFFF'FFFFLL; }
-
-    bool hasJob(const KindData &what) const override { return what.as<canopen::NmtJob>() != nullptr; }
 
     void readDialect(const JsonObject &json, DeviceDescription &device) const override;
     void readReach(const JsonObject &row, ParameterDescription &parameter,

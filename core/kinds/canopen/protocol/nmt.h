@@ -17,6 +17,10 @@ enum class NmtCommand : std::uint8_t {
     resetNode = 0x81,
     resetCommunication = 0x82,
 };
+constexpr bool isReset(NmtCommand command)
+{
+    return command == NmtCommand::resetNode || command == NmtCommand::resetCommunication;
+}
 
 struct NmtRequest
 {

@@ -3,7 +3,6 @@
 
 #include "kinds/canopen/protocol/cob_id.h"
 #include "kinds/canopen/protocol/frames.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,6 @@
 #include "catalog/catalog.h"
 #include "jobs/protocol.h"
 #include "jobs/values_to_write.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 
 #include <gtest/gtest.h>
 
@@ -40,8 +39,8 @@ TEST_F(CanopenProtocolTest, StepsSayWhatTheyDo)
                             "6000h:0, scaling := 1 (on), direction := 1 (CCW)|read 6000h:0 back|"
                             "store what is in force (1010h:1 := \"save\")|"
                             "read 6500h:0, operating parameters|read 6509h:0, offset|read 6004h:0");
-    EXPECT_EQ(texts(canopen::nmtJob(canopen::NmtCommand::resetNode)),
-              "reset the node|wait until the node reports again");
+    EXPECT_NE(texts(ResetToDefault{}).find("|reset the node|wait until the node reports again|"),
+              std::string::npos);
 }
 
 TEST_F(CanopenProtocolTest, ValuesAreInTheirSteps)
@@ -68,7 +67,6 @@ TEST_F(CanopenProtocolTest, StoringIsWhatCostsTheEeprom)
     EXPECT_EQ(cost(SetPreset{.value = 0}), 1);
     EXPECT_EQ(cost(ResetToDefault{}), 1);
     EXPECT_EQ(cost(StoreParameters{}), 1);
-    EXPECT_EQ(cost(canopen::nmtJob(canopen::NmtCommand::start)), 0);
     EXPECT_EQ(cost(WriteCams{{CamProgram()}, true, {}}), 1);
 }
 
@@ -77,10 +75,8 @@ TEST_F(CanopenProtocolTest, WhatTheEncoderCannotDoIsRefused)
     EXPECT_FALSE(plannedSteps(device, SwitchMode{}));
     EXPECT_FALSE(plannedSteps(device, SendWords{{1}}));
     EXPECT_FALSE(plannedSteps(device, EndParameterization{}));
-    EXPECT_FALSE(plannedSteps(device, KindJob{}));
     EXPECT_FALSE(plannedSteps(device, ReadCams{{2}, {}}));
     EXPECT_FALSE(plannedSteps(*catalog.find(u"fraba-ocd-ib"), StoreParameters{}));
-    EXPECT_FALSE(plannedSteps(*catalog.find(u"fraba-ocd-ib"), canopen::nmtJob(canopen::NmtCommand::start)));
 }
 
 TEST_F(CanopenProtocolTest, ThePositionIsScaledByResolutionAndRange)

@@ -2,7 +2,6 @@
 #include "catalog/catalog.h"
 #include "kinds/canopen/driver/cia406_driver.h"
 #include "kinds/canopen/protocol/canopen_refusals.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 #include "kinds/canopen/simulator/simulated_node.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +22,12 @@ struct DriverAtNode : ::testing::Test
     {
         node = std::make_unique<SimulatedNode>(plan);
         pass(1s);
+    }
+    void command(NmtCommand command)
+    {
+        const CanFrame frame = NmtRequest{command, 5}.frame();
+        node->take(frame, now);
+        driver.take(frame, now);
     }
     void pass(Instant time)
     {
@@ -128,7 +133,7 @@ TEST_F(DriverAtNode, WritesStoresAndSetsThePosition)
 TEST_F(DriverAtNode, ThePositionComesByPdoOnceItRuns)
 {
     put(planned());
-    EXPECT_TRUE(finish(nmtJob(NmtCommand::start)).result);
+    command(NmtCommand::start);
     EXPECT_EQ(driver.state(), NmtState::operational);
     const auto before = driver.reading().position;
     node->shaft().setSpeed(60);
@@ -141,7 +146,7 @@ TEST_F(DriverAtNode, FactoryValuesComeBack)
 {
     put(planned());
     EXPECT_TRUE(finish(WriteParameters{.values = values, .previous = {}}).result);
-    EXPECT_TRUE(finish(nmtJob(NmtCommand::preOperational)).result);
+    command(NmtCommand::preOperational);
     EXPECT_TRUE(finish(ResetToDefault{}).result);
     pass(100ms);
     EXPECT_TRUE(finish(ReadParameters{{Parameter::steps}}).result);
@@ -151,7 +156,7 @@ TEST_F(DriverAtNode, FactoryValuesComeBack)
 TEST_F(DriverAtNode, ANodeThatTakesValuesOnlyBeforeItRunsIsStoppedWithConsent)
 {
     put(planned({.silenceWhileStoring = 400ms, .writesOnlyPreOperational = true}));
-    EXPECT_TRUE(finish(nmtJob(NmtCommand::start)).result);
+    command(NmtCommand::start);
     EXPECT_FALSE(finish(WriteParameters{.values = values, .previous = {}}).result);
     EXPECT_EQ(outcome->result.error().id, CanopenRefusalId::nodeWouldStop);
     driver.mayStopNode(true);

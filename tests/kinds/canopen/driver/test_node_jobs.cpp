@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/canopen/protocol/canopen_refusals.h"
-#include "kinds/canopen/protocol/nmt_job.h"
 #include "tests/kinds/canopen/driver/driver_bench.h"
 
 #include <gtest/gtest.h>
@@ -326,7 +325,8 @@ TEST_F(NodeJobs, ANodeThatMayRunIsNotStoppedUnaskedEither)
     EXPECT_EQ(bench.jobLog().back(), "NMT 01") << "it may have run before";
 
     bench.hear(0x705, {0x00});
-    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::preOperational)).result);
+    bench.hear(0x000, {0x80, 0x05});
+    bench.isRunning = false;
     EXPECT_TRUE(bench.finish(ResetToDefault{}).result) << "it was stopped first";
 }
 
@@ -551,18 +551,14 @@ TEST_F(NodeJobs, AJobThatIsStoppedInAWriteLeavesItInDoubt)
     EXPECT_EQ(bench.outcome->leftIn, EncoderState::unknown);
 }
 
-TEST_F(NodeJobs, StatesOfTheNodeAreJobs)
+TEST_F(NodeJobs, AStoppedNodeIsAskedNothing)
 {
-    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::start)).result);
-    EXPECT_EQ(bench.driver.state(), NmtState::operational);
-    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::stop)).result);
+    bench.settle();
+    bench.hear(0x000, {0x02, 0x05});
     EXPECT_EQ(bench.driver.reading().state, EncoderState::waiting);
     EXPECT_FALSE(bench.driver.reading().position) << "it answers nothing";
-    bench.log.clear();
     bench.run(std::chrono::seconds(2));
-    EXPECT_TRUE(bench.log.empty()) << "and is asked nothing";
-    EXPECT_TRUE(bench.finish(nmtJob(NmtCommand::resetNode)).result);
-    EXPECT_EQ(bench.jobLog(), (Rows{"NMT 81"}));
+    EXPECT_TRUE(bench.log.empty());
 }
 
 // BEI has limits of 16 bits.
@@ -639,7 +635,6 @@ TEST_F(OtherProfiles, NothingIsWrittenToThem)
     }
     EXPECT_FALSE(hasWritten());
     EXPECT_TRUE(bench.finish(ReadParameters{{Parameter::steps}}).result);
-    EXPECT_TRUE(bench.finish(KindJob{KindData(NmtJob{NmtCommand::start})}).result);
 }
 
 TEST_F(OtherProfiles, AreAskedForBeforeTheFirstWrite)
