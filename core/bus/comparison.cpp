@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bus/comparison.h"
 
+#include "vocabulary/enumeration_rows.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace codewheel {
 namespace {
 
-// The translation context of these texts.
 struct ComparisonKinds
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::Comparison)
+    using enum ComparisonKind;
+
+public:
+    static constexpr auto all = std::to_array<KeyedText<ComparisonKind>>({
+        {same, "same", QT_TR_NOOP("same")},
+        {differs, "differs", QT_TR_NOOP("differs")},
+        {missing, "missing", QT_TR_NOOP("missing")},
+        {additional, "additional", QT_TR_NOOP("additional")},
+        {moved, "moved", QT_TR_NOOP("moved")},
+    });
 };
+static_assert(areInOrder(ComparisonKinds::all, &KeyedText<ComparisonKind>::id, ComparisonKind::moved));
 
 } // namespace
 
@@ -24,36 +37,12 @@ int differences(const Comparison &comparison)
 
 QString comparisonKindName(ComparisonKind kind)
 {
-    switch (kind) {
-    case ComparisonKind::same:
-        break;
-    case ComparisonKind::differs:
-        return ComparisonKinds::tr("differs");
-    case ComparisonKind::missing:
-        return ComparisonKinds::tr("missing");
-    case ComparisonKind::additional:
-        return ComparisonKinds::tr("additional");
-    case ComparisonKind::moved:
-        return ComparisonKinds::tr("moved");
-    }
-    return ComparisonKinds::tr("same");
+    return ComparisonKinds::tr(rowOf(ComparisonKinds::all, kind).text);
 }
 
 QString comparisonKindKey(ComparisonKind kind)
 {
-    switch (kind) {
-    case ComparisonKind::same:
-        break;
-    case ComparisonKind::differs:
-        return QStringLiteral("differs");
-    case ComparisonKind::missing:
-        return QStringLiteral("missing");
-    case ComparisonKind::additional:
-        return QStringLiteral("additional");
-    case ComparisonKind::moved:
-        return QStringLiteral("moved");
-    }
-    return QStringLiteral("same");
+    return QLatin1String(rowOf(ComparisonKinds::all, kind).key);
 }
 
 } // namespace codewheel

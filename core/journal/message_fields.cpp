@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "journal/message_fields.h"
 
+#include "vocabulary/enumeration_rows.h"
 #include "vocabulary/local_time.h"
 
 #include <QCoreApplication>
 #include <QLocale>
+
+#include <array>
 
 namespace codewheel {
 namespace {
@@ -12,23 +15,22 @@ namespace {
 struct Fields
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::MessageModel)
-};
+    using enum Severity;
 
-constexpr Severity severities[] = {Severity::information, Severity::attention, Severity::fault};
+public:
+    static constexpr auto severities = std::to_array<KeyedText<Severity>>({
+        {information, "information", QT_TR_NOOP("Information")},
+        {attention, "attention", QT_TR_NOOP("Attention")},
+        {fault, "fault", QT_TR_NOOP("Fault")},
+    });
+};
+static_assert(areInOrder(Fields::severities, &KeyedText<Severity>::id, Severity::fault));
 
 } // namespace
 
 QString severityName(Severity severity)
 {
-    switch (severity) {
-    case Severity::fault:
-        return Fields::tr("Fault");
-    case Severity::attention:
-        return Fields::tr("Attention");
-    case Severity::information:
-        break;
-    }
-    return Fields::tr("Information");
+    return Fields::tr(rowOf(Fields::severities, severity).text);
 }
 
 QString placeName(const std::optional<Place> &place)
@@ -64,23 +66,13 @@ QString messageTime(qint64 at)
 
 QString severityKey(Severity severity)
 {
-    switch (severity) {
-    case Severity::fault:
-        return QStringLiteral("fault");
-    case Severity::attention:
-        return QStringLiteral("attention");
-    case Severity::information:
-        break;
-    }
-    return QStringLiteral("information");
+    return QLatin1String(rowOf(Fields::severities, severity).key);
 }
 
 std::optional<Severity> severityFromKey(QStringView key)
 {
-    for (const Severity severity : severities)
-        if (key == severityKey(severity))
-            return severity;
-    return std::nullopt;
+    const auto *row = rowByKey(Fields::severities, key);
+    return row != nullptr ? std::optional(row->id) : std::nullopt;
 }
 
 } // namespace codewheel

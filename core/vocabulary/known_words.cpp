@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/known_words.h"
 
+#include "vocabulary/enumeration_rows.h"
+
 #include <QCoreApplication>
+
+#include <array>
 
 namespace codewheel::known_words {
 namespace {
 
-// The context of these texts.
+struct KeptRow
+{
+    Kept id;
+    const char *word;
+    const char *sentence;
+};
+
 struct KnownWords
 {
     Q_DECLARE_TR_FUNCTIONS(codewheel::KnownWords)
+    using enum Kept;
+
+public:
+    static constexpr auto all = std::to_array<KeptRow>({
+        {byItself, nullptr, nullptr},
+        {notKnown, nullptr, QT_TR_NOOP("Whether it is stored is not known.")},
+        {untilPowerOff, QT_TR_NOOP("not stored"),
+         QT_TR_NOOP("It is not stored: without supply the encoder loses it.")},
+        {stored, QT_TR_NOOP("stored"), QT_TR_NOOP("It is stored: the encoder keeps it without supply.")},
+    });
+    static QString orNone(const char *text) { return text != nullptr ? tr(text) : QString(); }
 };
+static_assert(areInOrder(KnownWords::all, &KeptRow::id, Kept::stored));
 
 QString howItBecameKnown(const Known &known, bool reads)
 {
@@ -25,21 +47,6 @@ QString howItBecameKnown(const Known &known, bool reads)
     }
     return reads ? KnownWords::tr("Set manually or by the plan of the bus, not by the encoder: read it.")
                  : KnownWords::tr("Set manually or by the plan of the bus; the encoder cannot be read.");
-}
-
-QString howItIsKept(Kept kept)
-{
-    switch (kept) {
-    case Kept::stored:
-        return KnownWords::tr("It is stored: the encoder keeps it without supply.");
-    case Kept::untilPowerOff:
-        return KnownWords::tr("It is not stored: without supply the encoder loses it.");
-    case Kept::notKnown:
-        return KnownWords::tr("Whether it is stored is not known.");
-    case Kept::byItself:
-        break;
-    }
-    return {};
 }
 
 } // namespace
@@ -59,16 +66,7 @@ QString word(Evidence evidence)
 
 QString word(Kept kept)
 {
-    switch (kept) {
-    case Kept::stored:
-        return KnownWords::tr("stored");
-    case Kept::untilPowerOff:
-        return KnownWords::tr("not stored");
-    case Kept::notKnown:
-    case Kept::byItself:
-        break;
-    }
-    return {};
+    return KnownWords::orNone(rowOf(KnownWords::all, kept).word);
 }
 
 QString word(Evidence evidence, Kept kept)
@@ -88,7 +86,10 @@ QString explanation(const std::optional<Known> &known, bool reads)
         return reads ? KnownWords::tr("Not known: read it from the encoder.")
                      : KnownWords::tr(
                            "Not known, and the encoder cannot be read: set it manually, or write it.");
-    return QStringLiteral("%1 %2").arg(howItBecameKnown(*known, reads), howItIsKept(known->kept)).trimmed();
+    return QStringLiteral("%1 %2")
+        .arg(howItBecameKnown(*known, reads),
+             KnownWords::orNone(rowOf(KnownWords::all, known->kept).sentence))
+        .trimmed();
 }
 
 } // namespace codewheel::known_words

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kinds/interbus/ring/master_text.h"
 
+#include "vocabulary/enumeration_rows.h"
+
 #include <QCoreApplication>
 
 #include <array>
@@ -32,6 +34,24 @@ constexpr std::array<BitRow, diagnosticBits> bits{{
     {"SDSI", QT_TRANSLATE_NOOP("Master", "A message waits in the master.")},
 }};
 
+constexpr auto serviceRows = std::to_array<TextOf<MasterService>>({
+    {MasterService::readConfiguration, QT_TRANSLATE_NOOP("Master", "reading the configuration (030B)")},
+    {MasterService::startDataTransfer, QT_TRANSLATE_NOOP("Master", "starting data transfer (0701)")},
+    {MasterService::stopDataTransfer, QT_TRANSLATE_NOOP("Master", "stopping data transfer (0702)")},
+    {MasterService::createConfiguration, QT_TRANSLATE_NOOP("Master", "reading in the ring (0710)")},
+    {MasterService::activateConfiguration,
+     QT_TRANSLATE_NOOP("Master", "activating the configuration (0711)")},
+    {MasterService::deactivateConfiguration,
+     QT_TRANSLATE_NOOP("Master", "deactivating the configuration (0712)")},
+    {MasterService::switchSegment, QT_TRANSLATE_NOOP("Master", "switching a segment (0713)")},
+    {MasterService::confirmDiagnostics, QT_TRANSLATE_NOOP("Master", "confirming the diagnostics (0760)")},
+    {MasterService::alarmStop, QT_TRANSLATE_NOOP("Master", "alarm stop (1303)")},
+});
+
+// In the order of MasterState.
+constexpr std::array stateTexts{QT_TRANSLATE_NOOP("Master", "READY"), QT_TRANSLATE_NOOP("Master", "ACTIVE"),
+                                QT_TRANSLATE_NOOP("Master", "RUN"), QT_TRANSLATE_NOOP("Master", "BUS FAIL")};
+
 QString masterWord(const char *text)
 {
     return QCoreApplication::translate("Master", text);
@@ -41,44 +61,13 @@ QString masterWord(const char *text)
 
 QString masterStateName(MasterState state)
 {
-    switch (state) {
-    case MasterState::ready:
-        break;
-    case MasterState::active:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "ACTIVE"));
-    case MasterState::run:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "RUN"));
-    case MasterState::busFail:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "BUS FAIL"));
-    }
-    return masterWord(QT_TRANSLATE_NOOP("Master", "READY"));
+    return masterWord(rowOf(stateTexts, state));
 }
 
 QString masterServiceName(MasterService service)
 {
-    switch (service) {
-    case MasterService::loadConfiguration:
-        break;
-    case MasterService::readConfiguration:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "reading the configuration (030B)"));
-    case MasterService::startDataTransfer:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "starting data transfer (0701)"));
-    case MasterService::stopDataTransfer:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "stopping data transfer (0702)"));
-    case MasterService::createConfiguration:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "reading in the ring (0710)"));
-    case MasterService::activateConfiguration:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "activating the configuration (0711)"));
-    case MasterService::deactivateConfiguration:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "deactivating the configuration (0712)"));
-    case MasterService::switchSegment:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "switching a segment (0713)"));
-    case MasterService::confirmDiagnostics:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "confirming the diagnostics (0760)"));
-    case MasterService::alarmStop:
-        return masterWord(QT_TRANSLATE_NOOP("Master", "alarm stop (1303)"));
-    }
-    return masterWord(QT_TRANSLATE_NOOP("Master", "downloading the configuration"));
+    return masterWord(
+        textFor(serviceRows, service, QT_TRANSLATE_NOOP("Master", "downloading the configuration")));
 }
 
 QString diagnosticBitName(int bit)
