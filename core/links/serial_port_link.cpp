@@ -2,9 +2,8 @@
 #include "links/serial_port_link.h"
 
 #include "links/descriptor.h"
-#include "links/line_rate.h"
-#include "links/low_latency.h"
 #include "links/port_access.h"
+#include "links/port_driver.h"
 #include "links/wait_for.h"
 
 #include <QFile>

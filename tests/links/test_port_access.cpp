@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "links/low_latency.h"
 #include "links/port_access.h"
+#include "links/port_driver.h"
 
 #include <cerrno>
 #include <gtest/gtest.h>

@@ -5,7 +5,11 @@
 
 namespace codewheel {
 
-// Asks the driver of this open port for it (ASYNC_LOW_LATENCY).
+// Sets an open serial port to any number of baud, such as 14400, for which termios has no constant. Whether
+// the port has it now.
+bool setLineRate(int port, int baudRate);
+
+// Asks its driver for it (ASYNC_LOW_LATENCY).
 LowLatency askForLowLatency(int port);
 
 // The result of the two system calls, by their errno; 0: done.
