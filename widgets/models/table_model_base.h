@@ -47,9 +47,9 @@ public:
 
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const final
     {
-        if (orientation != Qt::Horizontal || section < 0 || section >= columns())
-            return {};
-        return headerCell(section, role);
+        if (orientation == Qt::Vertical)
+            return section < 0 || section >= rowCount() ? QVariant() : rowHead(rowAt(section), role);
+        return section < 0 || section >= columns() ? QVariant() : headerCell(section, role);
     }
 
     const std::vector<Row> &rows() const { return m_rows; }
@@ -137,6 +137,7 @@ protected:
             return {};
         }
     }
+    virtual QVariant rowHead(const Row & /*row*/, int /*role*/) const { return {}; }
     // What stands in a cell, and in its tooltip, for where it is cut off.
     virtual QString text(const Row & /*row*/, int /*column*/) const { return {}; }
     virtual bool isNumber(int /*column*/) const { return false; } // its digits stand below each other

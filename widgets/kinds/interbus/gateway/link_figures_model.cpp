@@ -21,11 +21,11 @@ QString countText(std::uint64_t count)
 
 } // namespace
 
-std::vector<LinkFiguresModel::Row> LinkFiguresModel::rowsOf(const LinkFigures &figures)
+std::vector<LinkFigureRow> LinkFiguresModel::rowsOf(const LinkFigures &figures)
 {
     const QString none = QStringLiteral("\u2013");
     const auto &time = figures.roundTrip;
-    std::vector<Row> rows{
+    std::vector<LinkFigureRow> rows{
         {tr("Exchanges per second"), QLocale().toString(figures.exchangesPerSecond, 'f', 1)},
         {tr("Exchanges"), countText(figures.exchanges)},
         {tr("Transactions"), countText(figures.transactions)},
@@ -51,44 +51,41 @@ std::vector<LinkFiguresModel::Row> LinkFiguresModel::rowsOf(const LinkFigures &f
     return rows;
 }
 
+LinkFiguresModel::LinkFiguresModel(QObject *parent)
+    : TableModelBase(parent)
+{
+    setRows(rowsOf({}));
+}
+
 void LinkFiguresModel::show(const std::shared_ptr<const LinkFigures> &figures)
 {
     if (figures == m_shown)
         return;
     m_shown = figures;
-    std::vector<Row> rows = rowsOf(figures ? *figures : LinkFigures());
-    if (rows.size() != m_rows.size()) {
-        beginResetModel();
-        m_rows = std::move(rows);
-        endResetModel();
+    std::vector<LinkFigureRow> fresh = rowsOf(figures ? *figures : LinkFigures());
+    if (fresh.size() != rows().size()) {
+        setRows(std::move(fresh));
         return;
     }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i] == m_rows[i])
-            continue;
-        m_rows[i] = std::move(rows[i]);
-        const QModelIndex changed = index(static_cast<int>(i), 0);
-        Q_EMIT dataChanged(changed, changed);
-    }
+    for (int row = 0; row < rowCount(); ++row)
+        if (LinkFigureRow &its = fresh[static_cast<std::size_t>(row)]; its != rowAt(row))
+            replace(row, std::move(its));
 }
 
-int LinkFiguresModel::rowCount(const QModelIndex &parent) const
+QVariant LinkFiguresModel::rowHead(const LinkFigureRow &row, int role) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+    if (role == Qt::TextAlignmentRole)
+        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole)
+        return row.toolTip.isEmpty() ? row.title : row.toolTip;
+    return role == Qt::DisplayRole ? row.title : QVariant();
 }
 
-int LinkFiguresModel::columnCount(const QModelIndex &parent) const
+QVariant LinkFiguresModel::cell(const LinkFigureRow &row, int /*column*/, int role) const
 {
-    return parent.isValid() ? 0 : 1;
-}
-
-QVariant LinkFiguresModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
-        return {};
     switch (role) {
     case Qt::DisplayRole:
-        return m_rows[static_cast<std::size_t>(index.row())].figure;
+        return row.figure;
     case Qt::TextAlignmentRole:
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::FontRole:
@@ -96,18 +93,6 @@ QVariant LinkFiguresModel::data(const QModelIndex &index, int role) const
     default:
         return {};
     }
-}
-
-QVariant LinkFiguresModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation == Qt::Horizontal || section < 0 || section >= rowCount())
-        return {};
-    if (role == Qt::TextAlignmentRole)
-        return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
-    const Row &row = m_rows[static_cast<std::size_t>(section)];
-    if (role == Qt::ToolTipRole)
-        return row.toolTip.isEmpty() ? row.title : row.toolTip;
-    return role == Qt::DisplayRole ? row.title : QVariant();
 }
 
 } // namespace codewheel

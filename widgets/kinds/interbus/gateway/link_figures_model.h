@@ -2,41 +2,41 @@
 #pragma once
 
 #include "kinds/interbus/ring/link_figures.h"
-
-#include <QAbstractTableModel>
+#include "widgets/models/table_model_base.h"
 
 #include <memory>
 
 namespace codewheel {
 
+struct LinkFigureRow
+{
+    QString title;
+    QString figure;
+    QString toolTip = {}; // empty: the title says it all
+
+    friend bool operator==(const LinkFigureRow &, const LinkFigureRow &) = default;
+};
+
 // The statistics of a link by transactions: one row per figure, and one for each exception that has come.
-class LinkFiguresModel : public QAbstractTableModel
+class LinkFiguresModel : public TableModelBase<LinkFigureRow>
 {
     Q_OBJECT
 
 public:
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit LinkFiguresModel(QObject *parent = nullptr);
 
     void show(const std::shared_ptr<const LinkFigures> &figures); // null: none
 
-    int rowCount(const QModelIndex &parent = {}) const override;
-    int columnCount(const QModelIndex &parent = {}) const override;
-    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+protected:
+    int columns() const override { return 1; }
+    QVariant headerCell(int /*column*/, int /*role*/) const override { return {}; }
+    QVariant rowHead(const LinkFigureRow &row, int role) const override;
+    QVariant cell(const LinkFigureRow &row, int column, int role) const override;
 
 private:
-    struct Row
-    {
-        QString title;
-        QString figure;
-        QString toolTip = {}; // empty: the title says it all
-
-        friend bool operator==(const Row &, const Row &) = default;
-    };
-    static std::vector<Row> rowsOf(const LinkFigures &figures);
+    static std::vector<LinkFigureRow> rowsOf(const LinkFigures &figures);
 
     std::shared_ptr<const LinkFigures> m_shown;
-    std::vector<Row> m_rows = rowsOf({});
 };
 
 } // namespace codewheel

@@ -108,7 +108,7 @@ void RegistersPage::show(std::vector<DeviceRegisters> devices, WordOrder set, bo
 void RegistersPage::choose(const NodeId &device)
 {
     for (int row = 0; row < m_model->rowCount(); ++row)
-        if (m_model->device(row).place == device)
+        if (m_model->rowAt(row).place == device)
             m_table->setCurrentIndex(m_model->index(row, 0));
 }
 
@@ -121,7 +121,7 @@ void RegistersPage::showChosen()
 {
     QStringList lines;
     if (chosen() >= 0)
-        for (const WordReading &word : m_model->device(chosen()).readings)
+        for (const WordReading &word : m_model->rowAt(chosen()).readings)
             lines << readingText(word);
     const QString text = lines.join(u'\n');
     if (m_meanings->text() != text)
@@ -165,7 +165,7 @@ void RegistersPage::showButtons()
 void RegistersPage::read()
 {
     if (chosen() >= 0)
-        Q_EMIT readWanted(m_model->device(chosen()).place);
+        Q_EMIT readWanted(m_model->rowAt(chosen()).place);
 }
 
 void RegistersPage::tell(const QString &sentence)

@@ -31,6 +31,24 @@ Role roleOf(Plausibility plausibility)
     return Role::inactive;
 }
 
+// Null: the column has none.
+const WordReading *readingAt(const DeviceRegisters &device, int column)
+{
+    if (column < WordReadingsModel::firstOrder)
+        return nullptr;
+    const auto order = static_cast<WordOrder>(column - WordReadingsModel::firstOrder);
+    const auto found = std::ranges::find(device.readings, order, &WordReading::order);
+    return found == device.readings.end() ? nullptr : &*found;
+}
+
+QString toolTip(const WordReading *word)
+{
+    if (word == nullptr)
+        return {};
+    const QString verdict = plausibilityText(word->plausibility);
+    return word->meaning.isEmpty() ? verdict : QStringLiteral("%1: %2").arg(verdict, word->meaning);
+}
+
 } // namespace
 
 QString registerRange(const RegisterBlock &block)
@@ -45,20 +63,14 @@ QString registerRange(const RegisterBlock &block)
 // A table that is shown live keeps its rows, and with them what is chosen.
 void WordReadingsModel::show(std::vector<DeviceRegisters> devices, WordOrder set)
 {
-    const bool isSameRing =
-        std::ranges::equal(devices, m_devices, {}, &DeviceRegisters::place, &DeviceRegisters::place);
-    if (isSameRing && devices == m_devices && set == m_set)
-        return;
-    if (!isSameRing)
-        beginResetModel();
-    m_devices = std::move(devices);
     const bool orderChanged = std::exchange(m_set, set) != set;
-    if (!isSameRing)
-        endResetModel();
-    else if (rowCount() > 0)
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    if (!std::ranges::equal(devices, rows(), {}, &DeviceRegisters::place, &DeviceRegisters::place))
+        setRows(std::move(devices));
+    else if (orderChanged || devices != rows())
+        for (int row = 0; row < rowCount(); ++row)
+            replace(row, std::move(devices[static_cast<std::size_t>(row)]));
     if (orderChanged)
-        Q_EMIT headerDataChanged(Qt::Horizontal, firstOrder, columns - 1);
+        Q_EMIT headerDataChanged(Qt::Horizontal, firstOrder, columns() - 1);
 }
 
 std::optional<WordOrder> WordReadingsModel::onlyFitting() const
@@ -66,7 +78,7 @@ std::optional<WordOrder> WordReadingsModel::onlyFitting() const
     std::optional<WordOrder> only;
     for (const WordOrder order : {WordOrder::abcd, WordOrder::cdab}) {
         const bool fitsAll =
-            !m_devices.empty() && std::ranges::all_of(m_devices, [order](const DeviceRegisters &device) {
+            !rows().empty() && std::ranges::all_of(rows(), [order](const DeviceRegisters &device) {
                 const WordReading *its = readingIn(device.readings, order);
                 return its == nullptr || its->plausibility != Plausibility::cannotBe;
             });
@@ -78,65 +90,32 @@ std::optional<WordOrder> WordReadingsModel::onlyFitting() const
     return only;
 }
 
-int WordReadingsModel::rowCount(const QModelIndex &parent) const
+QString WordReadingsModel::text(const DeviceRegisters &device, int column) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_devices.size());
-}
-
-int WordReadingsModel::columnCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : columns;
-}
-
-const WordReading *WordReadingsModel::reading(const QModelIndex &index) const
-{
-    if (index.column() < firstOrder)
-        return nullptr;
-    const auto order = static_cast<WordOrder>(index.column() - firstOrder);
-    const auto &readings = device(index.row()).readings;
-    const auto found = std::ranges::find(readings, order, &WordReading::order);
-    return found == readings.end() ? nullptr : &*found;
-}
-
-QString WordReadingsModel::text(const QModelIndex &index) const
-{
-    const DeviceRegisters &its = device(index.row());
-    switch (index.column()) {
+    switch (column) {
     case place:
-        return its.place.toString();
+        return device.place.toString();
     case inRegisters:
-        return registerRange(its.in);
+        return registerRange(device.in);
     case outRegisters:
-        return registerRange(its.out);
+        return registerRange(device.out);
     default:
-        const WordReading *word = reading(index);
+        const WordReading *word = readingAt(device, column);
         if (word == nullptr)
             return QStringLiteral("\u2013");
-        return its.in.count == 1 ? hexCode(word->word, 4) : hexWord(word->word);
+        return device.in.count == 1 ? hexCode(word->word, 4) : hexWord(word->word);
     }
 }
 
-QString WordReadingsModel::toolTip(const QModelIndex &index) const
+QVariant WordReadingsModel::cell(const DeviceRegisters &device, int column, int role) const
 {
-    const WordReading *word = reading(index);
-    if (word == nullptr)
-        return {};
-    const QString verdict = plausibilityText(word->plausibility);
-    return word->meaning.isEmpty() ? verdict : QStringLiteral("%1: %2").arg(verdict, word->meaning);
-}
-
-QVariant WordReadingsModel::data(const QModelIndex &index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
-        return {};
-    const WordReading *word = reading(index);
+    const WordReading *word = readingAt(device, column);
     switch (role) {
-    case Qt::DisplayRole:
-        return text(index);
     case Qt::ToolTipRole:
-        return toolTip(index);
+        return toolTip(word);
     case Qt::AccessibleTextRole:
-        return word == nullptr ? text(index) : QStringLiteral("%1, %2").arg(text(index), toolTip(index));
+        return word == nullptr ? text(device, column)
+                               : QStringLiteral("%1, %2").arg(text(device, column), toolTip(word));
     case Qt::DecorationRole:
         if (word == nullptr)
             return {};
@@ -147,17 +126,15 @@ QVariant WordReadingsModel::data(const QModelIndex &index, int role) const
         return font;
     }
     default:
-        return {};
+        return TableModelBase::cell(device, column, role);
     }
 }
 
-QVariant WordReadingsModel::headerData(int section, Qt::Orientation orientation, int role) const
+QVariant WordReadingsModel::headerCell(int column, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columns)
-        return QAbstractTableModel::headerData(section, orientation, role);
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
         return {};
-    switch (section) {
+    switch (column) {
     case place:
         return tr("Place");
     case inRegisters:
@@ -167,7 +144,7 @@ QVariant WordReadingsModel::headerData(int section, Qt::Orientation orientation,
     default:
         break;
     }
-    const auto order = static_cast<WordOrder>(section - firstOrder);
+    const auto order = static_cast<WordOrder>(column - firstOrder);
     if (role == Qt::ToolTipRole)
         return order == WordOrder::abcd   ? tr("High word first")
                : order == WordOrder::cdab ? tr("Low word first")
