@@ -10,9 +10,9 @@ namespace codewheel::scene {
 
 // Actions in a window for a picture, and their places.
 
-inline constexpr Place fraba{firstRing, NodeId("1.0")};
-inline constexpr Place baumer{firstRing, NodeId("2.0")};
-inline constexpr Place rod{firstRing, NodeId("5.0")};
+inline constexpr Place fraba{firstBus, NodeId("1.0")};
+inline constexpr Place baumer{firstBus, NodeId("2.0")};
+inline constexpr Place rod{firstBus, NodeId("5.0")};
 inline constexpr int whileMilliseconds = 600; // until a request is carried out
 
 QDockWidget *dock(TrainingWindow &shown, const char *name);

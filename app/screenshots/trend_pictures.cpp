@@ -11,7 +11,7 @@ using namespace scene;
 using namespace std::chrono_literals;
 
 constexpr QSize roomy(1280, 860);
-constexpr Place multiTurn{firstRing, NodeId("4.0")};
+constexpr Place multiTurn{firstBus, NodeId("4.0")};
 
 TrendPage &trend(TrainingWindow &shown)
 {

@@ -196,8 +196,8 @@ private:
     std::map<BusId, BusViews *> m_views;
     std::set<BusId> m_shown;           // as connected in the bus structure
     QHash<QString, BusId> m_currentOf; // by kind: which bus its actions and docks apply to
-    BusId m_chosenBus = firstRing;     // that of the chosen row
-    BusId m_keysOf = firstRing;
+    BusId m_chosenBus = firstBus;      // that of the chosen row
+    BusId m_keysOf = firstBus;
     Chosen m_beforeChange; // for a bus that may get the same rows again
     WindowActions m_actions;
     AlarmStopEverywhere *m_alarmStop;

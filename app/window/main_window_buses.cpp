@@ -106,7 +106,7 @@ void MainWindow::removeBus(BusAtWork *bus)
             showMonitors();
         views->setCurrent(false);
         if (m_keysOf == id)
-            giveKeys(firstRing);
+            giveKeys(firstBus);
         m_views.erase(id);
         delete views;
     }
@@ -115,8 +115,8 @@ void MainWindow::removeBus(BusAtWork *bus)
     for (BusAtWork *other : m_plant->all())
         if (other != bus && other->kind() == bus->kind() && !m_currentOf.contains(bus->kind()))
             setCurrent(*other);
-    if (m_chosenBus == id && id != firstRing) // another one takes its place
-        chooseBus(firstRing);
+    if (m_chosenBus == id && id != firstBus) // another one takes its place
+        chooseBus(firstBus);
 }
 
 // It is present, connected or not, after leaving whatever it was before.

@@ -56,7 +56,7 @@ std::span<const PlaceFormat> placeFormats()
         const auto address = CanopenAddress::read(text);
         return address ? std::optional(address->place()) : std::nullopt;
     };
-    static const std::array formats{PlaceFormat{firstRing, ofRing}, PlaceFormat{firstLine, ofLine},
+    static const std::array formats{PlaceFormat{firstBus, ofRing}, PlaceFormat{firstLine, ofLine},
                                     PlaceFormat{firstCanBus, ofCanBus}};
     return formats;
 }

@@ -61,7 +61,7 @@ struct LastPosition
 // One device of the planned bus, and what is wanted and known of it.
 struct ProjectDevice
 {
-    BusId bus = firstRing;
+    BusId bus = firstBus;
     Participant
         participant; // its number follows from its place and level, or is its address on a serial line
     QString station; // "Crane 1, hoist"; empty: none

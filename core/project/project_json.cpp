@@ -50,7 +50,7 @@ void ringAndLineBecomeBuses(Json::Value &root)
 {
     Json::Value ring(Json::objectValue);
     ring["kind"] = "interbus";
-    ring["number"] = firstRing.number;
+    ring["number"] = firstBus.number;
     ring["name"] = "Ring";
     for (const char *key : {"link", "addresses", "cableKilometres", "devices"})
         move(root, key, ring, key);

@@ -23,7 +23,7 @@ struct BusId
 };
 
 // The bus of a program that was told of no others, and of files from before buses were numbered.
-inline constexpr BusId firstRing{1};
+inline constexpr BusId firstBus{1};
 inline constexpr BusId firstLine{2};
 
 // Where a device is on its bus, as that kind of bus writes it: "6.1" on INTERBUS, "esc:12" on a serial line.

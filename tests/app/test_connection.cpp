@@ -59,7 +59,7 @@ protected:
     {
         const Catalog catalog = Catalog::builtIn();
         ProjectDocument &document = shown->project();
-        ASSERT_TRUE(PlanEdits(document, catalog).remove({document.ids(firstRing)[1]}));
+        ASSERT_TRUE(PlanEdits(document, catalog).remove({document.ids(firstBus)[1]}));
     }
 };
 
@@ -120,7 +120,7 @@ TEST_F(ConnectionTest, TheKeyOfAnActionThatIsDisabledSaysWhy)
     press();
     ASSERT_FALSE(bus().isOpen());
     EXPECT_EQ(window().statusBar()->currentMessage(), QString());
-    window().findChild<StructureView *>()->choose(firstRing);
+    window().findChild<StructureView *>()->choose(firstBus);
     press();
     EXPECT_TRUE(
         window().statusBar()->currentMessage().startsWith(QStringLiteral("Not possible now: Disconnect")))

@@ -89,9 +89,9 @@ TEST_F(FinderInWindowTest, AGatewayIsFoundAtAHostAndConnected)
     test::agreeToReplace(ring);
     ASSERT_TRUE(comes([&] { return bus().isOpen() && !bus().isSimulated(); }));
     EXPECT_FALSE(bus().isOperating());
-    const ProjectLink link = ringPlan(project(), firstRing).link;
+    const ProjectLink link = ringPlan(project(), firstBus).link;
     EXPECT_EQ(link.kind, QStringLiteral("modbus-tcp"));
-    const auto planned = plannedGateway(project(), firstRing);
+    const auto planned = plannedGateway(project(), firstBus);
     ASSERT_TRUE(planned && *planned);
     EXPECT_EQ((*planned)->tcpPort, server.port());
     ringActions().disconnectBus->trigger();

@@ -213,7 +213,7 @@ TEST_F(MainWindowTest, PanelsThatStayAtADeviceWhileABusIsChosenSayAtWhich)
     auto &tree = *window().findChild<StructureView *>();
     tree.choose(baumer);
     EXPECT_EQ(dock("parametersDock")->windowTitle(), QStringLiteral("Parameters"));
-    tree.choose(firstRing);
+    tree.choose(firstBus);
     advance(50);
     for (const char *name : {"parametersDock", "dialDock", "deviceDock"})
         EXPECT_TRUE(dock(name)->windowTitle().endsWith(QStringLiteral("(2.0)")))

@@ -146,9 +146,9 @@ TEST_F(RunningProgram, AnotherLanguageKeepsTheRecordingsThatAreOpenAndPlaysOn)
 TEST_F(RunningProgram, EveryBusIsOpenedByItsThread)
 {
     const auto isOpen = [this](BusId bus) { return program.plant()->find(bus)->isOpen(); };
-    EXPECT_TRUE(waitFor([&] { return isOpen(firstRing) && isOpen(firstLine); }));
+    EXPECT_TRUE(waitFor([&] { return isOpen(firstBus) && isOpen(firstLine); }));
     constexpr BusId secondRing{3};
-    ProjectDocument &project = program.plant()->find(firstRing)->project();
+    ProjectDocument &project = program.plant()->find(firstBus)->project();
     Project plan = project.project();
     planBus(plan, secondRing, *busKind(u"interbus"));
     ProjectDevice device = plan.devices.front();
@@ -160,7 +160,7 @@ TEST_F(RunningProgram, EveryBusIsOpenedByItsThread)
     EXPECT_TRUE(waitFor([&] { return isOpen(secondRing); }));
     program.window()->findChild<RingActions *>()->disconnectBus->trigger();
     EXPECT_TRUE(waitFor([&] { return !isOpen(secondRing); }));
-    EXPECT_TRUE(isOpen(firstRing));
+    EXPECT_TRUE(isOpen(firstBus));
 }
 
 TEST_F(RunningProgram, ABusThatWasNotConnectedForAWhileHasTheTimeOfTheDay)

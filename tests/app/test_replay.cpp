@@ -344,7 +344,7 @@ TEST_F(ReplayInWindow, TheTrendScalesEachPartByWhatWasKnownThen)
         const auto known = [](std::int64_t steps) {
             return test::frabaWith({{Parameter::steps, steps}, {Parameter::revolutions, 1}});
         };
-        writer->add(RecordedBus{firstRing, QStringLiteral("Crane")});
+        writer->add(RecordedBus{firstBus, QStringLiteral("Crane")});
         writer->add(RecordedClock{noon, noon});
         writer->add(RecordedDescription{hoist, noon, known(3'600)});
         writer->add(test::turning(hoist, noon, 200, 1'000));

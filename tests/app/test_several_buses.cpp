@@ -148,7 +148,7 @@ TEST_F(SeveralBuses, TheStatusLineSaysWhoseModeStandsBesideTheStateOfTheRing)
     actions().watch->trigger();
     advance(50);
     EXPECT_EQ(mode(), "Line: Watch");
-    choose(firstRing);
+    choose(firstBus);
     EXPECT_EQ(mode(), "Operate");
 }
 
@@ -157,7 +157,7 @@ TEST_F(SeveralBuses, ASecondRingIsConnectedBesideTheFirst)
     openSecondRing();
     ASSERT_TRUE(busAt(secondRing).isOpen());
     EXPECT_TRUE(bus().isOpen());
-    EXPECT_EQ(cell(firstRing, StructureModel::deviceColumn), QStringLiteral("Ring"));
+    EXPECT_EQ(cell(firstBus, StructureModel::deviceColumn), QStringLiteral("Ring"));
     EXPECT_EQ(cell(secondRing, StructureModel::deviceColumn), QStringLiteral("Ring 2"));
     EXPECT_EQ(cell(secondRing, StructureModel::stateColumn), QStringLiteral("RUN"));
     EXPECT_EQ(farFraba.shown(), QStringLiteral("Ring 2/1.0"));
@@ -273,7 +273,7 @@ TEST_F(SeveralBuses, MonitorsAreOfTheDeviceThatIsShown)
     EXPECT_TRUE(actions().openMonitor->isEnabled()) << "the shown encoder is connected";
     choose(farFraba);
     EXPECT_FALSE(actions().openMonitor->isEnabled());
-    choose(firstRing);
+    choose(firstBus);
     EXPECT_FALSE(actions().openMonitor->isEnabled()) << "the shown encoder is not connected";
 }
 
@@ -329,7 +329,7 @@ TEST_F(SeveralBuses, PagesAndPanelsTellWhoseTheyAre)
     EXPECT_EQ(master.windowTitle(), QStringLiteral("Master (Ring 2)"));
     EXPECT_EQ(terminal.windowTitle(), QStringLiteral("Line terminal")) << "there is one line";
     EXPECT_EQ(title.accessibleName(), QStringLiteral("Compare with the bus \u2013 Ring 2"));
-    choose(firstRing);
+    choose(firstBus);
     EXPECT_EQ(master.windowTitle(), QStringLiteral("Master (Ring)"));
     EXPECT_EQ(title.accessibleName(), QStringLiteral("Compare with the bus \u2013 Ring"));
     actions().monitors->trigger();
@@ -455,7 +455,7 @@ TEST_F(SeveralBuses, TheRowOfABusThatIsRemovedGivesWayToAnotherThatIsMeant)
     removeBus(after, secondRing);
     shown->project().edit(std::move(after), {});
     EXPECT_EQ(tree().current(), test::fraba) << "which the panels show";
-    expectStopMeans(firstRing);
+    expectStopMeans(firstBus);
 }
 
 TEST_F(SeveralBuses, ActionsOfAKindSayWhichBusTheyMean)
@@ -657,7 +657,7 @@ TEST_F(SeveralBuses, TheChosenBusStaysTheOneThatIsPlannedBesideALineThatIsNot)
     for (int inserted = 1; inserted <= 2; ++inserted) {
         QTest::keyClick(editor.findChild<QLineEdit *>(QStringLiteral("catalogSearch")), Qt::Key_Return);
         advance(100);
-        EXPECT_EQ(std::ssize(devicesOn(shown->project().project(), firstRing)), inserted);
+        EXPECT_EQ(std::ssize(devicesOn(shown->project().project(), firstBus)), inserted);
         EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
     }
     EXPECT_TRUE(devicesOn(shown->project().project(), firstLine).empty());
@@ -675,18 +675,18 @@ TEST_F(SeveralBuses, UndoShowsTheBusOnWhichItUndoes)
     const auto insert = [&] {
         QTest::keyClick(editor.findChild<QLineEdit *>(QStringLiteral("catalogSearch")), Qt::Key_Return);
     };
-    choose(firstRing);
+    choose(firstBus);
     insert();
     choose(firstLine);
     insert();
     ASSERT_EQ(bus.currentText(), QStringLiteral("Line"));
-    choose(firstRing);
+    choose(firstBus);
     actions().undo->trigger();
     EXPECT_TRUE(devicesOn(shown->project().project(), firstLine).empty());
     EXPECT_TRUE(bus.currentText().startsWith(QStringLiteral("Line"))) << bus.currentText().toStdString();
     actions().undo->trigger();
     EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
-    EXPECT_TRUE(devicesOn(shown->project().project(), firstRing).empty());
+    EXPECT_TRUE(devicesOn(shown->project().project(), firstBus).empty());
     choose(firstLine);
     actions().redo->trigger();
     EXPECT_EQ(bus.currentText(), QStringLiteral("Ring"));
@@ -725,15 +725,15 @@ TEST_F(SeveralBuses, TheAccountOfABusThatIsNotConnectedGoesAlongWithTheProject)
 TEST_F(SeveralBuses, AProjectWhoseFirstBusIsALineTakesThePlaceOfTheRing)
 {
     Project project;
-    project.buses = {{firstRing, QStringLiteral("esc"), QStringLiteral("Slides"), busKind(u"esc")->usual()}};
+    project.buses = {{firstBus, QStringLiteral("esc"), QStringLiteral("Slides"), busKind(u"esc")->usual()}};
     shown->project().setProject(project, {});
     advance(50);
-    ASSERT_NE(shown->plant().find(firstRing), nullptr);
-    EXPECT_EQ(shown->plant().find(firstRing)->kind(), QStringLiteral("esc"));
+    ASSERT_NE(shown->plant().find(firstBus), nullptr);
+    EXPECT_EQ(shown->plant().find(firstBus)->kind(), QStringLiteral("esc"));
     shown->project().setProject({}, {});
     advance(50);
-    EXPECT_EQ(shown->plant().find(firstRing)->kind(), QStringLiteral("interbus"));
-    choose(firstRing);
+    EXPECT_EQ(shown->plant().find(firstBus)->kind(), QStringLiteral("interbus"));
+    choose(firstBus);
     ringActions().connectBus->trigger(); // nothing is planned: on its page
     advance(50);
     test::pressConnect(*window().findChild<ConnectPage *>(QStringLiteral("ringConnection")));
@@ -776,7 +776,7 @@ TEST_F(SeveralBuses, TheKeysForConnectingAreThoseOfTheChosenBus)
     press(Qt::Key_F5, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_FALSE(can->isOpen());
     EXPECT_TRUE(bus().isOpen());
-    tree().choose(firstRing);
+    tree().choose(firstBus);
     press(Qt::Key_F5, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_FALSE(bus().isOpen());
     press(Qt::Key_F5, Qt::ControlModifier);

@@ -239,10 +239,10 @@ TEST_F(StartPageTest, TheTrainingBusAsksBeforeItReplacesWhatIsPlannedForAGateway
 {
     disconnectAll();
     Project planned = shown->project().project();
-    RingPlan ring = ringPlan(planned, firstRing);
+    RingPlan ring = ringPlan(planned, firstBus);
     ring.link = {QString::fromLatin1(modbusTcpLink),
                  {{QStringLiteral("host"), QStringLiteral("gateway.hall")}}};
-    setRingPlan(planned, firstRing, ring);
+    setRingPlan(planned, firstBus, ring);
     shown->project().edit(planned, QStringLiteral("Connection"));
     {
         const auto question = Question::answeredBy(QStringLiteral("Cancel"));

@@ -125,7 +125,7 @@ protected:
 TEST_F(WhyInWindowTest, ADoubleClickOnARedRowOpensItWithThePlace)
 {
     befall(TrainingFault::wireBreak, "4.0"_ring);
-    doubleClick(Place{firstRing});
+    doubleClick(Place{firstBus});
     ASSERT_TRUE(isOpen());
     EXPECT_EQ(why().about(), QStringLiteral("Ring"));
     EXPECT_EQ(outcome(), QStringLiteral("What differs first: Ring"));
@@ -136,7 +136,7 @@ TEST_F(WhyInWindowTest, ADoubleClickOnARedRowOpensItWithThePlace)
 TEST_F(WhyInWindowTest, SoDoesEnterOnIt)
 {
     befall(TrainingFault::wireBreak, "4.0"_ring);
-    structure().choose(firstRing);
+    structure().choose(firstBus);
     tree().setFocus();
     QTest::keyClick(&tree(), Qt::Key_Return);
     EXPECT_TRUE(isOpen());
@@ -147,9 +147,9 @@ TEST_F(WhyInWindowTest, AClickOnARedStateOpensItAndThatOnAnotherDoesNot)
     clickState(baumer);
     EXPECT_FALSE(isOpen());
     befall(TrainingFault::wireBreak, "4.0"_ring);
-    clickState(Place{firstRing});
+    clickState(Place{firstBus});
     ASSERT_TRUE(isOpen());
-    EXPECT_EQ(structure().row(), Place{firstRing});
+    EXPECT_EQ(structure().row(), Place{firstBus});
     EXPECT_TRUE(told().contains(QStringLiteral("between 3.0 and 4.0"))) << told().toStdString();
 }
 
@@ -337,7 +337,7 @@ TEST_F(WhyInWindowTest, ABusThatIsOfflineOffersToConnectIt)
 {
     bus().close();
     advance(50);
-    ask(Place{firstRing});
+    ask(Place{firstBus});
     EXPECT_EQ(outcome(), QStringLiteral("What differs first: Link"));
     EXPECT_EQ(told(), QStringLiteral("The bus is not connected. Connect it."));
     press(plainLabel(ringActions().connectBus->text()));
@@ -393,7 +393,7 @@ TEST_F(WhyInWindowTest, SpeaksGerman)
     advance(200);
     befall(TrainingFault::wireBreak, "4.0"_ring);
     EXPECT_EQ(plainLabel(actions().whyNoData->text()), QStringLiteral("Warum kommen keine Daten?"));
-    doubleClick(Place{firstRing});
+    doubleClick(Place{firstBus});
     ASSERT_TRUE(isOpen());
     EXPECT_EQ(outcome(), QStringLiteral("Erste Abweichung: Ring"));
     EXPECT_TRUE(told().contains(QStringLiteral("zwischen 3.0 und 4.0"))) << told().toStdString();

@@ -32,7 +32,7 @@ double milliseconds(const QElapsedTimer &clock)
 
 Message messageAt(int i)
 {
-    const Place place{firstRing, DeviceNumber{i % 8 + 1, 0}.node()};
+    const Place place{firstBus, DeviceNumber{i % 8 + 1, 0}.node()};
     if (i % 1'000 == 0)
         return {.place = place,
                 .severity = Severity::fault,

@@ -35,7 +35,7 @@ void addMessages(MessageModel &messages)
 {
     for (int i = 0; i < messageTotal; ++i)
         messages.addNow(
-            {.place = Place{firstRing, DeviceNumber{i % 8 + 1, i % 63 + 1}.node()},
+            {.place = Place{firstBus, DeviceNumber{i % 8 + 1, i % 63 + 1}.node()},
              .id = MessageId::parametersWritten,
              .arguments = {std::int64_t{1}, std::int64_t{1}, QStringLiteral("Steps = %1").arg(i)}});
     messages.catchUp();
@@ -95,7 +95,7 @@ int main(int argc, char **argv)
     applyAppearance(application, {});
     const QTemporaryDir folder;
     TrainingWindow shown(folder.filePath(QStringLiteral("bench.ini")));
-    for (const BusId bus : {firstRing, firstLine})
+    for (const BusId bus : {firstBus, firstLine})
         shown.buses().open(bus)->close();
     shown.project().setProject(largestProject(), {});
     shown.window().show();

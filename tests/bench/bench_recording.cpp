@@ -42,7 +42,7 @@ double processorTime(clockid_t clock)
 
 Place placeOf(int number)
 {
-    return {firstRing, NodeId(std::to_string(number) + ".0")};
+    return {firstBus, NodeId(std::to_string(number) + ".0")};
 }
 
 // The times of a bus cycle on a computer that is not of real time.

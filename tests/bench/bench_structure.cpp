@@ -76,18 +76,18 @@ int main(int argc, char **argv)
     });
     measure("move first to last and back", editor, [&](int i) {
         const RingPlace place{.terminal = {}, .onLocalBus = false, .row = i % 2 == 0 ? 99U : 0U};
-        (void)edits.move({document.ids(firstRing)[i % 2 == 0 ? 0 : 512 - localDevicesOfLargest - 1]},
+        (void)edits.move({document.ids(firstBus)[i % 2 == 0 ? 0 : 512 - localDevicesOfLargest - 1]},
                          KindData(place));
     });
     measure("remove a local bus and undo", editor, [&](int i) {
         if (i % 2 == 0)
-            (void)edits.remove({document.ids(firstRing).front()});
+            (void)edits.remove({document.ids(firstBus).front()});
         else
             document.undoStack().undo();
     });
     measure("insert at the front and undo", editor, [&](int i) {
         if (i == 0)
-            (void)edits.remove({document.ids(firstRing)[1], document.ids(firstRing)[2]});
+            (void)edits.remove({document.ids(firstBus)[1], document.ids(firstBus)[2]});
         if (i % 2 == 0)
             (void)edits.insert(deviceOf(0x0237), KindData(RingPlace{}));
         else

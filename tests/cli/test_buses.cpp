@@ -41,7 +41,7 @@ class CliBuses : public testing::Test
 protected:
     CliBuses()
     {
-        project.buses = {planned(firstRing, "interbus", "Crane 1"), planned(firstLine, "esc", "Gate 1"),
+        project.buses = {planned(firstBus, "interbus", "Crane 1"), planned(firstLine, "esc", "Gate 1"),
                          planned(secondRing, "interbus", "Crane 2"), planned(secondLine, "esc", "Gate 2")};
         plan({firstLine, EscLineAddress{5}.node()}, "Left");
         plan({secondLine, EscLineAddress{5}.node()}, "Right");
@@ -203,7 +203,7 @@ TEST_F(CliBuses, PlacesAreToldWithTheirBus)
         run({QStringLiteral("write"), QStringLiteral("Crane 2/1.0"), QStringLiteral("steps=255")});
     EXPECT_EQ(asked.exit, 2);
     EXPECT_THAT(asked.out, HasSubstr("To be written to Crane 2/1.0, FRABA OCD-IB K3:"));
-    EXPECT_EQ(Place({firstRing, NodeId("1.0")}).shown(), QStringLiteral("1.0")) << "when the call is over";
+    EXPECT_EQ(Place({firstBus, NodeId("1.0")}).shown(), QStringLiteral("1.0")) << "when the call is over";
 }
 
 TEST_F(CliBuses, WhatIsRefusedIsToldWithItsBus)
@@ -303,7 +303,7 @@ TEST_F(CliBuses, ABusWhoseLinkIsNotKnownIsLeftOut)
 
 TEST_F(CliBuses, ScanSaysWhichBusesAreNew)
 {
-    project.buses = {planned(firstRing, "interbus", "Crane 1"), planned(secondRing, "esc", "Gate 1"),
+    project.buses = {planned(firstBus, "interbus", "Crane 1"), planned(secondRing, "esc", "Gate 1"),
                      planned(secondLine, "esc", "Gate 2")};
     project.devices.clear();
     ASSERT_TRUE(saveProject(project, file));
@@ -324,7 +324,7 @@ TEST_F(CliBuses, ScanTellsAndKeepsEveryBus)
                                   QStringLiteral("Crane 2"), QStringLiteral("Gate 2")}));
     const Project found = *loadProject(saved);
     ASSERT_EQ(found.buses.size(), 4U);
-    for (const BusId ring : {firstRing, secondRing})
+    for (const BusId ring : {firstBus, secondRing})
         EXPECT_EQ(devicesOn(found, ring).size(), 7U);
     for (const BusId line : {firstLine, secondLine})
         EXPECT_EQ(devicesOn(found, line).size(), 3U);
@@ -430,7 +430,7 @@ TEST_F(CliBuses, WhatIsListedOfSeveralBusesIsToldWithItsBus)
 
 TEST_F(CliBuses, AFaultPlanIsForOneRing)
 {
-    project.buses = {planned(firstRing, "interbus", "Crane"), planned(secondRing, "interbus", "Gate")};
+    project.buses = {planned(firstBus, "interbus", "Crane"), planned(secondRing, "interbus", "Gate")};
     project.devices.clear();
     ASSERT_TRUE(saveProject(project, file));
     const QString call =
@@ -450,7 +450,7 @@ TEST_F(CliBuses, AFaultPlanIsForOneRing)
 // Another program may save in between, so reading twice could give two answers.
 TEST_F(CliBuses, TheProjectIsReadOnce)
 {
-    project.buses = {planned(firstRing, "interbus", "Crane")};
+    project.buses = {planned(firstBus, "interbus", "Crane")};
     project.devices.clear();
     for (const char *call : {"compare %1", "scan --project %1", "store %1", "compare %1 --link project"}) {
         ASSERT_TRUE(saveProject(project, file));
@@ -514,7 +514,7 @@ TEST_F(CliBuses, ComparingSomeBusesIsNoComparison)
 
 TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
 {
-    project.buses = {planned(firstRing, "interbus", "Crane"), planned(secondLine, "esc", "Gate")};
+    project.buses = {planned(firstBus, "interbus", "Crane"), planned(secondLine, "esc", "Gate")};
     project.devices.erase(project.devices.begin());
     EscLinePlan plan;
     plan.settings.port = QStringLiteral("/dev/none");
@@ -527,7 +527,7 @@ TEST_F(CliBuses, ABusThatCannotBeReachedKeepsNoOtherFromBeingReported)
     EXPECT_EQ(errorKey(run), "portNotFound");
     EXPECT_TRUE(QFile::exists(report));
     ProjectDevice hoist;
-    hoist.standAt({firstRing, NodeId("1.0")});
+    hoist.standAt({firstBus, NodeId("1.0")});
     project.devices.insert(project.devices.begin(), hoist);
     ASSERT_TRUE(saveProject(project, file));
     const std::string compared = runLine(QStringLiteral("compare %1 --link project").arg(file)).err;
@@ -640,7 +640,7 @@ TEST_F(CliProjectLinks, EachSchemeLeadsToTheBusesOfItsKindInTheProject)
     EXPECT_THAT(refused("interbus:com1").text.toStdString(),
                 HasSubstr("interbus:project, esc:project, can:project, slcan:project, canopen:project, those "
                           "of one kind alone"));
-    project.buses = {planned(firstRing, "interbus", "Crane")};
+    project.buses = {planned(firstBus, "interbus", "Crane")};
     EXPECT_EQ(refused("esc:project").text,
               QStringLiteral("The project has no buses for the link \"esc:project\"."));
     EXPECT_EQ(linksMeant(QStringLiteral("interbus:project"), nullptr).error().key,

@@ -41,7 +41,7 @@ protected:
                                     .vendor = {},
                                     .serialNumber = {},
                                     .project = project,
-                                    .place = {firstRing, NodeId("1.0")}};
+                                    .place = {firstBus, NodeId("1.0")}};
         ASSERT_TRUE(ledger->begin({.at = QDateTime(QDate(2026, 3, 1), QTime(12, 0), Qt::UTC),
                                    .identity = fraba.key(),
                                    .place = fraba.place,
@@ -85,7 +85,7 @@ protected:
     {
         MessageStore store({.file = path("messages.sqlite")});
         const QDateTime noon(QDate(2026, 3, 1), QTime(12, 0));
-        store.add({.place = Place{firstRing, {}}, .id = MessageId::busStarted}, noon);
+        store.add({.place = Place{firstBus, {}}, .id = MessageId::busStarted}, noon);
         store.add({.place = "1.0"_ring,
                    .severity = Severity::fault,
                    .id = MessageId::deviceFault,

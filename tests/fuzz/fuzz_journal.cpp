@@ -64,7 +64,7 @@ void readLedger(const DatabasePlace &place)
                                    .vendor = {},
                                    .serialNumber = {},
                                    .project = {},
-                                   .place = {firstRing, NodeId("1.0")}};
+                                   .place = {firstBus, NodeId("1.0")}};
     (void)ledger->valuesBefore(identity);
     const auto id = ledger->begin({.at = {}, .identity = identity.key(), .planned = 1});
     if (id)

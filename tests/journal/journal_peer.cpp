@@ -28,7 +28,7 @@ int countWrites(const DatabasePlace &place, int times)
                                 .vendor = {},
                                 .serialNumber = {},
                                 .project = {},
-                                .place = {firstRing, NodeId("1.0")}};
+                                .place = {firstBus, NodeId("1.0")}};
     auto ledger = Ledger::open(place);
     if (!ledger)
         return failed(ledger.error());

@@ -64,7 +64,7 @@ TEST(MessageTable, FiltersBySeverityPlaceAndTime)
 
 TEST(MessageTable, FindsAllOfABus)
 {
-    const Place first{firstRing, {}};
+    const Place first{firstBus, {}};
     const Place third{BusId{3}, {}};
     const Place onThird{BusId{3}, NodeId("1.0")};
     auto table = MessageTable::open(DatabasePlace::memory());

@@ -196,7 +196,7 @@ Project Maker::project(std::size_t devices)
     ring.addresses = {maybe() ? AddressRules::Unit::byte : AddressRules::Unit::word,
                       static_cast<int>(below(512)), maybe()};
     ring.cableKilometres = static_cast<double>(below(12'800)) / 1000;
-    setRingPlan(project, firstRing, std::move(ring));
+    setRingPlan(project, firstBus, std::move(ring));
     DeviceNumber before;
     for (std::size_t n = 0; n < devices; ++n) {
         project.devices.push_back(device(before));

@@ -39,7 +39,7 @@ TEST(ProjectJson, ReadsWhatThePageShows)
     const auto project = projectFromJson(example(), fileName);
     ASSERT_TRUE(project) << refusalText(project.error()).toStdString();
     EXPECT_EQ(project->title, QStringLiteral("Crane 1"));
-    EXPECT_EQ(ringPlan(*project, firstRing).cableKilometres, 0.4);
+    EXPECT_EQ(ringPlan(*project, firstBus).cableKilometres, 0.4);
     ASSERT_EQ(project->devices.size(), 4u);
 
     ProjectDevice first;

@@ -20,7 +20,7 @@ int main(int argc, char **argv)
         RecordingTarget::begin({.file = path, .server = server, .leastFree = 0, .unsentFolder = path});
     if (!writer)
         return 1;
-    const Place place{firstRing, NodeId("1.0")};
+    const Place place{firstBus, NodeId("1.0")};
     std::int64_t value = 1;
     for (int round = 0;; ++round) {
         ShownSeries series;

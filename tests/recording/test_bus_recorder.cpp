@@ -338,7 +338,7 @@ TEST_F(BusRecorderTest, ABusThatIsClosedSaysFromWhenOnNothingIsKnown)
     ring.close();
     line.close();
     ASSERT_EQ(interruptions.size(), 2U);
-    EXPECT_EQ(interruptions[0].place, (Place{firstRing, {}}));
+    EXPECT_EQ(interruptions[0].place, (Place{firstBus, {}}));
     EXPECT_EQ(interruptions[1].place, (Place{firstLine, {}}));
     EXPECT_NEAR(static_cast<double>(interruptions[0].at / 1ms), static_cast<double>(now() / 1ms), 2);
 }

@@ -99,7 +99,7 @@ TEST(RecordingTrigger, Messages)
         {"any message", {.least = Severity::information}, &noted, true},
         {"at its place", {.place = here}, &fault, true},
         {"at another place", {.place = "2.0"_ring}, &fault, false},
-        {"on its bus", {.place = Place{firstRing, {}}}, &fault, true},
+        {"on its bus", {.place = Place{firstBus, {}}}, &fault, true},
         {"on another bus", {.place = Place{firstLine, {}}}, &fault, false},
         {"of the program", {.place = here}, &ofProgram, false},
     };

@@ -57,7 +57,7 @@ TEST(RecordingWriter, EverythingThatCameIsThere)
                                                  "05P\r\n"),
                              .meaning = [] { return QStringLiteral("position"); },
                              .isTyped = true};
-    writer->add(RecordedBus{firstRing, QStringLiteral("Ring")});
+    writer->add(RecordedBus{firstBus, QStringLiteral("Ring")});
     writer->add(RecordedDescription{"1.0"_ring, noon, "{\"steps\": 4096}"});
     writer->add(positions(noon, 10, counting));
     writer->add(RecordedDescription{"1.0"_ring, noon + 1s, "{\"steps\": 8192}"});
@@ -66,7 +66,7 @@ TEST(RecordingWriter, EverythingThatCameIsThere)
     writer->add(RecordedNote{noon + 5ms, QStringLiteral("knocked")});
     writer->add(RecordedNote{noon + 6ms, QStringLiteral("wrong")});
     writer->add(RecordedNote{noon + 6ms, {}});
-    writer->add(RecordedLoss{noon + 7ms, firstRing, 12});
+    writer->add(RecordedLoss{noon + 7ms, firstBus, 12});
     writer->add(RecordedClock{noon, noon + 1h});
     EXPECT_FALSE(writer->end().problem);
 
@@ -128,7 +128,7 @@ TEST(RecordingWriter, WhileABusIsClosedItsDevicesAreInAGap)
     for (const Instant from : {noon, noon + 1s}) {
         writer->add(positions(from, 10, counting));
         writer->add(positions(from, 10, counting, other));
-        writer->add(RecordedInterruption{Place{firstRing, {}}, from + 20ms});
+        writer->add(RecordedInterruption{Place{firstBus, {}}, from + 20ms});
     }
     (void)writer->end();
     const RecordingReader reader = file.reader();

@@ -46,7 +46,7 @@ QStringList contentsOnServer(const QString &recording)
 
 void addSomeOfAll(RecordingTarget &target)
 {
-    target.add(RecordedBus{firstRing, QStringLiteral("Ring 'Ä' \\ \"1\"")});
+    target.add(RecordedBus{firstBus, QStringLiteral("Ring 'Ä' \\ \"1\"")});
     target.add(RecordedBus{firstLine, QString()});
     target.add(RecordedDescription{"1.0"_ring, noon, "{\"steps\": 4096}"});
     target.add(positions(noon, 400, [](std::size_t index) { return index % 7 * 1'000'000'000; }));
@@ -64,10 +64,10 @@ void addSomeOfAll(RecordingTarget &target)
                                 .kind = TrafficKind::answer,
                                 .bytes = QByteArray("\x00\x1b'\\\xff\r\n", 7),
                                 .isTyped = true}});
-    target.add(RecordedTraffic{noon + 5ms, firstRing, {.cycle = 7, .out = 0xFFFFFFFF, .in = 1}});
+    target.add(RecordedTraffic{noon + 5ms, firstBus, {.cycle = 7, .out = 0xFFFFFFFF, .in = 1}});
     target.add(RecordedNote{noon + 5ms, QStringLiteral("knocked, „twice“ 'here' \\")});
     target.add(RecordedNote{noon + 6ms, QStringLiteral("wrong")});
-    target.add(RecordedLoss{noon + 7ms, firstRing, 12});
+    target.add(RecordedLoss{noon + 7ms, firstBus, 12});
     target.add(RecordedClock{noon, noon + 1h});
     target.add(RecordedInterruption{"2.0"_ring, noon + 500ms});
 }
@@ -104,15 +104,15 @@ TEST_F(ServerRecordings, TheStoreWorksOnAServerTheSameWay)
     ASSERT_TRUE(onServer.begin({.program = {}, .zone = {}, .begun = noon}));
     auto inFile = RecordingStore::open(file.path);
     RecordingComposer composer;
-    composer.add(RecordedBus{firstRing, {}});
+    composer.add(RecordedBus{firstBus, {}});
     composer.add(RecordedDescription{"1.0"_ring, noon, "{}"});
     for (int minute = 0; minute < 200; ++minute)
         composer.add(positions(noon + 1min * minute, 300, [](std::size_t index) { return index; }));
     composer.add(RecordedNote{noon + 2s, QStringLiteral("a")});
     composer.add(RecordedNote{noon + 2s, {}});
     composer.add(RecordedMessage{noon + 3s, {.id = MessageId::busStarted}});
-    composer.add(RecordedTraffic{noon + 3s, firstRing, {}});
-    composer.add(RecordedLoss{noon + 3s, firstRing, 1});
+    composer.add(RecordedTraffic{noon + 3s, firstBus, {}});
+    composer.add(RecordedLoss{noon + 3s, firstBus, 1});
     composer.add(RecordedClock{noon, noon});
     for (RecordingStore *store : {&onServer, &*inFile}) {
         ASSERT_TRUE(store->write(composer.gathered()));

@@ -49,7 +49,7 @@ public:
     ReplayRecording()
     {
         auto writer = begin();
-        writer->add(RecordedBus{firstRing, QStringLiteral("Crane")});
+        writer->add(RecordedBus{firstBus, QStringLiteral("Crane")});
         writer->add(RecordedBus{firstLine, QStringLiteral("Gate")});
         writer->add(RecordedClock{noon, noon});
         writer->add(RecordedDescription{hoist, noon, frabaWith({{Parameter::steps, 4096}})});
@@ -73,7 +73,7 @@ public:
         writer->add(RecordedInterruption{atTheGate, noon + 1s});
         for (const Instant at : {noon + 500ms, noon + 7s})
             writer->add(RecordedTraffic{
-                at, firstRing, {.at = at, .place = hoist, .cycle = 7, .out = 0, .in = 0x80000003}});
+                at, firstBus, {.at = at, .place = hoist, .cycle = 7, .out = 0, .in = 0x80000003}});
         writer->add(RecordedMessage{
             noon + 6500ms,
             {.at = {}, .place = hoist, .severity = Severity::attention, .id = MessageId::valuesForgotten}});

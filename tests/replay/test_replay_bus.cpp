@@ -33,7 +33,7 @@ protected:
 
     ReplayRecording recording;
     std::shared_ptr<Playback> playback = recording.playback();
-    ReplayBus ring{playback, firstRing, {1'001}, QStringLiteral("night"), replayCatalog()};
+    ReplayBus ring{playback, firstBus, {1'001}, QStringLiteral("night"), replayCatalog()};
     ReplayBus line{playback, firstLine, {1'002}, QStringLiteral("night Gate"), replayCatalog()};
     std::vector<TrafficRow> rows;
     std::vector<Message> messages;
@@ -153,7 +153,7 @@ TEST_F(ReplayBusTest, AnotherDeviceAtThePlaceHasAnotherSession)
     writer->add(turning(hoist, noon + 4s, 100, 3));
     writer->end();
     const std::shared_ptr<Playback> other = Playback::open(file.path).value();
-    ReplayBus bus(other, firstRing, {1'003}, QStringLiteral("other"), replayCatalog());
+    ReplayBus bus(other, firstBus, {1'003}, QStringLiteral("other"), replayCatalog());
     int changes = 0;
     QObject::connect(&bus, &EncoderBus::nodesChanged, &bus, [&changes] { ++changes; });
     EXPECT_EQ(bus.encoder(hoist.node)->device().key, QStringLiteral("fraba-ocd-ib"));

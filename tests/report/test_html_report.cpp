@@ -117,7 +117,7 @@ TEST_P(HostileReport, StaysAPageOfTexts)
         device.label.serialNumber = text;
     }
     input.project.devices[2].participant.deviceKey = text;
-    input.connected[firstRing].devices = {RingDevice{NodeId("1.0"), 0x0237, 2, 2, text, 0}};
+    input.connected[firstBus].devices = {RingDevice{NodeId("1.0"), 0x0237, 2, 2, text, 0}};
     const QString html = htmlOf(input);
     expectWellFormed(html);
     const QSet<QString> usual = parsed(htmlOf(exampleInput())).first;

@@ -181,11 +181,11 @@ TEST(CommissioningReport, DeviationsAndWhatCouldNotBeComparedAreTold)
 TEST(CommissioningReport, ComparisonOfTheBusIsToldLineByLine)
 {
     ReportInput input = exampleInput();
-    input.connected[firstRing].devices = participantsOn(input.project, firstRing);
+    input.connected[firstBus].devices = participantsOn(input.project, firstBus);
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),
                 Contains("The connected bus is as configured."));
     EXPECT_THAT(factsOf({reportOf(input).facts}), Contains("Bus: connected as configured"));
-    input.connected[firstRing].devices.front() = RingDevice{NodeId("1.0"), 0x0236, 2, 2, {}, 0};
+    input.connected[firstBus].devices.front() = RingDevice{NodeId("1.0"), 0x0236, 2, 2, {}, 0};
     EXPECT_THAT(factsOf({reportOf(input).facts}),
                 Contains("Bus: not connected as configured; lines that differ: 2"));
     EXPECT_THAT(rowsOf(sectionOf(reportOf(input), "Deviations")),
@@ -226,7 +226,7 @@ TEST(CommissioningReport, SamePlacesOfTwoRingsAreToldApart)
 TEST(CommissioningReport, BusesThatWereNotComparedAreNamed)
 {
     ReportInput input = twoRings();
-    input.connected[firstRing].devices = participantsOn(input.project, firstRing);
+    input.connected[firstBus].devices = participantsOn(input.project, firstBus);
     EXPECT_THAT(factsOf({reportOf(input).facts}),
                 Contains("Bus: connected as configured; not compared: Crane 2"));
     EXPECT_THAT(paragraphsOf(sectionOf(reportOf(input), "Deviations")),

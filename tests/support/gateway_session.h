@@ -27,7 +27,7 @@ struct GatewayMaking
     SimulatedGateway::Ways ways{};
     GatewaySettings settings{};
     Instant transaction = std::chrono::milliseconds(1);
-    BusId id = firstRing;
+    BusId id = firstBus;
     std::function<TrainingBus()> makeRing = [] { return makeTrainingBus(builtInCatalog()); };
 };
 

@@ -9,7 +9,7 @@ namespace codewheel {
 // "1.0"_ring
 constexpr Place operator""_ring(const char *text, std::size_t size)
 {
-    return {firstRing, NodeId({text, size})};
+    return {firstBus, NodeId({text, size})};
 }
 
 // The same position in the next segment.

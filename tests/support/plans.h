@@ -11,9 +11,9 @@ namespace codewheel {
 template <typename Change>
 void changeRing(Project &project, Change change)
 {
-    RingPlan plan = ringPlan(project, firstRing);
+    RingPlan plan = ringPlan(project, firstBus);
     change(plan);
-    setRingPlan(project, firstRing, std::move(plan));
+    setRingPlan(project, firstBus, std::move(plan));
 }
 
 // Plans the line if there is none.

@@ -249,7 +249,7 @@ TEST_F(TrendFilesTest, TheDescriptionTellsWhatIsKnownOfItsEncoders)
 
 TEST_F(TrendFilesTest, TheDescriptionTellsWhatHappenedMeanwhile)
 {
-    const Message started{.place = Place{firstRing, {}}, .id = MessageId::busStarted};
+    const Message started{.place = Place{firstBus, {}}, .id = MessageId::busStarted};
     origin.marks = {{at(9'999), {}, QStringLiteral("too early")},
                     {at(10'000), started.place, started},
                     {at(12'000) + Instant(5), {}, QStringLiteral("belt slips")},

@@ -37,22 +37,22 @@ TEST(NodeId, IsShort)
 
 TEST(Place, IsOfOneBus)
 {
-    const Place one{firstRing, NodeId("1.0")};
+    const Place one{firstBus, NodeId("1.0")};
     const Place other{BusId{7}, NodeId("1.0")};
     EXPECT_NE(one, other);
-    EXPECT_LT((Place{firstRing, NodeId("2.0")}), other) << "bus by bus";
+    EXPECT_LT((Place{firstBus, NodeId("2.0")}), other) << "bus by bus";
     EXPECT_TRUE((Place{firstLine, {}}.isEmpty()));
 }
 
 TEST(Place, IsKeptWithTheNumberOfItsBus)
 {
-    EXPECT_EQ((Place{firstRing, NodeId("6.1")}.key()), QStringLiteral("6.1"));
+    EXPECT_EQ((Place{firstBus, NodeId("6.1")}.key()), QStringLiteral("6.1"));
     EXPECT_EQ((Place{firstLine, NodeId("esc:12")}.key()), QStringLiteral("esc:12"));
     EXPECT_EQ((Place{BusId{4}, NodeId("esc:12")}.key()), QStringLiteral("4/esc:12"));
-    EXPECT_EQ((Place{firstRing, NodeId("esc:12")}.key()), QStringLiteral("1/esc:12"))
+    EXPECT_EQ((Place{firstBus, NodeId("esc:12")}.key()), QStringLiteral("1/esc:12"))
         << "whatever the first bus of a project is";
-    for (const Place place : {Place{firstRing, NodeId("6.1")}, Place{firstLine, NodeId("esc:12")},
-                              Place{BusId{4}, NodeId("esc:12")}, Place{firstRing, NodeId("esc:12")}})
+    for (const Place place : {Place{firstBus, NodeId("6.1")}, Place{firstLine, NodeId("esc:12")},
+                              Place{BusId{4}, NodeId("esc:12")}, Place{firstBus, NodeId("esc:12")}})
         EXPECT_EQ(Place::parse(place.key()), place);
     for (const char16_t *wrong : {u"/1.0", u"0/1.0", u"-3/1.0", u"x/1.0", u"3/"})
         EXPECT_FALSE(Place::parse(wrong)) << QString::fromUtf16(wrong).toStdString();
@@ -62,7 +62,7 @@ TEST(Place, OfABusItselfHasAKeyToo)
 {
     EXPECT_EQ((Place{BusId{3}, {}}.key()), QStringLiteral("3/"));
     EXPECT_EQ(Place::ofKey(u"3/"), (Place{BusId{3}, {}}));
-    EXPECT_EQ(Place::ofKey(u"6.1"), (Place{firstRing, NodeId("6.1")}));
+    EXPECT_EQ(Place::ofKey(u"6.1"), (Place{firstBus, NodeId("6.1")}));
     for (const char16_t *wrong : {u"/", u"0/", u"-3/", u"x/", u"3//", u""})
         EXPECT_FALSE(Place::ofKey(wrong)) << QString::fromUtf16(wrong).toStdString();
 }
@@ -71,7 +71,7 @@ TEST(Place, IsToldWithTheNameOfItsBusWhereAnotherMayHaveItToo)
 {
     const Place place{BusId{3}, NodeId("1.0")};
     EXPECT_EQ(place.shown(), QStringLiteral("1.0"));
-    setBusNames({{firstRing, QStringLiteral("Ring")}, {BusId{3}, QStringLiteral("Crane 2")}});
+    setBusNames({{firstBus, QStringLiteral("Ring")}, {BusId{3}, QStringLiteral("Crane 2")}});
     EXPECT_EQ(place.shown(), QStringLiteral("Crane 2/1.0"));
     EXPECT_EQ(place.toString(), QStringLiteral("1.0"));
     EXPECT_EQ((Place{firstLine, NodeId("esc:12")}.shown()), QStringLiteral("esc:12"));
@@ -81,7 +81,7 @@ TEST(Place, IsToldWithTheNameOfItsBusWhereAnotherMayHaveItToo)
 
 TEST(Place, IsReadAsItIsTyped)
 {
-    EXPECT_EQ(Place::parse(u"6.1"), (Place{firstRing, NodeId("6.1")}));
+    EXPECT_EQ(Place::parse(u"6.1"), (Place{firstBus, NodeId("6.1")}));
     const Place twelve{firstLine, NodeId("esc:12")};
     EXPECT_EQ(Place::parse(u"12"), twelve);
     EXPECT_EQ(Place::parse(u"esc:12"), twelve);

@@ -54,7 +54,7 @@ private:
 
     ProjectDocument &m_document;
     const Catalog &m_catalog;
-    BusId m_bus = firstRing;
+    BusId m_bus = firstBus;
     QString m_kind;
 };
 

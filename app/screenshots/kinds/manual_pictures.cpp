@@ -124,7 +124,7 @@ QWidget *busFault(TrainingWindow &shown)
         shown.controls().setFault(TrainingFault::crcErrors, NodeId("3.0"), perThousand);
         shown.advance(tenSeconds);
     }
-    choose(shown, {firstRing, NodeId("4.0")});
+    choose(shown, {firstBus, NodeId("4.0")});
     shown.controls().setFault(TrainingFault::wireBreak, NodeId("4.0"), 1);
     shown.advance(whileMilliseconds);
     dock(shown, "messagesDock");

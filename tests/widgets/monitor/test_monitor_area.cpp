@@ -243,7 +243,7 @@ TEST_F(MonitorAreaTest, ADeviceThatIsDroppedOnItIsPinned)
     EXPECT_TRUE(drop(baumer));
     EXPECT_TRUE(open().contains(QStringLiteral("2.0 pinned")));
     EXPECT_FALSE(drop(test::busTerminal)) << "it has no words";
-    EXPECT_FALSE(structure.flags(structure.indexOf(firstRing)).testFlag(Qt::ItemIsDragEnabled));
+    EXPECT_FALSE(structure.flags(structure.indexOf(firstBus)).testFlag(Qt::ItemIsDragEnabled));
 }
 
 } // namespace

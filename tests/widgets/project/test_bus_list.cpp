@@ -108,7 +108,7 @@ protected:
 TEST_F(BusListTest, ShowsNameKindAndDevices)
 {
     Project project;
-    plan(project, firstRing, u"interbus", 3);
+    plan(project, firstBus, u"interbus", 3);
     plan(project, secondFree, u"esc");
     document.setProject(project, {});
     EXPECT_EQ(names(), QStringList({QStringLiteral("Ring"), QStringLiteral("Line")}));
@@ -152,7 +152,7 @@ TEST_F(BusListTest, ARingTakesTheNumberOfTheTrainingRingWhereThatIsFree)
     plan(project, secondFree, u"esc");
     document.setProject(project, {});
     addRing();
-    EXPECT_EQ(document.project().buses.front().id, firstRing);
+    EXPECT_EQ(document.project().buses.front().id, firstBus);
     addRing();
     EXPECT_EQ(document.project().buses.back().id, BusId{6}) << "never that of the training line";
 }
@@ -240,7 +240,7 @@ TEST_F(BusListTest, WhatIsHalfTypedOutlivesAnEditElsewhere)
 {
     rename(0, QStringLiteral("Cra"));
     Project elsewhere = document.project();
-    plan(elsewhere, firstRing, u"interbus", 2);
+    plan(elsewhere, firstBus, u"interbus", 2);
     plan(elsewhere, firstLine, u"esc");
     document.edit(elsewhere, {});
     ASSERT_NE(field(), nullptr);

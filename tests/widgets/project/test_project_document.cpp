@@ -53,11 +53,11 @@ protected:
             device.participant = edited.structure[i];
             after.devices.push_back(device);
         }
-        document.edit(after, firstRing, edited.from, QStringLiteral("ring"));
+        document.edit(after, firstBus, edited.from, QStringLiteral("ring"));
     }
     std::vector<ProjectDocument::DeviceId> ringIds() const
     {
-        const auto ids = document.ids(firstRing);
+        const auto ids = document.ids(firstBus);
         return {ids.begin(), ids.end()};
     }
 

@@ -134,7 +134,7 @@ TEST_F(StructureTest, StatesFollowTheBus)
 TEST_F(StructureTest, WithoutARingThereIsNothing)
 {
     model.addBus(ring.bus);
-    model.removeBus(firstRing);
+    model.removeBus(firstBus);
     EXPECT_EQ(model.rowCount(), 0);
 }
 
@@ -207,15 +207,15 @@ TEST_F(StructureTest, BusesThatLookTheSameAreToldApartByTheirNames)
     ProjectDocument project;
     project.setProject(plan, {});
     model.setProject(project, ring.catalog);
-    EXPECT_EQ(model.indexOf(firstRing).data().toString(), QStringLiteral("Master"));
+    EXPECT_EQ(model.indexOf(firstBus).data().toString(), QStringLiteral("Master"));
     const QSignalSpy told(&model, &QAbstractItemModel::dataChanged);
-    setBusNames({{firstRing, QStringLiteral("Ring")}, {secondRing, QStringLiteral("Crane 2")}});
+    setBusNames({{firstBus, QStringLiteral("Ring")}, {secondRing, QStringLiteral("Crane 2")}});
     const auto noNames = qScopeGuard([] { setBusNames({}); });
     model.showTitles();
     EXPECT_EQ(told.count(), 2) << "views show it at once";
     model.showTitles();
     EXPECT_EQ(told.count(), 2);
-    EXPECT_EQ(model.indexOf(firstRing).data().toString(), QStringLiteral("Ring: Master"));
+    EXPECT_EQ(model.indexOf(firstBus).data().toString(), QStringLiteral("Ring: Master"));
     EXPECT_EQ(model.indexOf(secondRing).data().toString(), QStringLiteral("Crane 2: Master"));
     EXPECT_EQ(model.placeAt(model.indexOf(there.place())), there.place());
     EXPECT_EQ(model.indexOf(there.place()).parent(), model.indexOf(secondRing));
@@ -232,7 +232,7 @@ TEST_F(StructureTest, EveryPlannedBusIsShownButTheRingOfANewProject)
         {secondRing, QStringLiteral("interbus"), QStringLiteral("Crane"), two.buses[0].settings});
     project.edit(two, {});
     ASSERT_EQ(model.rowCount(), 2);
-    std::erase_if(two.buses, [](const PlannedBus &bus) { return bus.id == firstRing; });
+    std::erase_if(two.buses, [](const PlannedBus &bus) { return bus.id == firstBus; });
     project.edit(two, {});
     ASSERT_EQ(model.rowCount(), 1);
     EXPECT_TRUE(model.indexOf(secondRing).isValid());
@@ -274,7 +274,7 @@ TEST_F(StructureTest, NamingADeviceKeepsItChosenAndItsMakeAskedFor)
         plan(key);
         EXPECT_EQ(question->isVisible(), key.isEmpty());
     }
-    view.removeBus(firstRing);
+    view.removeBus(firstBus);
     view.choose(baumer);
     plan({});
 }

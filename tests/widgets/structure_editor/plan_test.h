@@ -38,10 +38,10 @@ protected:
     QString order() const
     {
         QStringList texts;
-        for (std::size_t i = 0; i < document.ids(firstRing).size(); ++i)
+        for (std::size_t i = 0; i < document.ids(firstBus).size(); ++i)
             texts << QStringLiteral("%1=%2")
                          .arg(document.project().devices[i].place().toString())
-                         .arg(document.ids(firstRing)[i]);
+                         .arg(document.ids(firstBus)[i]);
         return texts.join(u' ');
     }
     ProjectDocument::DeviceId id(const QString &number) const

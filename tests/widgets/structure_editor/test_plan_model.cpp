@@ -202,7 +202,7 @@ TEST_F(PlanModelTest, RandomEditsAndUndoAreFollowed)
         return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
     };
     for (int step = 0; step < 400; ++step) {
-        const auto planned = document.ids(firstRing);
+        const auto planned = document.ids(firstBus);
         const std::vector<PlanModel::Id> ids(planned.begin(), planned.end());
         RingPlace place{.terminal = {}, .onLocalBus = below(2) == 0, .row = below(5)};
         if (!ids.empty() && below(2) == 0)

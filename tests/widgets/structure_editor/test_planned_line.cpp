@@ -118,9 +118,9 @@ TEST_F(PlannedLine, EncodersAreInsertedAtTheNextFreeAddress)
 TEST_F(PlannedLine, WhatWasSearchedInTheCatalogOfAnotherBusIsForgotten)
 {
     Project project = document.project();
-    planBus(project, firstRing, *busKind(u"interbus"));
+    planBus(project, firstBus, *busKind(u"interbus"));
     document.setProject(project, {});
-    editor.setBus(firstRing);
+    editor.setBus(firstBus);
     editor.openInsertPanel();
     auto &search = child<QLineEdit>("catalogSearch");
     QTest::keyClicks(&search, QStringLiteral("OCD-IB K2"));
@@ -197,7 +197,7 @@ TEST_F(PlannedLine, NothingOfARingIsOffered)
     EXPECT_FALSE(tree.model()->flags(cell(0, PlanField::place)) & Qt::ItemIsDragEnabled);
     EXPECT_EQ(child<QLineEdit>("structureSearch").placeholderText(),
               QStringLiteral("Address, name, station"));
-    editor.setBus(firstRing);
+    editor.setBus(firstBus);
     EXPECT_TRUE(editor.actions().last()->isVisible());
 }
 

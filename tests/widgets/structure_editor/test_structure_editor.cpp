@@ -41,7 +41,7 @@ class StructureEditorTest : public test::PlanTest
 protected:
     StructureEditorTest()
     {
-        editor.addFields(firstRing, new RingPlanFields(document, firstRing));
+        editor.addFields(firstBus, new RingPlanFields(document, firstBus));
         editor.resize(900, 620);
         editor.show();
         editor.activateWindow();
@@ -186,7 +186,7 @@ TEST_F(StructureEditorTest, StepsOfANumberAreOneStepOfUndo)
     cable.setFocus();
     for (int i = 0; i < 5; ++i)
         QTest::keyClick(&cable, Qt::Key_Up);
-    EXPECT_DOUBLE_EQ(ringPlan(document.project(), firstRing).cableKilometres, 0.5);
+    EXPECT_DOUBLE_EQ(ringPlan(document.project(), firstBus).cableKilometres, 0.5);
     EXPECT_EQ(document.undoStack().count(), 1);
     auto &first = child<QSpinBox>("firstAddress");
     first.setFocus();
@@ -197,7 +197,7 @@ TEST_F(StructureEditorTest, StepsOfANumberAreOneStepOfUndo)
     QTest::keyClick(&first, Qt::Key_Up);
     EXPECT_EQ(document.undoStack().count(), 3) << "another one";
     document.undoStack().undo();
-    EXPECT_EQ(ringPlan(document.project(), firstRing).addresses.first, 3);
+    EXPECT_EQ(ringPlan(document.project(), firstBus).addresses.first, 3);
 }
 
 TEST_F(StructureEditorTest, ADeviceIsDraggedOntoABusTerminalAndBetweenOthers)
@@ -318,7 +318,7 @@ TEST_F(StructureEditorTest, TheSummaryCountsAndTellsTheCycleTime)
 TEST_F(StructureEditorTest, TheStep5RuleIsSwitchedOnAndUndone)
 {
     QTest::mouseClick(&child<QCheckBox>("step5"), Qt::LeftButton, {}, QPoint(8, 8));
-    EXPECT_TRUE(ringPlan(document.project(), firstRing).addresses.step5);
+    EXPECT_TRUE(ringPlan(document.project(), firstBus).addresses.step5);
     EXPECT_TRUE(indexOf(QStringLiteral("1.0"), test::findingsColumn)
                     .data()
                     .toString()

@@ -17,7 +17,7 @@
 namespace codewheel {
 namespace {
 
-constexpr Place terminal{firstRing, NodeId("6.0")};
+constexpr Place terminal{firstBus, NodeId("6.0")};
 
 // A crane with its names and addresses; one address was typed wrong.
 void planCrane(TrainingWindow &shown)
@@ -28,11 +28,11 @@ void planCrane(TrainingWindow &shown)
         const char16_t *station;
         const char16_t *group;
     };
-    static constexpr std::array named{Named{{firstRing, NodeId("1.0")}, u"Crane 1, hoist", u"A"},
-                                      Named{{firstRing, NodeId("2.0")}, u"Crane 1, trolley", u"A"},
-                                      Named{{firstRing, NodeId("3.0")}, u"Gate", u"B"},
-                                      Named{{firstRing, NodeId("5.0")}, u"Press", u"B"},
-                                      Named{{firstRing, NodeId("6.1")}, u"Turntable", u"C"}};
+    static constexpr std::array named{Named{{firstBus, NodeId("1.0")}, u"Crane 1, hoist", u"A"},
+                                      Named{{firstBus, NodeId("2.0")}, u"Crane 1, trolley", u"A"},
+                                      Named{{firstBus, NodeId("3.0")}, u"Gate", u"B"},
+                                      Named{{firstBus, NodeId("5.0")}, u"Press", u"B"},
+                                      Named{{firstBus, NodeId("6.1")}, u"Turntable", u"C"}};
     ProjectDocument &project = shown.project();
     for (const Named &each : named)
         project.editDevice(each.number, {}, [&](ProjectDevice &device) {
@@ -46,7 +46,7 @@ void planCrane(TrainingWindow &shown)
                                           .onLocalBus = true,
                                           .row = 1}));
     const auto giveIn = [&project](NodeId device, int in) {
-        project.editDevice({firstRing, device}, {},
+        project.editDevice({firstBus, device}, {},
                            [in](ProjectDevice &its) { its.set(GivenAddresses{.in = in}); });
     };
     giveIn(NodeId("4.0"), 128);
@@ -85,8 +85,8 @@ QWidget *comparisonAtWork(TrainingWindow &shown)
     const Catalog catalog = Catalog::builtIn();
     ProjectDocument &project = shown.project();
     PlanEdits edits(project, catalog);
-    (void)edits.change(project.ids(firstRing)[1], deviceOf(0x0236));
-    (void)edits.remove({project.ids(firstRing)[2]});
+    (void)edits.change(project.ids(firstBus)[1], deviceOf(0x0236));
+    (void)edits.remove({project.ids(firstBus)[2]});
     shown.window().showComparison();
     shown.advance(40);
     return shown.window().findChild<RingComparison *>();

@@ -11,6 +11,6 @@ namespace codewheel {
 // that are not word-aligned, and, if the project asks for it, encoders that are not above P127 (Step 5; FRABA
 // manual 4). In ring order.
 std::vector<Finding> checkProject(const Project &project, const std::vector<DeviceAddresses> &addresses,
-                                  BusId ring = firstRing);
+                                  BusId ring = firstBus);
 
 } // namespace codewheel

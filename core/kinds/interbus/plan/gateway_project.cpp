@@ -27,15 +27,15 @@ Project gatewayProject(const Project &planned, BusId ring, const RingStructure &
     if (isAsPlanned(structureOf(planned, ring), offered))
         std::ranges::copy(devicesOn(planned, ring), project.devices.begin());
     for (ProjectDevice &device : project.devices) {
-        device.bus = firstRing;
+        device.bus = firstBus;
         device.stored.clear();
         device.storedCams.clear();
         device.lastPosition.reset();
     }
     RingPlan plan = ringPlan(planned, ring);
     plan.link = {linkKindOf(gateway), linkTexts(gateway)};
-    setRingPlan(project, firstRing, std::move(plan));
-    findBus(project, firstRing)->name = name;
+    setRingPlan(project, firstBus, std::move(plan));
+    findBus(project, firstBus)->name = name;
     return project;
 }
 

@@ -29,7 +29,7 @@ inline constexpr int largestAddress = 65'535; // byte, for addresses given by ha
 
 // For each device in ring order. Automatic ones follow each other from AddressRules::first on, word-aligned,
 // and skip those given by hand. IN and OUT are counted separately.
-std::vector<DeviceAddresses> processAddresses(const Project &project, BusId ring = firstRing);
+std::vector<DeviceAddresses> processAddresses(const Project &project, BusId ring = firstBus);
 
 // As shown and typed: a byte or a word number. In words, an odd byte is shown as "6 + 1".
 QString addressText(int byte, AddressRules::Unit unit);

@@ -155,7 +155,7 @@ public:
     QString key() const override { return QString::fromLatin1(interbusKind); }
     QString title() const override { return tr("INTERBUS ring"); }
     QString usualName() const override { return QStringLiteral("Ring"); }
-    std::optional<BusId> trainingBus() const override { return firstRing; }
+    std::optional<BusId> trainingBus() const override { return firstBus; }
     KindData usual() const override { return KindData(RingPlan()); }
     QString linkText(const KindData &settings) const override;
     bool isTraining(const KindData &settings) const override

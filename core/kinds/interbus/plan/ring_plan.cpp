@@ -8,7 +8,7 @@ namespace codewheel {
 
 std::vector<PlannedBus> usualBuses()
 {
-    return {{.id = firstRing,
+    return {{.id = firstBus,
              .kind = QString::fromLatin1(interbusKind),
              .name = QStringLiteral("Ring"),
              .settings = KindData(RingPlan())}};

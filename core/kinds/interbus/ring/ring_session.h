@@ -45,7 +45,7 @@ public:
     // The catalog must outlive the session. `begin` is the date and time of Instant 0. No factory: the
     // drivers of the program (make_driver.h).
     RingSession(std::unique_ptr<ProcessDataLink> link, const Catalog &catalog, QDateTime begin,
-                QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstRing);
+                QObject *parent = nullptr, DriverFactory makeDriver = {}, BusId id = firstBus);
     ~RingSession() override;
 
     // Connects, finds the participants, makes sessions and channels; the bus is in RUN afterwards. Sends

@@ -426,7 +426,7 @@ TEST_F(EscLineInWindow, WatchAndOperateAreEachBussOwn)
     EXPECT_TRUE(bus().isOperating());
     EXPECT_TRUE(actions().watch->isChecked());
     EXPECT_EQ(modeOf(firstLine), QStringLiteral("Watch"));
-    EXPECT_EQ(modeOf(firstRing), QStringLiteral("Operate"));
+    EXPECT_EQ(modeOf(firstBus), QStringLiteral("Operate"));
     choose(test::fraba);
     EXPECT_TRUE(actions().operate->isChecked()) << "of the chosen bus";
     actions().watch->trigger();

@@ -70,9 +70,9 @@ protected:
     void planGateway()
     {
         Project project = shown->project().project();
-        RingPlan plan = ringPlan(project, firstRing);
+        RingPlan plan = ringPlan(project, firstBus);
         plan.link = {QStringLiteral("modbus-tcp"), {{QStringLiteral("host"), QStringLiteral("gateway")}}};
-        setRingPlan(project, firstRing, plan);
+        setRingPlan(project, firstBus, plan);
         shown->project().edit(std::move(project), QStringLiteral("Connection"));
     }
     int port() { return ring().offer().place().address.section(u':', -1).toInt(); }

@@ -101,7 +101,7 @@ TEST_F(GatewayInWindowTest, ConnectsInWatchAndWritesNothing)
     EXPECT_EQ(bank->writes, 0);
     ASSERT_TRUE(asked);
     EXPECT_EQ(asked->host, QStringLiteral("gateway.hall"));
-    EXPECT_EQ(ringPlan(shown->project().project(), firstRing).link.kind, QStringLiteral("modbus-tcp"));
+    EXPECT_EQ(ringPlan(shown->project().project(), firstBus).link.kind, QStringLiteral("modbus-tcp"));
 }
 
 // The user says that it is the same encoder; the mode is asked for anew.
@@ -194,7 +194,7 @@ TEST_F(GatewayInWindowTest, NorIsItInTheReport)
     ReportInput input;
     input.project = shown->project().project();
     addConnected(input, shown->buses());
-    EXPECT_FALSE(input.connected.contains(firstRing));
+    EXPECT_FALSE(input.connected.contains(firstBus));
 }
 
 TEST_F(GatewayInWindowTest, WordsGoOutInOperateOnly)
@@ -469,9 +469,9 @@ TEST_F(GatewayInWindowTest, KeepingOpensNothingAndCanBeUndone)
     choose(QStringLiteral("gateway.hall"));
     click(button(connection(), QStringLiteral("Keep in project")));
     EXPECT_FALSE(asked);
-    ASSERT_TRUE(plannedGateway(shown->project().project(), firstRing));
+    ASSERT_TRUE(plannedGateway(shown->project().project(), firstBus));
     shown->project().undoStack().undo();
-    EXPECT_FALSE(plannedGateway(shown->project().project(), firstRing));
+    EXPECT_FALSE(plannedGateway(shown->project().project(), firstBus));
 }
 
 TEST_F(GatewayInWindowTest, TheTestSaysStepByStepWhatAnswers)
@@ -647,7 +647,7 @@ TEST_F(GatewayInWindowTest, ATrainingRingThatRunsIsReplacedOnlyAfterAsking)
     EXPECT_TRUE(bus().isSimulated() && bus().isOperating());
     EXPECT_TRUE(told(connection()).startsWith(QStringLiteral("This bus is connected to simulated encoders.")))
         << told(connection()).toStdString();
-    EXPECT_EQ(ringPlan(shown->project().project(), firstRing).link.kind, QStringLiteral("training"));
+    EXPECT_EQ(ringPlan(shown->project().project(), firstBus).link.kind, QStringLiteral("training"));
     click(button(connection(), QStringLiteral("Disconnect and connect")));
     advance(50);
     EXPECT_FALSE(bus().isSimulated());

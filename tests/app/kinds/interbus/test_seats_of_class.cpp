@@ -157,11 +157,11 @@ TEST_F(SeatsOfClass, AFileConnectsToItsSeat)
     ASSERT_TRUE(project);
     EXPECT_EQ(project->buses.size(), 1U);
     EXPECT_EQ(project->buses.front().name, QStringLiteral("Ring, seat 2"));
-    const auto gateway = plannedGateway(*project, firstRing);
+    const auto gateway = plannedGateway(*project, firstBus);
     ASSERT_TRUE(gateway && *gateway);
     const Catalog catalog = Catalog::builtIn();
     RingSession student(std::make_unique<GatewayLink>(std::make_unique<ModbusPort>(**gateway), **gateway,
-                                                      gatewayDevices(*project, firstRing, catalog)),
+                                                      gatewayDevices(*project, firstBus, catalog)),
                         catalog, QDateTime::currentDateTime());
     ASSERT_TRUE(student.open(RingSession::Start::operating));
     student.advance(1);
@@ -224,7 +224,7 @@ TEST_F(SeatsOfClass, OneRingForAllHasOneFile)
     click("clientFiles");
     const auto project = loadProject(inFolder("class.codewheel"));
     ASSERT_TRUE(project) << problem().toStdString();
-    const auto gateway = plannedGateway(*project, firstRing);
+    const auto gateway = plannedGateway(*project, firstBus);
     ASSERT_TRUE(gateway && *gateway);
     EXPECT_EQ((*gateway)->host, QStringLiteral("127.0.0.1"));
     EXPECT_EQ((*gateway)->tcpPort, port());
@@ -247,7 +247,7 @@ protected:
     QString hostIn(const char *file)
     {
         const auto project = loadProject(inFolder(file));
-        return project ? ringPlan(*project, firstRing).link.settings.at(QStringLiteral("host")) : QString();
+        return project ? ringPlan(*project, firstBus).link.settings.at(QStringLiteral("host")) : QString();
     }
 };
 

@@ -380,7 +380,7 @@ TEST_F(CliLineTransfer, TheReportAsksTheEncoders)
 TEST_F(CliLineTransfer, OnTheTrainingBusRingAndLineGoTogether)
 {
     Project both = *loadProject(QStringLiteral(CODEWHEEL_ROOT "/docs/examples/training.codewheel"));
-    findDevice(both, {firstRing, NodeId("2.0")})->wanted = {{Parameter::steps, 4096}};
+    findDevice(both, {firstBus, NodeId("2.0")})->wanted = {{Parameter::steps, 4096}};
     setLinePlan(both, firstLine, {});
     ProjectDevice encoder = at(0x05);
     encoder.wanted = {{Parameter::steps, 864}};

@@ -180,7 +180,7 @@ TEST_F(ServeModbus, TheRingOfAProjectIsSimulated)
 
     RingPlan real;
     real.link.kind = QStringLiteral("modbus-tcp");
-    setRingPlan(project, firstRing, real);
+    setRingPlan(project, firstBus, real);
     ASSERT_TRUE(saveProject(project, file));
     const CliRun refused = runLine(QStringLiteral("serve modbus-tcp --json --project ") + file);
     EXPECT_EQ(refused.exit, 2);

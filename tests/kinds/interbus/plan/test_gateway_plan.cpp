@@ -55,7 +55,7 @@ TEST(GatewayPlan, IsKeptInTheFileOfTheProject)
     const auto read = projectFromJson(projectToJson(project), QStringLiteral("crane.codewheel"));
     ASSERT_TRUE(read) << refusalText(read.error()).toStdString();
     EXPECT_EQ(*read, project);
-    const auto gateway = plannedGateway(*read, firstRing);
+    const auto gateway = plannedGateway(*read, firstBus);
     ASSERT_TRUE(gateway && *gateway);
     EXPECT_EQ((*gateway)->host, QStringLiteral("192.168.0.5"));
     EXPECT_EQ((*gateway)->unit, 3);
@@ -66,12 +66,12 @@ TEST(GatewayPlan, IsShownAsItsUserKnowsIt)
 {
     const BusKind &ring = *busKind(u"interbus");
     const auto text = [&](const Project &project) {
-        return ring.linkText(findBus(project, firstRing)->settings);
+        return ring.linkText(findBus(project, firstBus)->settings);
     };
     EXPECT_EQ(text(ringBehind("modbus-tcp", someGateway)), QStringLiteral("192.168.0.5:502, unit 3"));
     EXPECT_EQ(text(ringBehind("modbus-rtu", {{QStringLiteral("port"), QStringLiteral("/dev/ttyUSB0")}})),
               QStringLiteral("/dev/ttyUSB0, 19200 Bd, 8E1, unit 1"));
-    EXPECT_FALSE(ring.isTraining(findBus(ringBehind("modbus-tcp", someGateway), firstRing)->settings));
+    EXPECT_FALSE(ring.isTraining(findBus(ringBehind("modbus-tcp", someGateway), firstBus)->settings));
 }
 
 TEST(GatewayPlan, AWrongSettingIsReportedWithLineAndKey)
@@ -94,7 +94,7 @@ TEST(GatewayPlan, ALinkOfANewerProgramIsKeptAsItIs)
 {
     const Project project = ringBehind("opc-ua", {{QStringLiteral("unit"), QStringLiteral("everything")}});
     EXPECT_EQ(projectFromJson(projectToJson(project), QStringLiteral("crane.codewheel")), project);
-    EXPECT_FALSE(plannedGateway(project, firstRing));
+    EXPECT_FALSE(plannedGateway(project, firstBus));
     EXPECT_EQ(findingsOf(project), QStringList());
 }
 
@@ -121,7 +121,7 @@ TEST(GatewayPlan, TheCheckKnowsWhatTheProjectKnowsOfTheEncoders)
     project.devices[1].stored = {{Parameter::steps, 1000, Evidence::read, {}},
                                  {Parameter::revolutions, 16, Evidence::read, {}}};
     project.devices[2].participant.deviceKey.clear();
-    const auto devices = checkedDevices(project, firstRing, catalog);
+    const auto devices = checkedDevices(project, firstBus, catalog);
     ASSERT_EQ(devices.size(), 3U);
     EXPECT_EQ(devices[0].sender.totalRange, 8192 * 4096); // what its disc has
     EXPECT_EQ(devices[1].sender.totalRange, 256'000);     // 4096 turns

@@ -34,7 +34,7 @@ TEST(GatewayProject, HasTheRingAsPlannedAndNothingElse)
     const Project project =
         gatewayProject(classroom(), thirdBus, writtenRing("K3 K1"), seat, QStringLiteral("Seat"));
     ASSERT_EQ(project.buses.size(), 1U);
-    EXPECT_EQ(project.buses.front().id, firstRing);
+    EXPECT_EQ(project.buses.front().id, firstBus);
     EXPECT_EQ(project.buses.front().name, QStringLiteral("Seat"));
     EXPECT_EQ(project.title, QStringLiteral("Class"));
     EXPECT_TRUE(project.sequences.empty());
@@ -45,7 +45,7 @@ TEST(GatewayProject, HasTheRingAsPlannedAndNothingElse)
         EXPECT_TRUE(device.stored.empty() && device.storedCams.empty() && !device.lastPosition)
             << "not of this encoder";
     }
-    const auto gateway = plannedGateway(project, firstRing);
+    const auto gateway = plannedGateway(project, firstBus);
     ASSERT_TRUE(gateway && *gateway);
     EXPECT_EQ(**gateway, seat);
 }

@@ -198,7 +198,7 @@ TEST_F(FaultOfRing, IsToldUntilTheBusRunsAgain)
     const PlannedFault broken{TrainingFault::wireBreak, "4.0"_ring, ""};
     befall(broken);
     ASSERT_EQ(all.look(buses).size(), 1U);
-    EXPECT_EQ(all.all().front().bus, firstRing);
+    EXPECT_EQ(all.all().front().bus, firstBus);
     EXPECT_TRUE(all.all().front().fault.text.startsWith(QStringLiteral("The cable")));
     training.controls->setFault(broken.fault, broken.place.node, 0);
     frames(100);

@@ -121,7 +121,7 @@ TEST_F(RingChecks, ThatNothingCanBeWrittenInWatchIsOnlyARemark)
 TEST_F(RingChecks, ABusThatIsNotConnectedSaysSoFirst)
 {
     bus.close();
-    for (const Place place : {"2.0"_ring, Place{firstRing, {}}}) {
+    for (const Place place : {"2.0"_ring, Place{firstBus, {}}}) {
         expectFirst(place, DataCheck::Id::link, "The bus is not connected.", DataCheck::Action::connectBus);
         EXPECT_EQ(of(place).size(), 1U);
     }
@@ -257,7 +257,7 @@ TEST_F(RingChecks, AnErrorIsToldWithItsNumber)
     befall(TrainingFault::codeDiscFault, "2.0"_ring);
     expectFirst("2.0"_ring, DataCheck::Id::state, "2.0: Error 15: ", DataCheck::Action::monitor);
     EXPECT_TRUE(firstDifference(of("2.0"_ring))->came.startsWith(QStringLiteral("error 15 (IN 9E000000)")));
-    expectFirst({firstRing, {}}, DataCheck::Id::devices, "2.0: Error 15: ", DataCheck::Action::none);
+    expectFirst({firstBus, {}}, DataCheck::Id::devices, "2.0: Error 15: ", DataCheck::Action::none);
 }
 
 TEST_F(RingChecks, ParameterizationIsTold)

@@ -34,7 +34,7 @@ protected:
     }
     void simulate()
     {
-        m_bus = makePlannedRing(m_project, firstRing, m_catalog);
+        m_bus = makePlannedRing(m_project, firstBus, m_catalog);
         const auto structure = m_bus->link->open();
         ASSERT_TRUE(structure);
         EXPECT_EQ(structure->size(), m_project.devices.size());

@@ -25,7 +25,7 @@ class TrainingPanel final : public TrainingArea
     Q_OBJECT
 
 public:
-    explicit TrainingPanel(SharedControls controls, BusId ring = firstRing, QWidget *parent = nullptr);
+    explicit TrainingPanel(SharedControls controls, BusId ring = firstBus, QWidget *parent = nullptr);
 
     // Another ring from now on: the device stays chosen, and a loaded fault plan stays loaded.
     void setControls(SharedControls controls);
