@@ -16161,8 +16161,8 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
         <translation>Ein serieller CAN-Adapter, der offen ist; seine Rate ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>SLCAN: at ports as ttyACM0 a serial CAN adapter is asked for its version, then it listens at each rate. On the CAN bus nothing is sent.</source>
-        <translation>SLCAN: An Anschlüssen wie ttyACM0 wird ein serieller CAN-Adapter nach seiner Version gefragt, dann horcht er bei jeder Rate. Auf dem CAN-Bus wird nichts gesendet.</translation>
+        <source>SLCAN: at ports as ttyACM0 a serial CAN adapter is asked for its version, then it listens at each rate. On the CAN bus nothing is sent. At others, as ttyUSB0, none is asked, as a line of encoders may be behind them: one with CANUSB or LAWICEL in its name below /dev/serial/by-id is, where that is given.</source>
+        <translation>(old text) + An anderen wie ttyUSB0 wird keiner gefragt, weil eine Leitung mit Gebern dahinter sein kann: einer mit CANUSB oder LAWICEL im Namen unter /dev/serial/by-id schon, wenn der angegeben ist.   [FinderTexts]</translation>
     </message>
 </context>
 <context>
