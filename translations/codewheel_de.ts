@@ -433,23 +433,23 @@
     </message>
     <message>
         <source>below the work area</source>
-        <translation>unter dem Arbeitsbereich   [CanopenBit]</translation>
+        <translation>unter dem Arbeitsbereich</translation>
     </message>
     <message>
         <source>above the work area</source>
-        <translation>über dem Arbeitsbereich   [CanopenBit]</translation>
+        <translation>über dem Arbeitsbereich</translation>
     </message>
     <message>
         <source>outside the work area</source>
-        <translation>außerhalb des Arbeitsbereichs   [CanopenBit]</translation>
+        <translation>außerhalb des Arbeitsbereichs</translation>
     </message>
     <message>
         <source>profile %1.%2, software %3.%4</source>
-        <translation>Profil %1.%2, Software %3.%4   [CanopenBit]</translation>
+        <translation>Profil %1.%2, Software %3.%4</translation>
     </message>
     <message>
         <source>not supported</source>
-        <translation>nicht unterstützt   [CanopenBit]</translation>
+        <translation>nicht unterstützt</translation>
     </message>
 </context>
 <context>
@@ -2026,7 +2026,7 @@
     </message>
     <message>
         <source>The encoder is not being asked, as others are at work on the bus: another master, or J1939.</source>
-        <translation>Der Geber wird nicht abgefragt, weil andere auf dem Bus am Werk sind: ein anderer Master oder J1939.   [context of freshness texts; replaces &quot;The encoder is not being asked, as another master is at work on the bus.&quot;]</translation>
+        <translation>Der Geber wird nicht abgefragt, weil andere auf dem Bus am Werk sind: ein anderer Master oder J1939.</translation>
     </message>
 </context>
 <context>
@@ -3228,7 +3228,7 @@
     </message>
     <message>
         <source>%1 has the identifier %2, and %3 is predefined for the number of this node: it may be that of the number it had before. Write %3 to it, store, and reset the node; if it cannot be written, restore the factory values.</source>
-        <translation>%1 hat den Identifier %2, und %3 ist für die Nummer dieses Knotens vordefiniert: Vielleicht ist es der der Nummer, die er vorher hatte. Schreiben Sie %3 hinein, speichern Sie, und setzen Sie den Knoten zurück; lässt er sich nicht schreiben, stellen Sie die Werkseinstellungen her.   [Message]</translation>
+        <translation>%1 hat den Identifier %2, und %3 ist für die Nummer dieses Knotens vordefiniert: Vielleicht ist es der der Nummer, die er vorher hatte. Schreiben Sie %3 hinein, speichern Sie, und setzen Sie den Knoten zurück; lässt er sich nicht schreiben, stellen Sie die Werkseinstellungen her.</translation>
     </message>
 </context>
 <context>
@@ -4571,7 +4571,7 @@
     </message>
     <message>
         <source>Node %1 does not tell whether it is running, and this stops it: if it runs, its positions would not come until it is started again. Agree that it is stopped and started afterwards, or stop it first.</source>
-        <translation>Knoten %1 sagt nicht, ob er läuft, und das hier hält ihn an: Läuft er, kämen seine Positionen erst wieder, wenn er neu gestartet ist. Stimmen Sie zu, dass er angehalten und danach gestartet wird, oder halten Sie ihn vorher an.   [Refusal]</translation>
+        <translation>Knoten %1 sagt nicht, ob er läuft, und das hier hält ihn an: Läuft er, kämen seine Positionen erst wieder, wenn er neu gestartet ist. Stimmen Sie zu, dass er angehalten und danach gestartet wird, oder halten Sie ihn vorher an.</translation>
     </message>
 </context>
 <context>
@@ -7672,19 +7672,19 @@
     </message>
     <message>
         <source>Identifier of %1</source>
-        <translation>Identifier von %1   [codewheel::CanopenChecks]</translation>
+        <translation>Identifier von %1</translation>
     </message>
     <message>
         <source>The node has booted, and does not tell its state: most then wait to be started (NMT), some start by themselves.</source>
-        <translation>Der Knoten hat gebootet und sagt seinen Zustand nicht: Die meisten warten dann darauf, gestartet zu werden (NMT), manche starten von selbst.   [codewheel::CanopenChecks]</translation>
+        <translation>Der Knoten hat gebootet und sagt seinen Zustand nicht: Die meisten warten dann darauf, gestartet zu werden (NMT), manche starten von selbst.</translation>
     </message>
     <message>
         <source>none since the boot-up</source>
-        <translation>keine seit dem Boot-up   [codewheel::CanopenChecks]</translation>
+        <translation>keine seit dem Boot-up</translation>
     </message>
     <message>
         <source>PDOs come once the node is started (NMT), unless it starts by itself.</source>
-        <translation>PDOs kommen, sobald der Knoten gestartet ist (NMT), falls er nicht von selbst startet.   [codewheel::CanopenChecks]</translation>
+        <translation>PDOs kommen, sobald der Knoten gestartet ist (NMT), falls er nicht von selbst startet.</translation>
     </message>
 </context>
 <context>
@@ -7909,7 +7909,7 @@
     </message>
     <message>
         <source>The NMT state that the node has told last. Only an operational one sends PDOs, and a stopped one answers nothing. Behind its boot-up a node waits to be started, or starts by itself</source>
-        <translation>Der NMT-Zustand, den der Knoten zuletzt gesagt hat. Nur einer auf Operational sendet PDOs, und ein angehaltener antwortet nicht. Nach seinem Boot-up wartet ein Knoten darauf, gestartet zu werden, oder startet von selbst   [codewheel::CanopenFacts; replaces the text without the last sentence]</translation>
+        <translation>Der NMT-Zustand, den der Knoten zuletzt gesagt hat. Nur einer auf Operational sendet PDOs, und ein angehaltener antwortet nicht. Nach seinem Boot-up wartet ein Knoten darauf, gestartet zu werden, oder startet von selbst</translation>
     </message>
 </context>
 <context>
@@ -16162,7 +16162,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>SLCAN: at ports as ttyACM0 a serial CAN adapter is asked for its version, then it listens at each rate. On the CAN bus nothing is sent. At others, as ttyUSB0, none is asked, as a line of encoders may be behind them: one with CANUSB or LAWICEL in its name below /dev/serial/by-id is, where that is given.</source>
-        <translation>(old text) + An anderen wie ttyUSB0 wird keiner gefragt, weil eine Leitung mit Gebern dahinter sein kann: einer mit CANUSB oder LAWICEL im Namen unter /dev/serial/by-id schon, wenn der angegeben ist.   [FinderTexts]</translation>
+        <translation>SLCAN: An Anschlüssen wie ttyACM0 wird ein serieller CAN-Adapter nach seiner Version gefragt, dann horcht er bei jeder Rate. Auf dem CAN-Bus wird nichts gesendet. An anderen wie ttyUSB0 wird keiner gefragt, weil eine Leitung mit Gebern dahinter sein kann: einer mit CANUSB oder LAWICEL im Namen unter /dev/serial/by-id schon, wenn der angegeben ist.</translation>
     </message>
 </context>
 <context>
@@ -20189,7 +20189,7 @@ Antworten: %4, Zeitüberschreitungen: %5</translation>
     </message>
     <message>
         <source>Nothing was heard on the bus so far: the rate may be wrong, or nobody there.</source>
-        <translation>Auf dem Bus war bisher nichts zu hören: Die Rate ist vielleicht falsch, oder niemand da.   [codewheel::OperateQuestion]</translation>
+        <translation>Auf dem Bus war bisher nichts zu hören: Die Rate ist vielleicht falsch, oder niemand da.</translation>
     </message>
 </context>
 <context>
