@@ -134,6 +134,16 @@ std::vector<State> SimulatedRing::states(std::optional<State> (SimulatedDevice::
     return states;
 }
 
+std::vector<SimulatedRing::Shaft> SimulatedRing::shafts() const
+{
+    return states(&SimulatedDevice::shaftState);
+}
+
+std::vector<SimulatedRing::Rod> SimulatedRing::rods() const
+{
+    return states(&SimulatedDevice::rodState);
+}
+
 template <typename Act, typename... Arguments>
 void SimulatedRing::with(NodeId number, Act act, Arguments... arguments)
 {
@@ -141,6 +151,16 @@ void SimulatedRing::with(NodeId number, Act act, Arguments... arguments)
     for (std::size_t i = 0; i < m_devices.size(); ++i)
         if (m_wiring.planned()[i].number == number)
             std::invoke(act, *m_devices[i], arguments...);
+}
+
+void SimulatedRing::turnTo(NodeId number, std::int64_t raw)
+{
+    with(number, &SimulatedDevice::turnTo, raw);
+}
+
+void SimulatedRing::powerCycle(NodeId number)
+{
+    with(number, &SimulatedDevice::powerCycle);
 }
 
 void SimulatedRing::turnBy(NodeId number, std::int64_t rawSteps)

@@ -82,14 +82,14 @@ public:
     }
     const SimulatedMaster &master() const { return m_master; }
 
-    std::vector<Shaft> shafts() const override { return states(&SimulatedDevice::shaftState); }
-    std::vector<Rod> rods() const override { return states(&SimulatedDevice::rodState); }
-    void turnTo(NodeId number, std::int64_t raw) override { with(number, &SimulatedDevice::turnTo, raw); }
+    std::vector<Shaft> shafts() const override;
+    std::vector<Rod> rods() const override;
+    void turnTo(NodeId number, std::int64_t raw) override;
     void turnBy(NodeId number, std::int64_t rawSteps) override;
     void setSpeed(NodeId number, double revolutionsPerMinute) override;
     void moveMagnetTo(NodeId number, double millimetres) override;
     void setMagnetSpeed(NodeId number, double millimetresPerSecond) override;
-    void powerCycle(NodeId number) override { with(number, &SimulatedDevice::powerCycle); }
+    void powerCycle(NodeId number) override;
 
     std::vector<TrainingPlace> places() const override;
     void setFault(TrainingFault fault, NodeId number, int value) override;
