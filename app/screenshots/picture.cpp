@@ -2,12 +2,21 @@
 #include "app/screenshots/picture.h"
 
 #include <QApplication>
+#include <QPropertyAnimation>
 #include <QTimer>
 
 #include <utility>
 
 namespace codewheel {
 namespace {
+
+// What moves by the time of the computer, as the button that clears a field appears, has got there.
+void endAnimations()
+{
+    for (const QWidget *window : QApplication::topLevelWidgets())
+        for (auto *animation : window->findChildren<QPropertyAnimation *>())
+            animation->setCurrentTime(animation->totalDuration());
+}
 
 // Layout and painting; which window is active, and what has the focus, comes from the window system, and what
 // that changes comes behind it. One round is enough on some computers only.
@@ -16,6 +25,7 @@ void settle()
     constexpr int rounds = 10;
     for (int i = 0; i < rounds; ++i)
         QCoreApplication::processEvents();
+    endAnimations();
 }
 
 } // namespace
