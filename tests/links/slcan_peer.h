@@ -3,8 +3,7 @@
 
 #include "links/serial_port_link.h"
 #include "links/slcan_link.h"
-
-#include <QProcess>
+#include "tests/support/peer_process.h"
 
 #include <gtest/gtest.h>
 
@@ -15,49 +14,26 @@ class SlcanPeer
 {
 public:
     explicit SlcanPeer(const QString &options = {}, int rate = 250'000)
-    {
-        m_process.start(QStringLiteral(CODEWHEEL_PYTHON), QStringList{QStringLiteral(CODEWHEEL_SLCAN_PEER)} +
-                                                              options.split(u' ', Qt::SkipEmptyParts));
-        m_link = std::make_unique<SlcanLink>(std::make_unique<SerialPortLink>(readLine()), rate, 115'200);
-    }
-    ~SlcanPeer()
-    {
-        m_link.reset();
-        unplug();
-    }
+        : m_process(QStringLiteral(CODEWHEEL_PYTHON), QStringList{QStringLiteral(CODEWHEEL_SLCAN_PEER)} +
+                                                          options.split(u' ', Qt::SkipEmptyParts))
+        , m_link(
+              std::make_unique<SlcanLink>(std::make_unique<SerialPortLink>(m_process.port()), rate, 115'200))
+    {}
 
     SlcanLink &link() { return *m_link; }
     // What it says to an order.
     QStringList order(const QString &text)
     {
-        m_process.write(text.toLatin1() + '\n');
         QStringList lines;
-        for (QString line = readLine(); line != QStringLiteral("ok") && !line.isNull(); line = readLine())
-            lines << line;
+        for (const std::string &line : m_process.order(text))
+            lines << QString::fromStdString(line);
         return lines;
     }
     std::string state() { return order(QStringLiteral("state")).value(0).trimmed().toStdString(); }
-    void unplug()
-    {
-        if (m_process.state() == QProcess::NotRunning)
-            return;
-        m_process.closeWriteChannel();
-        EXPECT_TRUE(m_process.waitForFinished(20'000));
-        EXPECT_EQ(m_process.readAllStandardError(), "");
-    }
+    void unplug() { m_process.unplug(); }
 
 private:
-    QString readLine()
-    {
-        while (!m_process.canReadLine())
-            if (!m_process.waitForReadyRead(60'000)) {
-                ADD_FAILURE() << m_process.readAllStandardError().toStdString();
-                return {};
-            }
-        return QString::fromLatin1(m_process.readLine()).trimmed();
-    }
-
-    QProcess m_process;
+    PeerProcess m_process;
     std::unique_ptr<SlcanLink> m_link;
 };
 

@@ -4,6 +4,7 @@
 #include "links/can_link_to.h"
 #include "tests/app/kinds/canopen/canopen_window_test.h"
 #include "tests/app/press_connect.h"
+#include "tests/support/peer_process.h"
 #include "widgets/connect/port_field.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/wanted_values.h"
@@ -11,7 +12,6 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMessageBox>
-#include <QProcess>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,44 +29,20 @@ using testing::StartsWith;
 class CanopenAtPort : public test::CanopenWindowTest
 {
 protected:
-    CanopenAtPort()
-    {
-        canBus().setMakeLink(canLinkTo);
-        m_peer.start(QStringLiteral(CODEWHEEL_PYTHON), {QStringLiteral(CODEWHEEL_CANOPEN_PEER)});
-        m_port = readLine();
-    }
-    ~CanopenAtPort() override
-    {
-        canBus().close();
-        unplug();
-    }
-
-    // What the peer says to an order.
-    std::vector<std::string> order(const QString &text)
-    {
-        m_peer.write(text.toLatin1() + '\n');
-        std::vector<std::string> lines;
-        for (QString line = readLine(); line != QStringLiteral("ok") && !line.isNull(); line = readLine())
-            lines.push_back(line.toStdString());
-        return lines;
-    }
-    void unplug()
-    {
-        m_peer.closeWriteChannel();
-        EXPECT_TRUE(m_peer.state() == QProcess::NotRunning || m_peer.waitForFinished(60'000));
-    }
+    CanopenAtPort() { canBus().setMakeLink(canLinkTo); }
+    ~CanopenAtPort() override { canBus().close(); }
 
     ConnectPage &connection() { return *window().findChild<ConnectPage *>(QStringLiteral("canSettings")); }
     void connectAsTyped()
     {
-        plan(QStringLiteral("slcan:") + m_port, {nodeFive});
+        plan(QStringLiteral("slcan:") + peer.port(), {nodeFive});
         canActions().settings->trigger();
         connection()
             .findChild<QComboBox *>(QStringLiteral("link"))
             ->setCurrentText(QStringLiteral("Serial CAN adapter (SLCAN)"));
         auto *port = connection().findChild<PortField *>()->findChild<QComboBox *>()->lineEdit();
         port->selectAll();
-        QTest::keyClicks(port, m_port);
+        QTest::keyClicks(port, peer.port());
         auto *rate = connection().findChild<QComboBox *>(QStringLiteral("canRate"));
         rate->setCurrentIndex(rate->findData(250'000));
         test::pressConnect(connection());
@@ -104,36 +80,24 @@ protected:
         QTest::mouseClick(confirm, Qt::LeftButton);
     }
 
-private:
-    QString readLine()
-    {
-        while (!m_peer.canReadLine())
-            if (!m_peer.waitForReadyRead(60'000)) {
-                ADD_FAILURE() << m_peer.readAllStandardError().toStdString();
-                return {};
-            }
-        return QString::fromLocal8Bit(m_peer.readLine()).trimmed();
-    }
-
-    QProcess m_peer;
-    QString m_port;
+    test::PeerProcess peer{QStringLiteral(CODEWHEEL_PYTHON), {QStringLiteral(CODEWHEEL_CANOPEN_PEER)}};
 };
 
 TEST_F(CanopenAtPort, WatchesWithoutAFrameAndWritesAndStoresAValueOnceInOperate)
 {
     connectAsTyped();
     EXPECT_TRUE(comes([this] { return session().latest().heard(5) != nullptr; }));
-    EXPECT_THAT(order(QStringLiteral("heard")), IsEmpty());
-    EXPECT_THAT(order(QStringLiteral("state")), ElementsAre(StartsWith("listening")));
+    EXPECT_THAT(peer.order(QStringLiteral("heard")), IsEmpty());
+    EXPECT_THAT(peer.order(QStringLiteral("state")), ElementsAre(StartsWith("listening")));
     operate();
     ASSERT_TRUE(comes([this] { return session().encoder(nodeFive)->latest().position == 5000; }));
-    EXPECT_THAT(order(QStringLiteral("objects")), IsEmpty()) << "reading writes nothing";
+    EXPECT_THAT(peer.order(QStringLiteral("objects")), IsEmpty()) << "reading writes nothing";
     writeSteps(4096);
     ASSERT_TRUE(comes([this] {
         const auto known = session().encoder(nodeFive)->known(Parameter::steps);
         return known && known->value == 4096;
     }));
-    EXPECT_THAT(order(QStringLiteral("objects")), ElementsAre("6001:0=00100000", "1010:1=73617665"))
+    EXPECT_THAT(peer.order(QStringLiteral("objects")), ElementsAre("6001:0=00100000", "1010:1=73617665"))
         << "and it is stored, each once";
 }
 
@@ -142,7 +106,7 @@ TEST_F(CanopenAtPort, AnAdapterThatIsUnpluggedIsToldAndNoPositionIsOfNow)
     connectAsTyped();
     operate();
     ASSERT_TRUE(comes([this] { return session().encoder(nodeFive)->latest().position == 5000; }));
-    unplug();
+    peer.unplug();
     EXPECT_TRUE(comes([this] { return !session().latest().connected; }));
     EXPECT_FALSE(session().isOperating());
     EXPECT_TRUE(session().encoder(nodeFive)->freshness().isOld());

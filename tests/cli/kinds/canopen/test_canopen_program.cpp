@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Over a serial CAN adapter and an encoder that know nothing of this program.
 #include "tests/cli/cli_run.h"
-
-#include <QProcess>
+#include "tests/support/peer_process.h"
 
 #include <csignal>
 #include <gmock/gmock.h>
@@ -15,54 +14,21 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class CanNodePeer
+class CanNodePeer : public test::PeerProcess
 {
 public:
     explicit CanNodePeer(const QString &options = {})
-    {
-        m_process.start(QStringLiteral(CODEWHEEL_PYTHON),
-                        QStringList{QStringLiteral(CODEWHEEL_CANOPEN_PEER)} +
-                            options.split(u' ', Qt::SkipEmptyParts));
-        m_port = readLine();
-    }
-    ~CanNodePeer()
-    {
-        m_process.closeWriteChannel();
-        EXPECT_TRUE(m_process.waitForFinished(patience));
-        EXPECT_EQ(m_process.readAllStandardError(), "");
-    }
-    CanNodePeer(const CanNodePeer &) = delete;
-    CanNodePeer &operator=(const CanNodePeer &) = delete;
+        : PeerProcess(QStringLiteral(CODEWHEEL_PYTHON), QStringList{QStringLiteral(CODEWHEEL_CANOPEN_PEER)} +
+                                                            options.split(u' ', Qt::SkipEmptyParts))
+    {}
 
     CliRun runLine(const QString &line, const QString &settings = {}, int rate = 250'000)
     {
         return codewheel::runLine(
-            line + QStringLiteral(" --link slcan:%1,rate=%2%3").arg(m_port).arg(rate).arg(settings));
+            line + QStringLiteral(" --link slcan:%1,rate=%2%3").arg(port()).arg(rate).arg(settings));
     }
     // It has been stopped, and goes on.
-    void wake() { EXPECT_EQ(::kill(static_cast<pid_t>(m_process.processId()), SIGCONT), 0); }
-    std::vector<std::string> order(const QString &text)
-    {
-        m_process.write(text.toLatin1() + '\n');
-        std::vector<std::string> lines;
-        for (QString line = readLine(); line != QStringLiteral("ok") && !line.isNull(); line = readLine())
-            lines.push_back(line.toStdString());
-        return lines;
-    }
-
-private:
-    QString readLine()
-    {
-        while (!m_process.canReadLine())
-            if (!m_process.waitForReadyRead(patience)) {
-                ADD_FAILURE() << m_process.readAllStandardError().toStdString();
-                return {};
-            }
-        return QString::fromLatin1(m_process.readLine()).trimmed();
-    }
-
-    QProcess m_process;
-    QString m_port;
+    void wake() { EXPECT_EQ(::kill(static_cast<pid_t>(process().processId()), SIGCONT), 0); }
 };
 
 TEST(CliCanProgram, ListeningSendsNothing)

@@ -2,10 +2,10 @@
 // Who is behind a serial CAN adapter. Adapters are those of tests/can/slcan_peer.py and of serve canopen, at
 // ports that are called like those of USB devices.
 #include "tests/cli/cli_run.h"
+#include "tests/support/peer_process.h"
 
 #include <QFile>
 #include <QJsonArray>
-#include <QProcess>
 #include <QTemporaryDir>
 
 #include <csignal>
@@ -23,15 +23,17 @@ class AdapterAtPort
 {
 public:
     AdapterAtPort(const QString &program, const QStringList &arguments)
+        : m_process(program, arguments)
     {
-        m_process.start(program, arguments);
-        EXPECT_TRUE(QFile::link(readLine(), port()));
+        EXPECT_TRUE(QFile::link(m_process.port(), port()));
     }
     ~AdapterAtPort()
     {
-        m_process.closeWriteChannel();
-        ::kill(static_cast<pid_t>(m_process.processId()), SIGTERM);
-        EXPECT_TRUE(m_process.waitForFinished(patience));
+        QProcess &process = m_process.process();
+        process.closeWriteChannel();
+        ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+        EXPECT_TRUE(process.waitForFinished(patience));
+        process.readAllStandardError(); // of a program that is ended
     }
     AdapterAtPort(const AdapterAtPort &) = delete;
     AdapterAtPort &operator=(const AdapterAtPort &) = delete;
@@ -55,28 +57,11 @@ public:
         return m_run.json()[u"found"].toArray();
     }
     const CliRun &run() const { return m_run; }
-    std::vector<std::string> order(const QString &text)
-    {
-        m_process.write(text.toLatin1() + '\n');
-        std::vector<std::string> lines;
-        for (QString line = readLine(); line != QStringLiteral("ok") && !line.isNull(); line = readLine())
-            lines.push_back(line.toStdString());
-        return lines;
-    }
+    std::vector<std::string> order(const QString &text) { return m_process.order(text); }
 
 private:
-    QString readLine()
-    {
-        while (!m_process.canReadLine())
-            if (!m_process.waitForReadyRead(patience)) {
-                ADD_FAILURE() << m_process.readAllStandardError().toStdString();
-                return {};
-            }
-        return QString::fromLatin1(m_process.readLine()).trimmed();
-    }
-
     QTemporaryDir m_folder;
-    QProcess m_process;
+    test::PeerProcess m_process;
     CliRun m_run;
 };
 
