@@ -10,13 +10,13 @@ namespace codewheel {
 namespace {
 
 constexpr Instant betweenSnapshots = std::chrono::milliseconds(30); // as often as a window looks
+constexpr Instant justNow = std::chrono::milliseconds(2);
 
 std::vector<canopen::KeptIdentifier> keptOf(const canopen::NodeDriver &driver)
 {
     const auto kept = driver.keptIdentifiers();
     return {kept.begin(), kept.end()};
 }
-constexpr Instant justNow = std::chrono::milliseconds(2);
 
 } // namespace
 

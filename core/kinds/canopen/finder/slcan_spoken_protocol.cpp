@@ -48,8 +48,7 @@ public:
         return FinderTexts::tr(
             "SLCAN: at ports as ttyACM0 a serial CAN adapter is asked for its version, then it "
             "listens at each rate. On the CAN bus nothing is sent. At others, as ttyUSB0, none is asked, as "
-            "a "
-            "line of encoders may be behind them: one with CANUSB or LAWICEL in its name below "
+            "a line of encoders may be behind them: one with CANUSB or LAWICEL in its name below "
             "/dev/serial/by-id is, where that is given.");
     }
     std::unique_ptr<Asking> ask(const QString &place) const override { return askSlcanAdapter(place); }

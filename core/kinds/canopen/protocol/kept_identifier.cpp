@@ -3,8 +3,7 @@
 
 #include "kinds/canopen/protocol/canopen_messages.h"
 #include "kinds/canopen/protocol/cob_id.h"
-
-#include <algorithm>
+#include "vocabulary/find_by.h"
 
 namespace codewheel::canopen {
 namespace {
@@ -30,8 +29,7 @@ constexpr std::array serviceRows{
 
 const ServiceRow *serviceRowOf(SdoObject object)
 {
-    const auto row = std::ranges::find(serviceRows, object, &ServiceRow::object);
-    return row == serviceRows.end() ? nullptr : &*row;
+    return findBy(serviceRows, object, &ServiceRow::object);
 }
 
 bool isOfOtherNode(std::uint32_t identifier, int node)
