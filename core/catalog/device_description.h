@@ -53,6 +53,7 @@ struct ValueForm
     QString (*rangeText)() = nullptr; // if the options are not known
     // The number that the encoder sends for it, where that may be another; empty: it is the same.
     std::optional<std::int64_t> (*asSent)(std::int64_t value, const KindData &options) = nullptr;
+    bool (*isInWords)(std::int64_t value) = nullptr; // told without the unit of the parameter
     int typedHexDigits = 0; // it is typed as hexadecimal number with so many digits; 0: decimal
 };
 

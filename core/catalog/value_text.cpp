@@ -10,7 +10,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
 #include <tuple>
 
 namespace codewheel {
@@ -153,9 +152,8 @@ QString unitText(Unit unit, const std::optional<Value> &of)
 
 QString unitText(const ParameterDescription &parameter, const Value &value)
 {
-    const QString text = valueText(parameter, value);
-    const bool isNumber = std::ranges::any_of(text, [](QChar one) { return one.isDigit(); });
-    return isNumber ? unitText(parameter.unit, value) : QString();
+    const auto isInWords = parameter.form != nullptr ? parameter.form->isInWords : nullptr;
+    return isInWords != nullptr && isInWords(value.number()) ? QString() : unitText(parameter.unit, value);
 }
 
 } // namespace codewheel

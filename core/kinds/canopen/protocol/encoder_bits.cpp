@@ -137,17 +137,21 @@ QString versionsText(std::int64_t value, const KindData & /*options*/)
                                                   {octet(8), octet(0), octet(24), octet(16)}));
 }
 
+bool isNotSupported(std::int64_t operatingTime)
+{
+    return operatingTime == 0xFFFF'FFFF;
+}
+
 // In tenths of an hour.
 QString operatingTimeText(std::int64_t value, const KindData & /*options*/)
 {
-    constexpr std::int64_t notSupported = 0xFFFF'FFFF;
     constexpr double tenths = 10;
-    return value == notSupported ? EncoderBitTexts::tr("not supported")
+    return isNotSupported(value) ? EncoderBitTexts::tr("not supported")
                                  : QLocale().toString(static_cast<double>(value) / tenths, 'f', 1);
 }
 
 constexpr ValueForm versionsForm{.text = versionsText};
-constexpr ValueForm operatingTimeForm{.text = operatingTimeText};
+constexpr ValueForm operatingTimeForm{.text = operatingTimeText, .isInWords = isNotSupported};
 
 } // namespace
 
