@@ -54,10 +54,8 @@ public:
     void allowOnly(std::initializer_list<const char *> allowed) const;
 
     bool has(const char *key) const { return m_value->isObject() && m_value->isMember(key); }
-    bool hasObject(const char *key) const
-    {
-        return has(key) && (*m_value)[key].isObject();
-    }                                    // where other types are accepted too
+    // Where other types are accepted too.
+    bool hasObject(const char *key) const { return has(key) && (*m_value)[key].isObject(); }
     QString text(const char *key) const; // not empty
     QString textOr(const char *key, const QString &otherwise) const;
     QString freeText(const char *key) const;  // any text; empty if the key is missing

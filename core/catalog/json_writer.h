@@ -28,10 +28,8 @@ public:
         raw(key, QByteArray::number(static_cast<qlonglong>(number)));
     }
     void value(const char *key, const Value &value);
-    void flag(const char *key, bool on)
-    {
-        raw(key, on ? "true" : "false");
-    } // a function of its own, since a pointer would convert to bool
+    // A function of its own, since a pointer would convert to bool.
+    void flag(const char *key, bool on) { raw(key, on ? "true" : "false"); }
 
     // Calls fill() to write the members of an object.
     template <typename Fill>

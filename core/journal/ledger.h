@@ -103,10 +103,8 @@ public:
 
     // `running`: what is under way, and so is no doubt about the past.
     EepromCount writes(const EncoderIdentity &identity, const std::vector<qint64> &running = {}) const;
-    QDateTime since(const EncoderIdentity &identity) const
-    {
-        return writes(identity).since;
-    } // null: never written
+    // Null: never written.
+    QDateTime since(const EncoderIdentity &identity) const { return writes(identity).since; }
     // With what the encoder had before each, the newest first; those of which nothing is known are left out.
     std::vector<Entry> valuesBefore(const EncoderIdentity &identity) const;
     std::vector<Account> accounts() const; // by identity

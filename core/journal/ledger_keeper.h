@@ -118,11 +118,12 @@ private:
     void count(Place place, int writes);
     void settle(Place place, const Outcome &outcome);
     void settleDoubtful(Place place);
+    // That it has while it has no serial number.
     EncoderIdentity ofPlace(Place place) const
     {
         return {
             .by = CountedBy::place, .vendor = {}, .serialNumber = {}, .project = m_project, .place = place};
-    } // that it has while it has no serial number
+    }
     void identify(Place place);
     void attribute(Watched &watched);
     std::map<Place, std::vector<qint64>> onTheirWay() const;

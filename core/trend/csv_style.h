@@ -26,10 +26,8 @@ struct CsvStyle
     bool isForSpreadsheets() const { return !hasSeconds; }
     std::string begin() const { return isForSpreadsheets() ? "\xEF\xBB\xBF" : ""; } // of the file
     std::string timeTitle() const { return isForSpreadsheets() ? "time" : "time [s]"; }
-    std::string dateTitle() const
-    {
-        return hasSeconds && zone ? "date and time" : "";
-    } // of the second column; empty: there is none
+    // Of the second column; empty: there is none.
+    std::string dateTitle() const { return hasSeconds && zone ? "date and time" : ""; }
     // A title or another text, in quotation marks if need be.
     std::string field(const QString &text) const;
 

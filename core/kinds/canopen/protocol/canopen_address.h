@@ -30,10 +30,8 @@ struct CanopenAddress
     QString shown() const;
     NodeId place() const { return NodeId(std::string(prefix) + std::to_string(node)); } // "can:5"
 
-    static CanopenAddress of(NodeId place)
-    {
-        return read(place.toString()).value_or(CanopenAddress());
-    } // 0: it is no place on CANopen
+    // 0: it is no place on CANopen.
+    static CanopenAddress of(NodeId place) { return read(place.toString()).value_or(CanopenAddress()); }
     // "can:5"; empty for anything else.
     static std::optional<CanopenAddress> read(QStringView text);
 };

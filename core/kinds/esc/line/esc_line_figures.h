@@ -42,10 +42,8 @@ public:
     void note(const esc::ExchangeResult &result);
     void noteGarbage(std::size_t bytes) { m_figures.garbageBytes += bytes; }
     const EscLineFigures &figures() const { return m_figures; }
-    Instant longestAnswer() const
-    {
-        return m_figures.answerTime ? m_figures.answerTime->longest : Instant{};
-    } // 0: no answer yet
+    // 0: no answer yet.
+    Instant longestAnswer() const { return m_figures.answerTime ? m_figures.answerTime->longest : Instant{}; }
 
 private:
     void noteMissing(const esc::ExchangeResult &result);
